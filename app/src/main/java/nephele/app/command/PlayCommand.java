@@ -6,6 +6,7 @@ import java.util.List;
 import nephele.app.play.OffscreenWalk;
 import nephele.app.play.PlayRequest;
 import nephele.app.play.StartProfile;
+import nephele.app.play.WaitingGame;
 import nephele.app.play.WindowedGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
@@ -95,6 +96,10 @@ final class PlayCommand implements Command {
             description = "Draw one frame, print where the time since the JVM's start went, and leave.")
     private boolean profileStart;
 
+    /** The editor's way to play: orders come by standard input; a level only warms the process. */
+    @Option(names = "--warm", hidden = true)
+    private boolean warm;
+
     @Mixin
     private PlayQualityOptions quality;
 
@@ -106,7 +111,12 @@ final class PlayCommand implements Command {
     public ExitCode run(Terminal terminal) throws IOException {
         var request = request(terminal);
         boolean windowed = SystemDisplay.isPresent();
-        if (windowed && profileStart) {
+        if (warm && !windowed) {
+            throw CommandFailure.environment("to play from the editor, a display is needed: there is none");
+        }
+        if (warm) {
+            WaitingGame.run(request, System.in, terminal.out());
+        } else if (windowed && profileStart) {
             new WindowedGame(request).profileStart(profile, terminal.out());
         } else if (windowed) {
             new WindowedGame(request).run();

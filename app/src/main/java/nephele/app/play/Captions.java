@@ -11,7 +11,7 @@ final class Captions {
     private Session begun;
     private long begunNanos;
 
-    /** Shows the aim of a level from now on. */
+    /** Shows the aim of a level from now on; of none if it is null. */
     void begin(Session session) {
         begun = session;
         begunNanos = System.nanoTime();

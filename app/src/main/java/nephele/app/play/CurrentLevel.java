@@ -5,6 +5,7 @@ import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
 import nephele.app.text.Phrase;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Scene;
 import nephele.engine.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
@@ -48,11 +49,26 @@ final class CurrentLevel implements AutoCloseable {
         session.notice().ifPresent(message::say);
     }
 
+    /** Frees what the level takes; its recording is not saved. */
+    void leave() {
+        closeSession();
+    }
+
     /** Draws the level with the chosen quality. */
     void redraw() {
         boolean showsFigures = figures.isOpen();
         figures.close();
         session.redraw(gl, auto);
+        if (showsFigures) {
+            toggleFigures();
+        }
+    }
+
+    /** Draws the level with other light from the next frame on. */
+    void relight(Scene scene) {
+        boolean showsFigures = figures.isOpen();
+        figures.close();
+        session.relight(scene);
         if (showsFigures) {
             toggleFigures();
         }

@@ -57,6 +57,11 @@ final class GamePicture {
         captions.begin(current.session());
     }
 
+    /** Forgets the level, so that nothing keeps its memory. */
+    void levelEnds() {
+        captions.begin(null);
+    }
+
     /**
      * Draws a frame.
      *

@@ -81,6 +81,11 @@ public record PlayRequest(
                 : player.files().settings().get(Settings.QUALITY) == Settings.QualityPreset.AUTO;
     }
 
+    /** Returns this request with another start; null for the level's. */
+    PlayRequest from(PlayerStart start) {
+        return new PlayRequest(level, start, quality, shown, record, simulation, picture, player);
+    }
+
     /** Returns the request for another level, played by hand. */
     PlayRequest of(LevelName other) {
         return new PlayRequest(other, null, quality, null, record, simulation, picture, player);

@@ -4,6 +4,7 @@ import java.util.Optional;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.window.Input;
+import nephele.engine.draw.FollowingBake;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
@@ -16,9 +17,12 @@ import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 
@@ -30,7 +34,7 @@ final class Session implements AutoCloseable {
     private static final double SWAY_RADIANS_PER_SECOND = 0.25;
 
     private final PlayRequest request;
-    private final Preparation.Prepared prepared;
+    private Preparation.Prepared prepared;
     private final Level level;
     private final SimLevel world;
     private Renderer renderer;
@@ -51,7 +55,12 @@ final class Session implements AutoCloseable {
 
     /** Builds the resources of a level; its problems are thrown before anything is allocated. */
     static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input, AutoQuality auto) {
-        var prepared = preparation.get();
+        return load(gl, request, preparation.get(), input, auto);
+    }
+
+    /** Builds the resources of a prepared level. */
+    static Session load(
+            GlContext gl, PlayRequest request, Preparation.Prepared prepared, Input input, AutoQuality auto) {
         return new Session(request, prepared, renderer(gl, request, prepared, auto.of(request)), input);
     }
 
@@ -99,6 +108,35 @@ final class Session implements AutoCloseable {
         Renderer next = renderer(gl, request, prepared, auto.of(request));
         renderer.close();
         renderer = next;
+    }
+
+    /** Replaces the scene by one of the same level with other light. */
+    void relight(Scene scene) {
+        if (isOtherLight(scene)) {
+            renderer = renderer.edited(scene);
+            prepared = prepared.with(scene);
+        }
+    }
+
+    /** Returns true if {@link #relight} would change something. */
+    boolean isOtherLight(Scene scene) {
+        return scene != prepared.scene();
+    }
+
+    /** Starts to bake the light that the level lacks; see {@link FollowingBake}. */
+    FollowingBake bake() {
+        return FollowingBake.begin(prepared.scene(), request.chosenQuality().shown(prepared.opened()));
+    }
+
+    /** Returns the replay since the start or the last restart, with its track: it is simulated again. */
+    Replay trackedRecording() {
+        var replay = recording();
+        return replay.tracked(new Simulation(world, replay.settings(), FaultLog.SILENT));
+    }
+
+    /** Returns the level as prepared. */
+    Preparation.Prepared prepared() {
+        return prepared;
     }
 
     /** Returns true if the player, not a replay, moves the character. */

@@ -34,6 +34,15 @@ public final class GameWindow implements AutoCloseable {
 
     /** Opens the window; a failure reports the system's messages (exit code 3). */
     public static GameWindow open(Request request, InputListener input) {
+        return open(request, input, GLFW_TRUE);
+    }
+
+    /** Opens the window as {@link #open} does, but invisible until {@link #reveal}. */
+    public static GameWindow openHidden(Request request, InputListener input) {
+        return open(request, input, GLFW_FALSE);
+    }
+
+    private static GameWindow open(Request request, InputListener input, int visible) {
         var complaints = new Complaints();
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
@@ -47,6 +56,7 @@ public final class GameWindow implements AutoCloseable {
             throw unavailable("no display can be opened", complaints);
         }
         askForCoreContext();
+        glfwWindowHint(GLFW_VISIBLE, visible);
         long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
         if (handle == NULL) {
             glfwTerminate();
@@ -95,6 +105,21 @@ public final class GameWindow implements AutoCloseable {
 
     public boolean closeRequested() {
         return glfwWindowShouldClose(handle);
+    }
+
+    /** Makes an invisible window visible, above the others and with the focus. */
+    public void reveal() {
+        glfwSetWindowShouldClose(handle, false);
+        glfwShowWindow(handle);
+        glfwRequestWindowAttention(handle);
+        glfwFocusWindow(handle);
+    }
+
+    /** Makes the window invisible and releases all keys. */
+    public void hide() {
+        captureMouse(false);
+        glfwHideWindow(handle);
+        input.forget();
     }
 
     /** Returns true once after the window lost the focus. */

@@ -45,7 +45,22 @@ public record LevelName(String typed) {
      * @throws LevelFormatException with all errors found
      */
     public OpenedLevel open() throws LevelFormatException {
-        var opened = new OpenedLevel(LevelFile.open(typed));
+        return checked(new OpenedLevel(LevelFile.open(typed)));
+    }
+
+    /**
+     * Reads a copy of the level in its place: with the assets beside the level, and by the level's name in messages. The
+     * level itself need not exist.
+     *
+     * @param copy a level file anywhere
+     * @throws LevelFormatException with all errors found
+     */
+    public OpenedLevel openCopy(Path copy) throws LevelFormatException {
+        var assets = LevelAssets.beside(Path.of(typed));
+        return checked(new OpenedLevel(new LevelFile.Opened(typed, LevelFile.read(copy), assets, Optional.empty())));
+    }
+
+    private static OpenedLevel checked(OpenedLevel opened) {
         var errors = WorldRules.errorsBeforeUse(
                 opened.level(), opened.assets(), () -> opened.placed().statics());
         if (!errors.isEmpty()) {
@@ -59,11 +74,16 @@ public record LevelName(String typed) {
      * still.
      */
     public Replay recordedWalk() {
-        Path beside = Path.of(typed).toAbsolutePath().resolveSibling("replays").resolve(fileName());
+        Path beside = solutionFile();
         if (Files.isRegularFile(beside)) {
             return replay(beside.toString());
         }
         return Files.exists(Path.of(typed)) ? standing() : walkInJar().orElseGet(this::standing);
+    }
+
+    /** Returns the file of the level's recorded walk, which need not exist. */
+    public Path solutionFile() {
+        return Path.of(typed).toAbsolutePath().resolveSibling("replays").resolve(fileName());
     }
 
     /**

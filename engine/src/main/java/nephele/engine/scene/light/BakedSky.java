@@ -1,9 +1,12 @@
 package nephele.engine.scene.light;
 
+import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
+import nephele.engine.scene.light.bake.SkyVisibilityFile;
 
 /** The sky visibility of the static geometry, computed before the scene because it may take seconds. */
 public final class BakedSky {
@@ -22,7 +25,25 @@ public final class BakedSky {
         if (!LightRequirements.skyVisibility(placed.level())) {
             return null;
         }
-        return SkyVisibilityCache.of(placed.assets())
-                .of(placed.statics().split(SkyVisibility.MODEL_EDGE_METRES), progress);
+        return SkyVisibilityCache.of(placed.assets()).of(baked(placed), progress);
+    }
+
+    /** Returns the visibility if it was baked before; bakes nothing. */
+    public static Optional<SkyVisibility> known(PlacedLevel placed) {
+        return SkyVisibilityCache.of(placed.assets()).known(baked(placed));
+    }
+
+    /** Returns true if the level needs a visibility at all. */
+    public static boolean isRequired(PlacedLevel placed) {
+        return LightRequirements.skyVisibility(placed.level());
+    }
+
+    /** Returns true if the visibility was baked for the very geometry of this level. */
+    public static boolean isOf(SkyVisibility visibility, PlacedLevel placed) {
+        return SkyVisibilityFile.nameFor(visibility.statics()).equals(SkyVisibilityFile.nameFor(baked(placed)));
+    }
+
+    private static StaticShapes baked(PlacedLevel placed) {
+        return placed.statics().split(SkyVisibility.MODEL_EDGE_METRES);
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.sim.replay;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
@@ -23,6 +24,7 @@ import nephele.engine.sim.state.SimState;
  * @param levelName the level's {@code name}; {@code null} if not recorded
  * @param levelSha256 of the level's canonical text, as {@link LevelJson#sha256} gives it; {@code null} if not recorded
  * @param start where the player starts, {@code null} for the level's start
+ * @param track where these inputs led the player in the level as recorded; empty if not recorded
  */
 public record Replay(
         @Written(required = true) String level,
@@ -37,7 +39,8 @@ public record Replay(
                         max = SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND)
                 int uprightDegreesPerSecond,
         @Written PlayerStart start,
-        @Written(required = true, most = 400_000) List<Run> inputs) {
+        @Written(required = true, most = 400_000) List<Run> inputs,
+        @Written(most = 400_000) List<Waypoint> track) {
     private static final RecordFile<Replay> FILE = RecordFile.of("replay", 1, Replay.class);
 
     /** A run of equal inputs of successive ticks. Turns are per tick. */
@@ -78,14 +81,39 @@ public record Replay(
                 settings.assists(),
                 settings.uprightDegreesPerSecond(),
                 start,
-                inputs);
+                inputs,
+                List.of());
     }
 
     /** Returns this replay with the name and hash of the level that it was recorded in. */
     public Replay recordedIn(Level recorded) {
         String name = recorded.name().isEmpty() ? null : recorded.name();
         String sha256 = LevelJson.sha256(recorded);
-        return new Replay(level, name, sha256, ticksPerSecond, assists, uprightDegreesPerSecond, start, inputs);
+        return new Replay(level, name, sha256, ticksPerSecond, assists, uprightDegreesPerSecond, start, inputs, track);
+    }
+
+    /**
+     * Returns this replay with its track, so that after an edit of the level the first difference can be found.
+     *
+     * @param simulation of the level that it was recorded in, with the settings of this replay
+     */
+    public Replay tracked(Simulation simulation) {
+        List<Waypoint> way = new ArrayList<>();
+        play(simulation, state -> {
+            if (Waypoint.isDue(state)) {
+                way.add(Waypoint.of(state));
+            }
+        });
+        return new Replay(
+                level,
+                levelName,
+                levelSha256,
+                ticksPerSecond,
+                assists,
+                uprightDegreesPerSecond,
+                start,
+                inputs,
+                List.copyOf(way));
     }
 
     /** Returns a replay without input, of a player standing at the level's start. */

@@ -47,15 +47,20 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
      * @param progress of a bake, 0–1; not called without a bake
      */
     public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
-        LightMapLayout layout = LightMapLayout.of(statics.solids());
-        String name = SkyVisibilityFile.nameFor(statics);
-        Optional<SkyVisibility> known = stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
+        Optional<SkyVisibility> known = known(statics);
         if (known.isPresent()) {
             return known.get();
         }
+        LightMapLayout layout = LightMapLayout.of(statics.solids());
         SkyVisibility visibility = SkyVisibility.bake(layout, statics, BakeQuality.RATIONED, progress);
-        store(name, SkyVisibilityFile.encode(visibility));
+        store(SkyVisibilityFile.nameFor(statics), SkyVisibilityFile.encode(visibility));
         return visibility;
+    }
+
+    /** Returns the stored visibility; bakes nothing. */
+    public Optional<SkyVisibility> known(StaticShapes statics) {
+        return stored(SkyVisibilityFile.nameFor(statics))
+                .flatMap(bytes -> SkyVisibilityFile.decode(LightMapLayout.of(statics.solids()), statics, bytes));
     }
 
     private Optional<byte[]> stored(String name) {

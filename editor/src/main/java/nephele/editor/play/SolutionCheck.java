@@ -1,0 +1,93 @@
+package nephele.editor.play;
+
+import java.util.Iterator;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.DoubleConsumer;
+import nephele.editor.play.SolutionVerdict.AtExit;
+import nephele.editor.play.SolutionVerdict.Cause;
+import nephele.editor.play.SolutionVerdict.Deviation;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.Waypoint;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
+
+/** Replays a solution without graphics and compares its way with the recorded one. */
+public final class SolutionCheck {
+    /** The greatest distance from the recorded way that does not count. */
+    private static final double TOLERANCE_METRES = 0.01;
+
+    private static final int PROGRESS_TICKS = 120;
+
+    private final Replay solution;
+    private final DoubleConsumer progress;
+    private final Iterator<Waypoint> track;
+    private Waypoint next;
+    private int portals;
+    private Optional<AtExit> exit = Optional.empty();
+    private Optional<Deviation> deviation = Optional.empty();
+
+    private SolutionCheck(Replay solution, DoubleConsumer progress) {
+        this.solution = solution;
+        this.progress = progress;
+        track = solution.track().iterator();
+        next = track.hasNext() ? track.next() : null;
+    }
+
+    /**
+     * Replays a solution to its end; of one without a track only the exit is compared.
+     *
+     * @param progress receives the completed share, 0–1, about once a simulated second; an exception that it throws,
+     *     such as {@link CancellationException}, ends the check
+     */
+    public static SolutionVerdict of(SimLevel level, Replay solution, DoubleConsumer progress) {
+        var check = new SolutionCheck(solution, progress);
+        var simulation = new Simulation(level, solution.settings(), FaultLog.SILENT);
+        SimState last = solution.play(simulation, check::ticked);
+        return check.verdict(last);
+    }
+
+    private void ticked(SimState state) {
+        if (state.tick() % PROGRESS_TICKS == 0) {
+            progress.accept((double) state.tick() / solution.ticks());
+        }
+        portals += exit.isEmpty() ? Waypoint.opened(state).size() : 0;
+        if (next != null && next.tick() == state.tick()) {
+            compare(next, state);
+            next = track.hasNext() ? track.next() : null;
+        }
+        boolean isEnd = state.world().trace().events().stream().anyMatch(TickEvent.ExitReached.class::isInstance);
+        if (isEnd) {
+            exit = Optional.of(new AtExit(seconds(state), portals));
+        }
+    }
+
+    private void compare(Waypoint expected, SimState state) {
+        if (deviation.isPresent()) {
+            return;
+        }
+        boolean isElsewhere = state.player().feet().minus(expected.feet()).length() > TOLERANCE_METRES;
+        boolean isRefused = !Waypoint.opened(state).containsAll(expected.opened());
+        if (isElsewhere || isRefused) {
+            Cause cause = isElsewhere ? Cause.ELSEWHERE : Cause.PORTAL_REFUSED;
+            deviation = Optional.of(
+                    new Deviation(cause, seconds(state), state.player().feet(), expected.feet()));
+        }
+    }
+
+    private SolutionVerdict verdict(SimState last) {
+        progress.accept(1);
+        if (exit.isEmpty() && deviation.isEmpty()) {
+            var feet = last.player().feet();
+            deviation = Optional.of(new Deviation(Cause.EXIT_NOT_REACHED, seconds(last), feet, feet));
+        }
+        return new SolutionVerdict(exit, deviation);
+    }
+
+    private double seconds(SimState state) {
+        return (double) state.tick() / solution.ticksPerSecond();
+    }
+}

@@ -1,0 +1,119 @@
+package nephele.editor.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import nephele.engine.level.json.LevelJson;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+
+/** What the editor does about the game's process, tried with shell scripts in place of the game. */
+@Execution(ExecutionMode.CONCURRENT)
+class WarmGameTest {
+    private static final long LONGEST_SECONDS = 20;
+
+    private final LinkedBlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private WarmGame game;
+
+    private WarmGame game(String... words) {
+        game = new WarmGame(() -> List.of(words), new WarmGame.Listener() {
+            @Override
+            public void ready() {
+                told.add("ready");
+            }
+
+            @Override
+            public void playing(long millis) {
+                told.add("playing");
+            }
+
+            @Override
+            public void baking(int percent) {
+                told.add("baking " + percent);
+            }
+
+            @Override
+            public void ended(PlayEnd end) {
+                told.add("ended");
+            }
+
+            @Override
+            public void failed(String message) {
+                told.add(message);
+            }
+        });
+        return game;
+    }
+
+    @AfterEach
+    void end() {
+        game.close();
+    }
+
+    private void expect(String line) throws InterruptedException {
+        String next = told.poll(LONGEST_SECONDS, TimeUnit.SECONDS);
+        assertNotNull(next, "nothing instead of " + line);
+        assertEquals(line, next);
+    }
+
+    private static WarmGame.Request request() {
+        String text = "{\"format\": \"nephele-level\", \"version\": 1}";
+        var level = LevelJson.read("a", text.getBytes(StandardCharsets.UTF_8));
+        return new WarmGame.Request(level, Path.of("a.json"), null, null, null);
+    }
+
+    @Test
+    void aPlayWithoutAWaitingProcessStartsOne() throws Exception {
+        game("sh", "-c", "read order; echo ready; echo playing 7; echo baking 30; cat; echo failed over")
+                .play(request());
+        expect("ready");
+        expect("playing");
+        expect("baking 30");
+        game.close();
+        expect("over");
+    }
+
+    @Test
+    void aProcessThatDiesIsReportedWithItsLastWordsAndReplaced() throws Exception {
+        game("sh", "-c", "echo ready; read order; echo out of luck >&2; exit 7").warm();
+        expect("ready");
+        long first = game.processId().orElseThrow();
+        game.play(request());
+        expect("the game ended (exit code 7): out of luck");
+        expect("ready");
+        assertNotEquals(first, game.processId().orElseThrow());
+    }
+
+    @Test
+    void aProcessThatNeverBecomesReadyIsNotStartedForEver() throws Exception {
+        game("sh", "-c", "echo no display >&2; exit 3").warm();
+        expect("the game ended (exit code 3): no display");
+        assertNull(told.poll());
+        assertFalse(game.isReady());
+    }
+
+    @Test
+    void aMissingProgramIsReported() {
+        game("/nonexistent/java").play(request());
+        assertEquals(1, told.size());
+        assertEquals(0, told.poll().indexOf("the game can't be started: "));
+    }
+
+    @Test
+    void afterItsEndNothingIsPlayed() {
+        game("sh", "-c", "echo ready; cat").close();
+        game.play(request());
+        assertEquals(0, told.size());
+        assertEquals(false, game.processId().isPresent());
+    }
+}
