@@ -48,7 +48,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(said.material(), refusal),
-                whole -> RecordWalk.with(whole, "portalable", false));
+                whole -> RecordMembers.with(whole, "portalable", false));
     }
 
     static Solid withMaterial(Solid solid, String rest, String material) {
@@ -56,7 +56,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(material, said.portalable()),
-                whole -> RecordWalk.with(whole, "material", material));
+                whole -> RecordMembers.with(whole, "material", material));
     }
 
     private static Solid changed(
@@ -65,14 +65,14 @@ final class FaceEdit {
         if (solid instanceof Solid.Box box) {
             for (BoxFace side : BoxFace.values()) {
                 if (side.text().equals(name)) {
-                    return (Solid) RecordWalk.with(box, "faces", changed(box.faces(), side, ofFace));
+                    return (Solid) RecordMembers.with(box, "faces", changed(box.faces(), side, ofFace));
                 }
             }
         } else if (solid instanceof Solid.Wedge wedge && !name.isEmpty()) {
-            return (Solid) RecordWalk.with(wedge, "faces", changed(wedge.faces(), name, ofFace));
+            return (Solid) RecordMembers.with(wedge, "faces", changed(wedge.faces(), name, ofFace));
         } else if (solid instanceof Solid.Planes planes && !name.isEmpty()) {
             int index = Integer.parseInt(name.substring("planes[".length(), name.length() - 1));
-            return (Solid) RecordWalk.with(planes, "planes", changed(planes.planes(), index, ofFace));
+            return (Solid) RecordMembers.with(planes, "planes", changed(planes.planes(), index, ofFace));
         }
         return (Solid) ofSolid.apply((Record) solid);
     }
