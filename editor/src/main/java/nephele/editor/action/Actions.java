@@ -2,10 +2,20 @@ package nephele.editor.action;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** All actions in the order of the menus; the only registration. */
 public final class Actions {
-    public static final List<EditorAction> ALL = List.of();
+    public static final List<EditorAction> ALL = Stream.of(
+                    FileActions.ALL,
+                    EditActions.ALL,
+                    EntityActions.ALL,
+                    SelectActions.ALL,
+                    BrushActions.ALL,
+                    ViewActions.ALL,
+                    ToolActions.ALL)
+            .flatMap(List::stream)
+            .toList();
 
     private Actions() {}
 

@@ -1,0 +1,31 @@
+package nephele.editor.action;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.text.Words;
+import nephele.editor.tool.ToolEntry;
+import nephele.editor.toolbox.Tools;
+
+/** Taking a tool: one action for each. */
+final class ToolActions {
+    static final List<EditorAction> ALL = all();
+
+    private ToolActions() {}
+
+    private static List<EditorAction> all() {
+        List<EditorAction> actions = new ArrayList<>();
+        for (ToolEntry entry : Tools.ALL) {
+            List<String> keys = entry.key().isEmpty() ? List.of() : List.of(entry.key());
+            actions.add(EditorAction.of("tool-" + entry.id(), entry.title(), Menu.TOOL, keys, call -> call.session()
+                    .use(entry)));
+        }
+        actions.add(EditorAction.of(
+                "cancel",
+                Words.of("Cancel the Drag", "Cancelar o arraste", "Cancelar o arrasto"),
+                Menu.TOOL,
+                List.of("Escape"),
+                call -> call.session().tool().cancel()));
+        return List.copyOf(actions);
+    }
+}

@@ -1,0 +1,168 @@
+package nephele.editor.action;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.document.Document;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneLayout.Arrangement;
+import nephele.editor.pane.PaneView;
+import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.pane.PerspectiveNavigation;
+import nephele.editor.pane.PlanNavigation;
+import nephele.editor.pane.ViewMode;
+import nephele.editor.pick.EntityBounds;
+import nephele.editor.pick.Grid;
+import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorSession;
+import nephele.editor.settings.EditorSetting;
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/** Panes, cameras, view modes, the grid, and the look of the window. */
+final class ViewActions {
+    private static final Words FRAME = Words.of("Focus", "Focalizar", "Focar");
+
+    static final List<EditorAction> ALL = List.of(
+            mode("lit", Words.of("Lit", "Iluminado", "Iluminado"), ViewMode.LIT, "Alt+1"),
+            mode("unlit", Words.of("Unlit", "Sem luz", "Sem luz"), ViewMode.UNLIT, "Alt+2"),
+            mode(
+                    "portalable",
+                    Words.of("Portalable", "Aceita portais", "Aceita portais"),
+                    ViewMode.PORTALABLE,
+                    "Alt+3"),
+            mode("collision", Words.of("Collision", "Colisão", "Colisão"), ViewMode.COLLISION, "Alt+4"),
+            mode("wireframe", Words.of("Wireframe", "Aramado", "Estrutura de arame"), ViewMode.WIREFRAME, "Alt+5"),
+            panes("one-pane", Words.of("One Pane", "Um painel", "Um painel"), Arrangement.ONE, "Ctrl+1"),
+            panes("two-panes", Words.of("Two Panes", "Dois painéis", "Dois painéis"), Arrangement.TWO, "Ctrl+2"),
+            panes("four-panes", Words.of("Four Panes", "Quatro painéis", "Quatro painéis"), Arrangement.FOUR, "Ctrl+4"),
+            EditorAction.of(
+                    "maximise",
+                    Words.of("Maximise Pane", "Maximizar painel", "Maximizar painel"),
+                    Menu.VIEW,
+                    List.of("Shift+Space"),
+                    call -> call.session().panes(PaneLayout::maximiseToggled)),
+            EditorAction.of(
+                    "cycle-view",
+                    Words.of("Next View", "Próxima vista", "Vista seguinte"),
+                    Menu.VIEW,
+                    List.of("Tab"),
+                    call -> call.session().panes(PaneLayout::cycled)),
+            EditorAction.of("focus", FRAME, Menu.VIEW, List.of("F"), ViewActions::focus),
+            EditorAction.of(
+                            "camera",
+                            Words.of("Go to Coordinates…", "Ir para coordenadas…", "Ir para coordenadas…"),
+                            Menu.VIEW,
+                            List.of("Ctrl+Shift+G"),
+                            ViewActions::camera)
+                    .taking("at", "yaw", "pitch"),
+            EditorAction.of(
+                    "grid-finer",
+                    Words.of("Finer Grid", "Grade mais fina", "Grelha mais fina"),
+                    Menu.VIEW,
+                    List.of("OpenBracket"),
+                    call -> call.session().grid(call.session().grid().finer())),
+            EditorAction.of(
+                    "grid-coarser",
+                    Words.of("Coarser Grid", "Grade mais larga", "Grelha mais larga"),
+                    Menu.VIEW,
+                    List.of("CloseBracket"),
+                    call -> call.session().grid(call.session().grid().coarser())),
+            EditorAction.of(
+                            "grid",
+                            Words.of("Set the Grid", "Definir a grade", "Definir a grelha"),
+                            Menu.VIEW,
+                            List.of(),
+                            call -> call.session()
+                                    .grid(new Grid(call.number(
+                                            "metres", call.session().grid().stepMetres()))))
+                    .taking("metres"),
+            setting("theme-light", Words.of("Light Theme", "Tema claro", "Tema claro"), session -> session.settings()
+                    .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)),
+            setting("theme-dark", Words.of("Dark Theme", "Tema escuro", "Tema escuro"), session -> session.settings()
+                    .with(EditorSetting.THEME, EditorSetting.Theme.DARK)),
+            language(Language.EN),
+            language(Language.PT_BR),
+            language(Language.PT_PT));
+
+    private ViewActions() {}
+
+    private static EditorAction mode(String id, Words title, ViewMode mode, String key) {
+        return EditorAction.of(id, title, Menu.VIEW, List.of(key), call -> call.session()
+                .panes(panes -> panes.with(panes.active(), panes.activeView().with(mode))));
+    }
+
+    private static EditorAction panes(String id, Words title, Arrangement arrangement, String key) {
+        return EditorAction.of(
+                id, title, Menu.VIEW, List.of(key), call -> call.session().panes(panes -> panes.with(arrangement)));
+    }
+
+    private static EditorAction setting(
+            String id,
+            Words title,
+            java.util.function.Function<EditorSession, nephele.editor.settings.EditorSettings> change) {
+        return EditorAction.of(
+                id, title, Menu.VIEW, List.of(), call -> call.session().settings(change.apply(call.session())));
+    }
+
+    private static EditorAction language(Language language) {
+        String id = "language-" + language.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return setting(
+                id, Words.same(language.title()), session -> session.settings().with(EditorSetting.LANGUAGE, language));
+    }
+
+    /** Shows what is selected, or the whole level, in all panes. */
+    private static void focus(ActionCall call) {
+        EditorSession session = call.session();
+        Document document = session.document();
+        List<EntityRef> refs = document.selection().entities().isEmpty()
+                ? document.entities().all(document.level())
+                : document.selection().entities();
+        Aabb box = Aabb.EMPTY;
+        for (EntityRef ref : refs) {
+            box = box.union(document.entities()
+                    .find(document.level(), ref)
+                    .map(EntityBounds::of)
+                    .orElse(Aabb.EMPTY));
+        }
+        if (!box.isEmpty()) {
+            Aabb shown = box;
+            session.panes(panes -> focused(panes, shown, session.viewport()));
+        }
+    }
+
+    private static PaneLayout focused(PaneLayout panes, Aabb box, PaneSize viewport) {
+        PaneLayout result = panes;
+        for (PaneLayout.PaneRectangle place : panes.rectangles(viewport, PaneLayout.GAP_PIXELS)) {
+            PaneView view = result.views().get(place.index());
+            PaneView focused = view.with(PerspectiveNavigation.focus(view.perspective(), box, place.size()))
+                    .with(PlanNavigation.focus(view.plan(), box, place.size()));
+            result = result.with(place.index(), focused);
+        }
+        return result;
+    }
+
+    private static void camera(ActionCall call) throws ActionFailure {
+        if (call.text("at").isEmpty()) {
+            call.desk().show("coordinates");
+            return;
+        }
+        Vec3 eye = call.vector("at");
+        double yaw = call.number("yaw", 0);
+        double pitch = call.number("pitch", 0);
+        UnaryOperator<PaneView> change = view -> view.with(new PerspectiveCamera(
+                        eye, yaw, pitch, view.perspective().verticalFovDegrees()))
+                .with(PlanNavigation.at(view.plan(), eye));
+        call.session().panes(panes -> {
+            PaneLayout result = panes;
+            for (int i = 0; i < panes.views().size(); i++) {
+                result = result.with(i, change.apply(panes.views().get(i)));
+            }
+            return result;
+        });
+    }
+}

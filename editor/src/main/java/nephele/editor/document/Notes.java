@@ -1,0 +1,119 @@
+package nephele.editor.document;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import nephele.editor.record.EntityRef;
+import nephele.engine.level.EditorNotes;
+import nephele.engine.level.EditorNotes.Group;
+import nephele.engine.level.Level;
+
+/** Changes of the editor's notes of a level: hiding, locking, grouping, and names that no longer exist. */
+public final class Notes {
+    private Notes() {}
+
+    /** Returns the level with entities hidden. */
+    public static Level hidden(Level level, Collection<EntityRef> refs) {
+        EditorNotes notes = level.editor();
+        return level.with(
+                new EditorNotes(notes.groups(), plus(notes.hidden(), refs), notes.locked(), notes.ignoredProblems()));
+    }
+
+    /** Returns the level with entities locked. */
+    public static Level locked(Level level, Collection<EntityRef> refs) {
+        EditorNotes notes = level.editor();
+        return level.with(
+                new EditorNotes(notes.groups(), notes.hidden(), plus(notes.locked(), refs), notes.ignoredProblems()));
+    }
+
+    /** Returns the level with nothing hidden. */
+    public static Level allShown(Level level) {
+        EditorNotes notes = level.editor();
+        return notes.hidden().isEmpty()
+                ? level
+                : level.with(new EditorNotes(notes.groups(), List.of(), notes.locked(), notes.ignoredProblems()));
+    }
+
+    /** Returns the level with nothing locked. */
+    public static Level allUnlocked(Level level) {
+        EditorNotes notes = level.editor();
+        return notes.locked().isEmpty()
+                ? level
+                : level.with(new EditorNotes(notes.groups(), notes.hidden(), List.of(), notes.ignoredProblems()));
+    }
+
+    /** Returns the level with a new group of entities, which leave their former groups. */
+    public static Level grouped(Level level, String id, Collection<EntityRef> refs) {
+        List<Group> groups = new ArrayList<>(ungrouped(level, refs).editor().groups());
+        groups.add(new Group(id, refs.stream().map(EntityRef::text).toList()));
+        return withGroups(level, groups);
+    }
+
+    /** Returns the level without these entities in groups; a group with fewer than two members ends. */
+    public static Level ungrouped(Level level, Collection<EntityRef> refs) {
+        Set<String> leaving = refs.stream().map(EntityRef::text).collect(Collectors.toSet());
+        return mapped(level, name -> leaving.contains(name) ? null : name, Part.GROUPS);
+    }
+
+    /** Returns an id that no group has. */
+    public static String freshGroup(Level level) {
+        Set<String> used = level.editor().groups().stream().map(Group::id).collect(Collectors.toSet());
+        int number = 1;
+        while (used.contains("group-" + number)) {
+            number++;
+        }
+        return "group-" + number;
+    }
+
+    /** Returns the level whose notes do not name entities that were removed. */
+    public static Level without(Level level, Collection<EntityRef> removed) {
+        Set<String> gone = removed.stream().map(EntityRef::text).collect(Collectors.toSet());
+        return mapped(level, name -> gone.contains(name) ? null : name, Part.ALL);
+    }
+
+    /** Returns the level whose notes have the new name of an entity. */
+    public static Level renamed(Level level, EntityRef before, EntityRef after) {
+        return mapped(level, name -> name.equals(before.text()) ? after.text() : name, Part.ALL);
+    }
+
+    private enum Part {
+        GROUPS,
+        ALL
+    }
+
+    private static Level mapped(Level level, UnaryOperator<String> name, Part part) {
+        EditorNotes notes = level.editor();
+        List<Group> groups = new ArrayList<>();
+        for (Group group : notes.groups()) {
+            List<String> members = mapped(group.members(), name);
+            if (members.size() > 1 || members.equals(group.members())) {
+                groups.add(members.equals(group.members()) ? group : new Group(group.id(), members));
+            }
+        }
+        EditorNotes after = part == Part.GROUPS
+                ? new EditorNotes(groups, notes.hidden(), notes.locked(), notes.ignoredProblems())
+                : new EditorNotes(
+                        groups, mapped(notes.hidden(), name), mapped(notes.locked(), name), notes.ignoredProblems());
+        return after.equals(notes) ? level : level.with(after);
+    }
+
+    private static List<String> mapped(List<String> names, UnaryOperator<String> change) {
+        return names.stream().map(change).filter(name -> name != null).toList();
+    }
+
+    private static Level withGroups(Level level, List<Group> groups) {
+        EditorNotes notes = level.editor();
+        return level.with(
+                new EditorNotes(List.copyOf(groups), notes.hidden(), notes.locked(), notes.ignoredProblems()));
+    }
+
+    private static List<String> plus(List<String> names, Collection<EntityRef> refs) {
+        Set<String> all = new LinkedHashSet<>(names);
+        refs.forEach(ref -> all.add(ref.text()));
+        return List.copyOf(all);
+    }
+}

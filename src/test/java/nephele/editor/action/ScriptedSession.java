@@ -1,0 +1,47 @@
+package nephele.editor.action;
+
+import java.nio.file.Path;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.session.EditorSession;
+import nephele.editor.settings.EditorSettings;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelJson;
+
+/** A session of tests that runs script lines. */
+public record ScriptedSession(EditorSession session, ScriptRunner script) {
+    /** Returns a session of an empty level. */
+    public static ScriptedSession empty() {
+        return of(FileActions.emptyLevel());
+    }
+
+    public static ScriptedSession of(Level level) {
+        EditorSession session = new EditorSession(
+                DocumentFile.UNTITLED,
+                level,
+                LevelAssets.beside(Path.of("levels", "untitled.json")),
+                EditorSettings.DEFAULT);
+        return new ScriptedSession(session, new ScriptRunner(session, new SilentDesk()));
+    }
+
+    /** Runs lines that must succeed. */
+    public ScriptedSession run(String... lines) {
+        for (String line : lines) {
+            try {
+                script.run(line);
+            } catch (ActionFailure problem) {
+                throw new AssertionError(line + ": " + problem.getMessage(), problem);
+            }
+        }
+        return this;
+    }
+
+    public Level level() {
+        return session.document().level();
+    }
+
+    /** Returns the text of the level. */
+    public String json() {
+        return LevelJson.write(level());
+    }
+}
