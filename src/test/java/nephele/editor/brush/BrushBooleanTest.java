@@ -212,7 +212,7 @@ class BrushBooleanTest {
             if (halves.isPresent()) {
                 Solid merged = BrushBoolean.merged(halves.get()).result().orElseThrow();
                 assertEquals(volume(whole), volume(merged), 1e-9 * volume(whole), whole.toString());
-                assertEquals(SolidFaces.of(whole).size(), SolidFaces.of(merged).size(), whole + " cut by " + cut);
+                assertEquals(FaceLooks.of(whole).size(), FaceLooks.of(merged).size(), whole + " cut by " + cut);
                 assertTrue(BrushBoolean.isUnionConvex(halves.get()));
                 assertAccepted(List.of(merged));
             }
@@ -221,23 +221,23 @@ class BrushBooleanTest {
 
     @Test
     void mergedBoxesBecomeOneBoxAndKeepTheirFaces() {
-        Solid left = SolidFaces.withMaterial(box("left", Vec3.ZERO, new Vec3(1, 1, 1)), 1, "tile");
-        Solid right = SolidFaces.withPortalable(box("right", new Vec3(1, 0, 0), new Vec3(3, 1, 1)), 0, true);
+        Solid left = FaceLooks.withMaterial(box("left", Vec3.ZERO, new Vec3(1, 1, 1)), 1, "tile");
+        Solid right = FaceLooks.withPortalable(box("right", new Vec3(1, 0, 0), new Vec3(3, 1, 1)), 0, true);
         Solid merged = BrushBoolean.merged(List.of(left, right)).result().orElseThrow();
         assertInstanceOf(Solid.Box.class, merged);
         assertEquals("left", merged.id());
         assertEquals(new Aabb(0, 0, 0, 3, 1, 1), bounds(merged));
-        assertEquals("tile", SolidFaces.of(merged).get(1).material());
-        assertEquals(true, SolidFaces.of(merged).get(0).portalable());
+        assertEquals("tile", FaceLooks.of(merged).get(1).material());
+        assertEquals(true, FaceLooks.of(merged).get(0).portalable());
     }
 
     @Test
     void aGreyFaceStaysGreyInAHullWithAnotherDefault() {
         Solid brick = box("a", Vec3.ZERO, new Vec3(1, 1, 1));
-        Solid grey = SolidFaces.withMaterial(box("b", new Vec3(1, 0, 0), new Vec3(2, 1, 1)), null);
+        Solid grey = FaceLooks.withMaterial(box("b", new Vec3(1, 0, 0), new Vec3(2, 1, 1)), null);
         Solid merged = BrushBoolean.merged(List.of(brick, grey)).result().orElseThrow();
-        assertEquals(null, SolidFaces.of(merged).get(0).material());
-        assertEquals("brick", SolidFaces.of(merged).get(1).material());
+        assertEquals(null, FaceLooks.of(merged).get(0).material());
+        assertEquals("brick", FaceLooks.of(merged).get(1).material());
     }
 
     @Test

@@ -135,7 +135,7 @@ class BrushClipTest {
         List<Solid> halves =
                 clipped(prism, plane(new Vec3(0, 1, 0), top)).result().orElseThrow();
         assertInstanceOf(Solid.Planes.class, halves.get(0));
-        Solid plain = SolidFaces.withPortalable(SolidFaces.withMaterial(halves.get(0), "tile"), false);
+        Solid plain = FaceLooks.withPortalable(FaceLooks.withMaterial(halves.get(0), "tile"), false);
         assertEquals(prism.sides() + 2, Brush.of(plain).faces().size());
         List<Solid> same = BrushClip.clipped(
                         prism, plane(new Vec3(0, 1, 0), top), Keep.BOTH, new Solid.Face(null, null), "front")

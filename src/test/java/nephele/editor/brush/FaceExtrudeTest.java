@@ -70,7 +70,7 @@ class FaceExtrudeTest {
                                 0.0625)
                         .result()
                         .orElseThrow();
-                boolean isAllThere = SolidFaces.of(back).size() == faces.size();
+                boolean isAllThere = FaceLooks.of(back).size() == faces.size();
                 assertEquals(volume(solid), volume(back), isAllThere ? 1e-9 * volume(solid) : area);
             }
         }
@@ -130,15 +130,15 @@ class FaceExtrudeTest {
 
     @Test
     void aNewBrushGrowsFromAFaceWithTheLooksAroundIt() {
-        Solid tiled = SolidFaces.withMaterial(SolidFaces.withPortalable(BOX, 2, true), 0, "tile");
+        Solid tiled = FaceLooks.withMaterial(FaceLooks.withPortalable(BOX, 2, true), 0, "tile");
         List<Solid> both =
                 FaceExtrude.extrudedAsNew(tiled, 2, 1.5, "new").result().orElseThrow();
         assertSame(tiled, both.get(0));
         Solid.Box grown = assertInstanceOf(Solid.Box.class, both.get(1));
         assertEquals("new", grown.id());
         assertEquals(new Aabb(0, 3, 0, 4, 4.5, 2), bounds(grown));
-        assertEquals(true, SolidFaces.of(grown).get(2).portalable());
-        assertEquals("tile", SolidFaces.of(grown).get(0).material());
+        assertEquals(true, FaceLooks.of(grown).get(2).portalable());
+        assertEquals("tile", FaceLooks.of(grown).get(0).material());
     }
 
     @Test

@@ -48,7 +48,7 @@ class SolidTransformTest {
             Aabb expected = bounds(solid).moved(by);
             assertEquals(expected.minX(), bounds(moved).minX(), 1e-9);
             assertEquals(expected.maxZ(), bounds(moved).maxZ(), 1e-9);
-            assertEquals(SolidFaces.of(solid), SolidFaces.of(moved));
+            assertEquals(FaceLooks.of(solid), FaceLooks.of(moved));
         }
     }
 
