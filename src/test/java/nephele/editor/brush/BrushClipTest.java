@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import nephele.editor.brush.BrushClip.Keep;
 import nephele.engine.level.BoxFace;
@@ -134,9 +135,8 @@ class BrushClipTest {
         Vec3 top = prism.centre();
         List<Solid> halves =
                 clipped(prism, plane(new Vec3(0, 1, 0), top)).result().orElseThrow();
-        assertInstanceOf(Solid.Planes.class, halves.get(0));
-        Solid plain = FaceLooks.withPortalable(FaceLooks.withMaterial(halves.get(0), "tile"), false);
-        assertEquals(prism.sides() + 2, Brush.of(plain).faces().size());
+        Solid.Prism cut = assertInstanceOf(Solid.Prism.class, halves.get(0));
+        assertEquals(Map.of("+y", METAL), cut.faces());
         List<Solid> same = BrushClip.clipped(
                         prism, plane(new Vec3(0, 1, 0), top), Keep.BOTH, new Solid.Face(null, null), "front")
                 .result()

@@ -104,8 +104,10 @@ class PlacementKeptTest {
                         .map(List::of)));
     }
 
+    /** Returns a point inside. */
     private static Vec3 middle(Solid solid) {
-        return SolidShape.bounds(solid).centre();
+        List<Vec3> vertices = VertexEdit.vertices(solid);
+        return vertices.stream().reduce(Vec3.ZERO, Vec3::plus).scaled(1.0 / vertices.size());
     }
 
     private static BrushEdit<List<Solid>> clipped(Solid solid) {

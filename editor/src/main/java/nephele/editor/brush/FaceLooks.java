@@ -87,9 +87,10 @@ public final class FaceLooks {
 
     /** Returns what a face with this look says beside the defaults; a portalability of {@code null} is the default. */
     static Solid.Face said(Solid solid, Solid.Face look) {
+        boolean isPortalable = look.portalable() == null || look.portalable() == solid.portalable();
         return new Solid.Face(
                 Objects.equals(look.material(), solid.material()) ? null : look.material(),
-                look.portalable() == solid.portalable() ? null : look.portalable(),
+                isPortalable ? null : look.portalable(),
                 look.texture());
     }
 }
