@@ -174,7 +174,7 @@ final class CodeRules {
     private static boolean isCallBack(JavaClass parent) {
         return parent.getPackageName().startsWith("org.lwjgl")
                 || parent.getPackageName().startsWith("javax.imageio")
-                || parent.getName().matches("java\\.io\\.(Filter)?(In|Out)putStream|java\\.lang\\.ClassLoader");
+                || parent.getName().matches("java\\.io\\.(Filter)?(In|Out)putStream|java\\.lang\\.Class(Loader|Value)");
     }
 
     private static ArchCondition<JavaMethod> takeAtMostOneBoolean() {

@@ -32,7 +32,7 @@ final class EntityBox {
         return point == null
                 ? null
                 : Aabb.around(
-                        (Vec3) RecordWalk.get((Record) entity, point),
+                        (Vec3) RecordMembers.get((Record) entity, point),
                         new Vec3(POINT_METRES, POINT_METRES, POINT_METRES));
     }
 
@@ -62,7 +62,9 @@ final class EntityBox {
     /** Returns the record moved; the same if it has no place. */
     static Record moved(Record entity, Vec3 by) {
         String point = pointName(entity);
-        return point == null ? entity : RecordWalk.with(entity, point, ((Vec3) RecordWalk.get(entity, point)).plus(by));
+        return point == null
+                ? entity
+                : RecordMembers.with(entity, point, ((Vec3) RecordMembers.get(entity, point)).plus(by));
     }
 
     private static String pointName(Record record) {

@@ -30,7 +30,7 @@ public record EntityPath(String section, int index, String rest) {
 
     /** Returns {@code section/id}, such as {@code solids/north-wall}; of a nested section, its last name. */
     public String reference(Level level) {
-        Object id = entity(level) instanceof Record record ? RecordWalk.get(record, "id") : null;
+        Object id = entity(level) instanceof Record record ? RecordMembers.get(record, "id") : null;
         return section.substring(section.lastIndexOf('.') + 1) + "/" + (id == null ? index : id);
     }
 
@@ -48,7 +48,7 @@ public record EntityPath(String section, int index, String rest) {
     List<?> list(Level level) {
         Object at = level;
         for (String name : section.split("\\.")) {
-            at = at instanceof Record record ? RecordWalk.get(record, name) : null;
+            at = at instanceof Record record ? RecordMembers.get(record, name) : null;
         }
         return at instanceof List<?> list ? list : List.of();
     }
@@ -91,7 +91,7 @@ public record EntityPath(String section, int index, String rest) {
     private static Record with(Record owner, String[] names, int depth, Object value) {
         Object inner = depth == names.length - 1
                 ? List.copyOf((List<?>) value)
-                : with((Record) RecordWalk.get(owner, names[depth]), names, depth + 1, value);
-        return RecordWalk.with(owner, names[depth], inner);
+                : with((Record) RecordMembers.get(owner, names[depth]), names, depth + 1, value);
+        return RecordMembers.with(owner, names[depth], inner);
     }
 }

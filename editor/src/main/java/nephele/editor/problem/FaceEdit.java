@@ -44,7 +44,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(said.material(), refusal, said.texture()),
-                whole -> RecordWalk.with(whole, "portalable", false));
+                whole -> RecordMembers.with(whole, "portalable", false));
     }
 
     static Solid withMaterial(Solid solid, String rest, String material) {
@@ -52,7 +52,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(material, said.portalable(), said.texture()),
-                whole -> RecordWalk.with(whole, "material", material));
+                whole -> RecordMembers.with(whole, "material", material));
     }
 
     /** A solid of which the path names a face that it has not stays as it is. */

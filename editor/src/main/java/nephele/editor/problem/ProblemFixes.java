@@ -83,7 +83,7 @@ final class ProblemFixes {
     private ProblemFix rename(EntityPath place) {
         Set<Object> taken = new HashSet<>();
         for (Object each : place.list(level)) {
-            taken.add(RecordWalk.get((Record) each, "id"));
+            taken.add(RecordMembers.get((Record) each, "id"));
         }
         String id = place.id(level);
         int number = 2;
@@ -92,7 +92,7 @@ final class ProblemFixes {
         }
         String name = id + "-" + number;
         Record record = (Record) place.entity(level);
-        Record renamed = RecordWalk.with(record, "id", name);
+        Record renamed = RecordMembers.with(record, "id", name);
         // Duplicates may be one object, so that only the place tells them apart.
         return new ProblemFix(ProblemText.RENAME, name, now -> renamedLast(place, now, record, renamed));
     }
@@ -108,13 +108,16 @@ final class ProblemFixes {
         level.materials().forEach(material -> known.add(material.id()));
         Set<String> missing = new TreeSet<>();
         Object entity = place.entity(level);
-        RecordWalk.collectReferences(entity, "materials", missing);
+        RecordMembers.collectReferences(entity, "materials", missing);
         missing.removeAll(known);
         ProblemFix create = new ProblemFix(
                 ProblemText.CREATE_MATERIAL, String.join(", ", missing), now -> withMaterials(now, missing));
         return List.of(
                 create,
-                replace(ProblemText.USE_NO_MATERIAL, place, RecordWalk.withoutReferences(entity, "materials", known)));
+                replace(
+                        ProblemText.USE_NO_MATERIAL,
+                        place,
+                        RecordMembers.withoutReferences(entity, "materials", known)));
     }
 
     private static Level withMaterials(Level now, Set<String> missing) {
@@ -129,13 +132,13 @@ final class ProblemFixes {
     private ProblemFix withoutFile(EntityPath place) {
         String name = place.rest().substring(Math.min(1, place.rest().length()));
         Record record = (Record) place.entity(level);
-        return record instanceof Material && RecordWalk.has(record, name)
-                ? replace(ProblemText.REMOVE_FILE, place, RecordWalk.with(record, name, null))
+        return record instanceof Material && RecordMembers.has(record, name)
+                ? replace(ProblemText.REMOVE_FILE, place, RecordMembers.with(record, name, null))
                 : delete(place);
     }
 
     private Level withoutSky(Level now) {
-        return RecordWalk.with(now, "environment", RecordWalk.with(now.environment(), "sky", null));
+        return RecordMembers.with(now, "environment", RecordMembers.with(now.environment(), "sky", null));
     }
 
     private ProblemFix withoutPortals(Problem problem) {
@@ -214,7 +217,7 @@ final class ProblemFixes {
         return List.of(new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, start)
                 .nearest(EntityBox.of(start))
                 .filter(way -> now.player() == start)
-                .map(way -> RecordWalk.with(now, "player", EntityBox.moved(start, way)))
+                .map(way -> RecordMembers.with(now, "player", EntityBox.moved(start, way)))
                 .orElse(now)));
     }
 }

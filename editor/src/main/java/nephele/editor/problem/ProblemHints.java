@@ -51,7 +51,7 @@ final class ProblemHints {
         Vec3 feet = new Floors(now, statics).middle();
         return now.player() != null
                 ? now
-                : RecordWalk.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
+                : RecordMembers.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
     }
 
     private static Level withExit(Level now, StaticShapes statics) {

@@ -10,8 +10,8 @@ import java.util.Set;
 import nephele.engine.level.Written;
 
 /** Reads and changes members of level records by their names, for every record that there is or will be. */
-final class RecordWalk {
-    private RecordWalk() {}
+final class RecordMembers {
+    private RecordMembers() {}
 
     /** Returns a member; {@code null} if the record has none of this name. */
     static Object get(Record record, String name) {

@@ -1,0 +1,33 @@
+package nephele.editor.action;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Optional;
+import nephele.editor.text.Words;
+
+/** What an action asks of its surroundings: a window with dialogues, or a script that has no user. */
+public interface Desk {
+    /** Asks for a level file to open; empty if the user cancels. */
+    Optional<Path> fileToOpen();
+
+    /** Asks where to save; empty if the user cancels. */
+    Optional<Path> fileToSave();
+
+    /** Asks a question with yes and no; a script's answer is yes. */
+    boolean isAgreed(Words question);
+
+    /** Returns the picture of the whole editor. */
+    BufferedImage picture() throws ActionFailure;
+
+    /** Puts text where other programs can paste it. */
+    void copy(String text);
+
+    /** Returns the text that was copied last, here or in another program; empty for none. */
+    String pasted();
+
+    /** Shows a part of the window by its name, such as {@code palette} or {@code guide}; a script ignores it. */
+    void show(String part);
+
+    /** Ends the editor if the user agrees to lose nothing. */
+    void quit();
+}

@@ -1,0 +1,70 @@
+package nephele.editor.action;
+
+import java.util.List;
+import java.util.function.Predicate;
+import nephele.editor.session.EditorSession;
+import nephele.editor.text.Words;
+
+/**
+ * Something that a user can do.
+ *
+ * @param id its name in scripts and in the settings' key bindings
+ * @param keys default keys as {@code KeyText} reads them, such as {@code Ctrl+Shift+D}
+ * @param parameters keys that a script line may give, each with its meaning, such as {@code by=x,y,z}
+ */
+public record EditorAction(
+        String id,
+        Words title,
+        Menu menu,
+        List<String> keys,
+        List<String> parameters,
+        Predicate<EditorSession> isEnabled,
+        Effect effect) {
+    /** The menus, in the order of the menu bar. */
+    public enum Menu {
+        FILE(Words.of("File", "Arquivo", "Ficheiro")),
+        EDIT(Words.of("Edit", "Editar", "Editar")),
+        SELECT(Words.of("Select", "Selecionar", "Selecionar")),
+        BRUSH(Words.of("Brush", "Bloco", "Bloco")),
+        VIEW(Words.of("View", "Exibir", "Ver")),
+        TOOL(Words.of("Tool", "Ferramenta", "Ferramenta")),
+        PLAY(Words.of("Play", "Jogar", "Jogar")),
+        HELP(Words.of("Help", "Ajuda", "Ajuda"));
+
+        private final Words title;
+
+        Menu(Words title) {
+            this.title = title;
+        }
+
+        public Words title() {
+            return title;
+        }
+    }
+
+    /** What an action does. */
+    @FunctionalInterface
+    public interface Effect {
+        /**
+         * Does it.
+         *
+         * @throws ActionFailure with a message for the user
+         */
+        void run(ActionCall call) throws ActionFailure;
+    }
+
+    /** Returns an action without parameters that is always possible. */
+    static EditorAction of(String id, Words title, Menu menu, List<String> keys, Effect effect) {
+        return new EditorAction(id, title, menu, keys, List.of(), session -> true, effect);
+    }
+
+    /** Returns this action, possible only if a condition holds. */
+    EditorAction when(Predicate<EditorSession> condition) {
+        return new EditorAction(id, title, menu, keys, parameters, condition, effect);
+    }
+
+    /** Returns this action with parameters. */
+    EditorAction taking(String... names) {
+        return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, effect);
+    }
+}

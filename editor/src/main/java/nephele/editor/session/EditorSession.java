@@ -1,0 +1,184 @@
+package nephele.editor.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import nephele.editor.document.Document;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.pick.Grid;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.settings.EditorSetting;
+import nephele.editor.settings.EditorSettings;
+import nephele.editor.text.Words;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.ToolOptions;
+import nephele.editor.toolbox.Tools;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Language;
+import nephele.engine.level.Level;
+
+/**
+ * One open level and everything that an action or a window needs of it. It is used by one thread, the event dispatch
+ * thread if there is a window.
+ */
+public final class EditorSession {
+    private final Document document;
+    private final ToolOptions options = new ToolOptions();
+    private final ToolContext context;
+    private final List<SessionListener> listeners = new ArrayList<>();
+    private EditorSettings settings;
+    private DocumentFile file;
+    private AssetSource assets;
+    private Grid grid = new Grid(0.5);
+    private PaneLayout panes = PaneLayout.initial();
+    private PaneSize viewport = new PaneSize(1280, 720);
+    private ToolEntry toolEntry;
+    private Tool tool;
+    private Words status = Words.NONE;
+    private String clipboard = "";
+
+    /** @param assets of the level's file; an untitled level has those of the working folder */
+    public EditorSession(DocumentFile file, Level level, AssetSource assets, EditorSettings settings) {
+        this.file = file;
+        this.assets = assets;
+        this.settings = settings;
+        document = new Document(level);
+        context = new ToolContext(document, options, this::grid, this::status);
+        document.listen((before, after) -> tell(Change.DOCUMENT));
+        toolEntry = Tools.ALL.get(0);
+        tool = toolEntry.make().apply(context);
+    }
+
+    /** Registers a listener for the life of the session. */
+    public void listen(SessionListener listener) {
+        listeners.add(listener);
+    }
+
+    /** Tells all listeners of a change. */
+    public void tell(Change change) {
+        List.copyOf(listeners).forEach(listener -> listener.changed(change));
+    }
+
+    public Document document() {
+        return document;
+    }
+
+    public ToolContext context() {
+        return context;
+    }
+
+    public ToolOptions options() {
+        return options;
+    }
+
+    public DocumentFile file() {
+        return file;
+    }
+
+    public AssetSource assets() {
+        return assets;
+    }
+
+    /** Replaces the open level by another one with an empty history. */
+    public void open(DocumentFile otherFile, Level level, AssetSource otherAssets) {
+        tool.cancel();
+        file = otherFile;
+        assets = otherAssets;
+        document.reset(level);
+        tell(Change.FILE);
+    }
+
+    /** Notes that the level was saved to a file. */
+    public void saved(DocumentFile savedTo) {
+        file = savedTo;
+        document.markSaved();
+        tell(Change.FILE);
+    }
+
+    /** Makes the pictures and meshes be read again, since a file has changed. */
+    public void reloadAssets(AssetSource fresh) {
+        assets = fresh;
+        tell(Change.VIEW);
+    }
+
+    public EditorSettings settings() {
+        return settings;
+    }
+
+    public void settings(EditorSettings next) {
+        settings = next;
+        tell(Change.SETTINGS);
+    }
+
+    public Language language() {
+        return settings.get(EditorSetting.LANGUAGE);
+    }
+
+    public Grid grid() {
+        return grid;
+    }
+
+    public void grid(Grid next) {
+        grid = next;
+        tell(Change.VIEW);
+    }
+
+    public PaneLayout panes() {
+        return panes;
+    }
+
+    public void panes(UnaryOperator<PaneLayout> change) {
+        panes = change.apply(panes);
+        tell(Change.VIEW);
+    }
+
+    /** Returns the size of the whole viewport in pixels. */
+    public PaneSize viewport() {
+        return viewport;
+    }
+
+    public void viewport(PaneSize size) {
+        viewport = size;
+    }
+
+    /** Returns the tool in use. */
+    public Tool tool() {
+        return tool;
+    }
+
+    public ToolEntry toolEntry() {
+        return toolEntry;
+    }
+
+    /** Takes another tool; a drag in progress is cancelled. */
+    public void use(ToolEntry entry) {
+        tool.cancel();
+        document.cancelDrag();
+        toolEntry = entry;
+        tool = entry.make().apply(context);
+        tell(Change.VIEW);
+    }
+
+    public Words status() {
+        return status;
+    }
+
+    /** Shows a message in the status bar. */
+    public void status(Words words) {
+        status = words;
+        tell(Change.STATUS);
+    }
+
+    /** Returns the text that was copied last. */
+    public String clipboard() {
+        return clipboard;
+    }
+
+    public void clipboard(String text) {
+        clipboard = text;
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.editor.tool;
+
+import java.util.EnumSet;
+import java.util.Set;
+import nephele.editor.brush.ShapeOptions;
+
+/** What the tools use next: shape, material, kind of entity, snapping. Belongs to the session, changed by its thread. */
+public final class ToolOptions {
+    /** What places snap to; without any, to nothing. */
+    public enum Snapping {
+        GRID,
+        VERTEX,
+        SURFACE
+    }
+
+    private final Set<Snapping> snapping = EnumSet.of(Snapping.GRID);
+    private ShapeOptions shape = new ShapeOptions.Box();
+    private String material;
+    private boolean portalable = true;
+    private String section = "bodies";
+    private String kind = "box";
+    private boolean textureLocked = true;
+
+    public Set<Snapping> snapping() {
+        return snapping;
+    }
+
+    /** Returns the shape that the brush tool draws. */
+    public ShapeOptions shape() {
+        return shape;
+    }
+
+    public void shape(ShapeOptions next) {
+        shape = next;
+    }
+
+    /** Returns the id of the material of new brushes and of the paint tool; {@code null} for grey. */
+    public String material() {
+        return material;
+    }
+
+    public void material(String id) {
+        material = id;
+    }
+
+    /** Returns true if new brushes take portals and the portalable tool sets, not clears. */
+    public boolean isPortalable() {
+        return portalable;
+    }
+
+    public void portalable(boolean next) {
+        portalable = next;
+    }
+
+    /** Returns the section of the entity that the place tool makes, such as {@code lights}. */
+    public String section() {
+        return section;
+    }
+
+    /** Returns the kind of the entity that the place tool makes, such as {@code point}. */
+    public String kind() {
+        return kind;
+    }
+
+    public void entity(String newSection, String newKind) {
+        section = newSection;
+        kind = newKind;
+    }
+
+    /** Returns true if textures stay fixed to a brush that moves. */
+    public boolean isTextureLocked() {
+        return textureLocked;
+    }
+
+    public void textureLocked(boolean next) {
+        textureLocked = next;
+    }
+}

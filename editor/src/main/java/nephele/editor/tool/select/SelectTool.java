@@ -1,0 +1,219 @@
+package nephele.editor.tool.select;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.document.Selection;
+import nephele.editor.mark.Mark;
+import nephele.editor.pick.EntityBounds;
+import nephele.editor.pick.Pick;
+import nephele.editor.pick.Picker.Containment;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.PointerDrag;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.editor.transform.EntityTransform;
+import nephele.engine.level.EditorNotes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * Selects by clicks and rectangles, and moves what is selected. A click at the same place again takes the next entity
+ * behind it; Shift adds; Alt takes only what is wholly inside the rectangle, or moves vertically.
+ */
+public final class SelectTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "select",
+            Words.of("Select", "Selecionar", "Selecionar"),
+            Words.of(
+                    "Click to select, drag to move; drag from an empty place for a rectangle",
+                    "Clique para selecionar, arraste para mover; arraste de um lugar vazio para um retângulo",
+                    "Clica para selecionar, arrasta para mover; arrasta de um sítio vazio para um retângulo"),
+            "Q",
+            "select",
+            SelectTool::new);
+
+    private static final Words MOVE = Words.of("Move", "Mover", "Mover");
+    /** Movement below which a press and release are a click, in pixels. */
+    private static final double CLICK_PIXELS = 4;
+
+    private final ToolContext context;
+    private Pointer start;
+    private Pointer now;
+    /** The place under the pointer when it was pressed on a selected entity; {@code null} if the drag selects. */
+    private Vec3 grabbed;
+
+    private boolean isDragging;
+    private Pointer lastClick;
+    private int drilled;
+
+    public SelectTool(ToolContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        start = pointer;
+        now = pointer;
+        isDragging = false;
+        grabbed = null;
+        for (Pick pick : context.picker().along(pointer.ray())) {
+            if (context.document().selection().contains(pick.entity())) {
+                grabbed = pick.point();
+                return;
+            }
+        }
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (start == null) {
+            return;
+        }
+        now = pointer;
+        isDragging |= Math.hypot(pointer.x() - start.x(), pointer.y() - start.y()) > CLICK_PIXELS;
+        if (isDragging && grabbed != null) {
+            move(pointer);
+        }
+    }
+
+    private void move(Pointer pointer) {
+        Optional<Vec3> by = pointer.isHeld(Modifier.ALT) && !pointer.isPlan() ? vertical(pointer) : inPlane(pointer);
+        by.ifPresent(offset -> {
+            Vec3 snapped = context.grid().snapped(offset);
+            context.document()
+                    .drag(before -> before.with(EntityTransform.moved(
+                            before.level(), before.selection().entities(), snapped)));
+        });
+    }
+
+    private Optional<Vec3> inPlane(Pointer pointer) {
+        return PointerDrag.onPlane(pointer, grabbed, PointerDrag.planeNormal(start))
+                .map(at -> at.minus(grabbed));
+    }
+
+    private Optional<Vec3> vertical(Pointer pointer) {
+        Vec3 up = new Vec3(0, 1, 0);
+        return PointerDrag.alongLine(pointer, grabbed, up).map(up::scaled);
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (start == null) {
+            return;
+        }
+        if (!isDragging) {
+            click(pointer);
+        } else if (grabbed != null) {
+            context.document().commitDrag(MOVE);
+        } else {
+            selectRectangle(pointer);
+        }
+        start = null;
+    }
+
+    private void click(Pointer pointer) {
+        List<EntityRef> hit = context.picker().along(pointer.ray()).stream()
+                .map(Pick::entity)
+                .distinct()
+                .toList();
+        boolean isAgain = lastClick != null
+                && lastClick.camera().equals(pointer.camera())
+                && Math.hypot(pointer.x() - lastClick.x(), pointer.y() - lastClick.y()) < CLICK_PIXELS;
+        drilled = isAgain && !hit.isEmpty() ? (drilled + 1) % hit.size() : 0;
+        lastClick = pointer;
+        List<EntityRef> taken = hit.isEmpty() ? List.of() : grouped(List.of(hit.get(drilled)));
+        apply(taken, pointer);
+    }
+
+    private void apply(List<EntityRef> taken, Pointer pointer) {
+        Selection before = context.document().selection();
+        boolean adds = pointer.isHeld(Modifier.SHIFT) || pointer.isHeld(Modifier.CONTROL);
+        context.document().select(adds ? before.toggled(taken) : Selection.of(taken));
+    }
+
+    /** Returns the entities with all members of their groups. */
+    private List<EntityRef> grouped(List<EntityRef> refs) {
+        Set<EntityRef> all = new LinkedHashSet<>(refs);
+        for (EditorNotes.Group group : context.document().level().editor().groups()) {
+            List<EntityRef> members =
+                    group.members().stream().map(EntityRef::of).toList();
+            if (members.stream().anyMatch(refs::contains)) {
+                all.addAll(members);
+            }
+        }
+        return List.copyOf(all);
+    }
+
+    private void selectRectangle(Pointer pointer) {
+        Containment containment = pointer.isHeld(Modifier.ALT) ? Containment.INSIDE : Containment.TOUCHING;
+        List<EntityRef> found = pointer.isPlan() ? inPlan(pointer, containment) : inView(pointer);
+        apply(grouped(found), pointer);
+    }
+
+    private List<EntityRef> inPlan(Pointer pointer, Containment containment) {
+        Vec3 a = at(start);
+        Vec3 b = at(pointer);
+        Vec3 along = pointer.camera().forward();
+        Vec3 far = new Vec3(Math.abs(along.x()), Math.abs(along.y()), Math.abs(along.z())).scaled(1e8);
+        Aabb box = Aabb.of(List.of(a, b));
+        Aabb deep = Aabb.of(List.of(
+                new Vec3(box.minX(), box.minY(), box.minZ()).minus(far),
+                new Vec3(box.maxX(), box.maxY(), box.maxZ()).plus(far)));
+        return context.picker().in(deep, containment);
+    }
+
+    /** Returns what appears in the rectangle of a perspective view, by the middle of its bounds. */
+    private List<EntityRef> inView(Pointer pointer) {
+        Aabb everywhere = new Aabb(-1e8, -1e8, -1e8, 1e8, 1e8, 1e8);
+        List<EntityRef> found = new ArrayList<>(context.picker().in(everywhere, Containment.TOUCHING));
+        found.removeIf(ref -> !appears(ref, pointer));
+        return found;
+    }
+
+    private boolean appears(EntityRef ref, Pointer pointer) {
+        Aabb box = context.document()
+                .entities()
+                .find(context.document().level(), ref)
+                .map(EntityBounds::of)
+                .orElse(Aabb.EMPTY);
+        return pointer.camera()
+                .project(box.centre(), pointer.size())
+                .filter(p -> p.x() >= Math.min(start.x(), pointer.x())
+                        && p.x() <= Math.max(start.x(), pointer.x())
+                        && p.y() >= Math.min(start.y(), pointer.y())
+                        && p.y() <= Math.max(start.y(), pointer.y()))
+                .isPresent();
+    }
+
+    /** Returns the place of the pointer in the plane through the middle of the picture, or near the eye. */
+    private static Vec3 at(Pointer pointer) {
+        return pointer.ray().at(pointer.isPlan() ? 2e7 : 1);
+    }
+
+    @Override
+    public void cancel() {
+        context.document().cancelDrag();
+        start = null;
+        isDragging = false;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        if (start == null || !isDragging || grabbed != null) {
+            return List.of();
+        }
+        return SelectionRectangle.marks(start, now);
+    }
+
+    @Override
+    public Words hint() {
+        return ENTRY.description();
+    }
+}

@@ -1,0 +1,137 @@
+package nephele.editor.transform;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import nephele.editor.brush.SolidTransform;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordField;
+import nephele.editor.record.RecordWalk;
+import nephele.engine.level.Level;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.ModelPlacement.TransformStep;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Spatial;
+import nephele.engine.math.Vec3;
+
+/** Moves, turns and scales entities: solids by their shapes, models by their steps, all others by their components. */
+public final class EntityTransform {
+    private static final Entities ENTITIES = new Entities(LevelStructure.LEVEL);
+
+    private EntityTransform() {}
+
+    /** Returns the level with entities moved. */
+    public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by) {
+        return by.equals(Vec3.ZERO) ? level : (Level) ENTITIES.changed(level, refs, entity -> moved(entity, by));
+    }
+
+    /** Returns an entity moved by a vector, metres. */
+    public static Record moved(Record entity, Vec3 by) {
+        if (entity instanceof Solid solid) {
+            return (Record) SolidTransform.moved(solid, by);
+        } else if (entity instanceof ModelPlacement model) {
+            return moved(model, by);
+        }
+        return points(entity, point -> point.plus(by));
+    }
+
+    /** Returns an entity turned about a pivot; a solid that cannot be turned stays as it is. */
+    public static Record turned(Record entity, Vec3 pivot, Vec3 axis, double degrees) {
+        if (entity instanceof Solid solid) {
+            return (Record)
+                    SolidTransform.rotated(solid, pivot, axis, degrees).result().orElse(solid);
+        } else if (entity instanceof ModelPlacement model) {
+            return turned(model, pivot, axis, degrees);
+        }
+        Turn turn = new Turn(pivot, axis, degrees);
+        return RecordWalk.map(entity, (field, value) -> turned(field, value, turn));
+    }
+
+    private static Object turned(RecordField field, Object value, Turn turn) {
+        if (!(value instanceof Vec3 vector)) {
+            return field.name().equals("yawDegrees") ? (Object) ((double) value + turn.yawDegrees()) : value;
+        }
+        return switch (field.spatial()) {
+            case POINT -> turn.point(vector);
+            case DIRECTION -> turn.direction(vector);
+            case EXTENT -> turn.extent(vector);
+            case NONE, LENGTH -> vector;
+        };
+    }
+
+    /** Returns an entity scaled about a pivot; a solid that cannot be scaled stays as it is. */
+    public static Record scaled(Record entity, Vec3 pivot, Vec3 factors) {
+        if (entity instanceof Solid solid) {
+            return (Record)
+                    SolidTransform.scaled(solid, pivot, factors).result().orElse(solid);
+        } else if (entity instanceof ModelPlacement model) {
+            List<TransformStep> steps = new ArrayList<>();
+            steps.add(new TransformStep.Translate(pivot));
+            steps.add(new TransformStep.Scale(factors));
+            steps.add(new TransformStep.Translate(pivot.negated()));
+            return before(model, steps);
+        }
+        double length = Math.cbrt(Math.abs(factors.x() * factors.y() * factors.z()));
+        return RecordWalk.map(entity, (field, value) -> scaled(field, value, pivot, factors, length));
+    }
+
+    private static Object scaled(RecordField field, Object value, Vec3 pivot, Vec3 factors, double length) {
+        if (field.spatial() == Spatial.LENGTH && value instanceof Double metres) {
+            return metres * length;
+        } else if (field.spatial() == Spatial.POINT && value instanceof Vec3 point) {
+            return pivot.plus(product(point.minus(pivot), factors));
+        } else if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
+            Vec3 scaled = product(size, factors);
+            return new Vec3(Math.abs(scaled.x()), Math.abs(scaled.y()), Math.abs(scaled.z()));
+        }
+        return value;
+    }
+
+    private static Vec3 product(Vec3 a, Vec3 b) {
+        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
+    }
+
+    private static Record points(Record entity, java.util.function.UnaryOperator<Vec3> change) {
+        return RecordWalk.map(
+                entity,
+                (field, value) ->
+                        field.spatial() == Spatial.POINT && value instanceof Vec3 point ? change.apply(point) : value);
+    }
+
+    /** A model with a parent moves in its parent's frame. */
+    private static ModelPlacement moved(ModelPlacement model, Vec3 by) {
+        List<TransformStep> steps = new ArrayList<>(model.transform());
+        if (!steps.isEmpty() && steps.get(0) instanceof TransformStep.Translate first) {
+            Vec3 sum = first.by().plus(by);
+            steps.remove(0);
+            if (!sum.equals(Vec3.ZERO)) {
+                steps.add(0, new TransformStep.Translate(sum));
+            }
+        } else {
+            steps.add(0, new TransformStep.Translate(by));
+        }
+        return with(model, steps);
+    }
+
+    private static ModelPlacement turned(ModelPlacement model, Vec3 pivot, Vec3 axis, double degrees) {
+        return before(
+                model,
+                List.of(
+                        new TransformStep.Translate(pivot),
+                        new TransformStep.Rotate(axis, degrees),
+                        new TransformStep.Translate(pivot.negated())));
+    }
+
+    private static ModelPlacement before(ModelPlacement model, List<TransformStep> outer) {
+        List<TransformStep> steps = new ArrayList<>(outer);
+        steps.addAll(model.transform());
+        return with(model, steps);
+    }
+
+    private static ModelPlacement with(ModelPlacement model, List<TransformStep> steps) {
+        return new ModelPlacement(
+                model.id(), model.file(), model.parent(), List.copyOf(steps), model.material(), model.portalable());
+    }
+}
