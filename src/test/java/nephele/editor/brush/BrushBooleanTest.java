@@ -13,6 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
@@ -207,7 +208,7 @@ class BrushBooleanTest {
             Vec3 middle = bounds(whole).centre();
             var cut = Plane.through(Plane.of(solids.direction(), 0).normal(), middle);
             Optional<List<Solid>> halves = BrushClip.clipped(
-                            whole, cut, BrushClip.Keep.BOTH, new Solid.Face(null, null), "front")
+                            whole, cut, BrushClip.Keep.BOTH, new Solid.Face(null, null, null), "front")
                     .result();
             if (halves.isPresent()) {
                 Solid merged = BrushBoolean.merged(halves.get()).result().orElseThrow();
@@ -251,7 +252,7 @@ class BrushBooleanTest {
 
     @Test
     void aHullOfTooManyFacesIsRefused() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 40);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 40, Map.of());
         Solid turned = SolidTransform.rotated(round, Vec3.ZERO, new Vec3(1, 0, 0), 90)
                 .result()
                 .orElseThrow();
@@ -264,7 +265,7 @@ class BrushBooleanTest {
 
     @Test
     void roundSolidsOf62SidesCutEachOther() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 30);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 30, Map.of());
         Solid other = SolidTransform.moved(round, new Vec3(1, 0.5, 0.25));
         List<Solid> pieces = new ArrayList<>(subtracted(round, other));
         double common = volume(BrushBoolean.intersected(round, other).result().orElseThrow());

@@ -83,7 +83,7 @@ class FaceExtrudeTest {
         assertEquals(new Vec3(0, 0, 0.5), wider.centre());
         Solid.Wedge deeper = assertInstanceOf(Solid.Wedge.class, extruded(WEDGE, new Vec3(0, -1, 0), 1));
         assertEquals(new Vec3(6, 3, 3), deeper.size());
-        Solid.Prism prism = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 7);
+        Solid.Prism prism = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 7, Map.of());
         Solid.Prism higher = assertInstanceOf(Solid.Prism.class, extruded(prism, new Vec3(0, 1, 0), 3));
         assertEquals(5, higher.heightMetres());
         assertEquals(new Vec3(0, 1.5, 0), higher.centre());
@@ -119,12 +119,12 @@ class FaceExtrudeTest {
     /** A truncated pyramid: apex at 2 m, cut at 1 m. */
     private static Solid pyramid() {
         List<Solid.PlaneFace> planes = List.of(
-                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null),
-                new Solid.PlaneFace(new Vec3(1, 1, 0), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(-1, 1, 0), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, 1), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, -1), Math.sqrt(2), null, null));
+                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null, null),
+                new Solid.PlaneFace(new Vec3(1, 1, 0), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(-1, 1, 0), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, 1), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, -1), Math.sqrt(2), null, null, null));
         return new Solid.Planes("pyramid", null, false, TextureMapping.WORLD, planes);
     }
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 @Execution(ExecutionMode.CONCURRENT)
 class FaceLooksTest {
     private static final Solid.Prism PRISM =
-            new Solid.Prism("p", "brick", false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 6);
+            new Solid.Prism("p", "brick", false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 6, Map.of());
 
     @Test
     void oneFaceChangesAndTheOthersStay() {
@@ -32,7 +32,7 @@ class FaceLooksTest {
             String material = List.of("brick", "tile", "metal").get(i % 3);
             boolean portalable = i % 2 == 0;
             Solid changed = FaceLooks.withPortalable(FaceLooks.withMaterial(solid, face, material), face, portalable);
-            looks.set(face, new Solid.Face(material, portalable));
+            looks.set(face, new Solid.Face(material, portalable, null));
             assertEquals(looks, FaceLooks.of(changed), solid.toString());
             assertEquals(volume(solid), volume(changed), 1e-9 * volume(solid));
             assertAccepted(List.of(changed));
