@@ -13,6 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
@@ -207,12 +208,12 @@ class BrushBooleanTest {
             Vec3 middle = bounds(whole).centre();
             var cut = Plane.through(Plane.of(solids.direction(), 0).normal(), middle);
             Optional<List<Solid>> halves = BrushClip.clipped(
-                            whole, cut, BrushClip.Keep.BOTH, new Solid.Face(null, null), "front")
+                            whole, cut, BrushClip.Keep.BOTH, new Solid.Face(null, null, null), "front")
                     .result();
             if (halves.isPresent()) {
                 Solid merged = BrushBoolean.merged(halves.get()).result().orElseThrow();
                 assertEquals(volume(whole), volume(merged), 1e-9 * volume(whole), whole.toString());
-                assertEquals(SolidFaces.of(whole).size(), SolidFaces.of(merged).size(), whole + " cut by " + cut);
+                assertEquals(FaceLooks.of(whole).size(), FaceLooks.of(merged).size(), whole + " cut by " + cut);
                 assertTrue(BrushBoolean.isUnionConvex(halves.get()));
                 assertAccepted(List.of(merged));
             }
@@ -221,23 +222,23 @@ class BrushBooleanTest {
 
     @Test
     void mergedBoxesBecomeOneBoxAndKeepTheirFaces() {
-        Solid left = SolidFaces.withMaterial(box("left", Vec3.ZERO, new Vec3(1, 1, 1)), 1, "tile");
-        Solid right = SolidFaces.withPortalable(box("right", new Vec3(1, 0, 0), new Vec3(3, 1, 1)), 0, true);
+        Solid left = FaceLooks.withMaterial(box("left", Vec3.ZERO, new Vec3(1, 1, 1)), 1, "tile");
+        Solid right = FaceLooks.withPortalable(box("right", new Vec3(1, 0, 0), new Vec3(3, 1, 1)), 0, true);
         Solid merged = BrushBoolean.merged(List.of(left, right)).result().orElseThrow();
         assertInstanceOf(Solid.Box.class, merged);
         assertEquals("left", merged.id());
         assertEquals(new Aabb(0, 0, 0, 3, 1, 1), bounds(merged));
-        assertEquals("tile", SolidFaces.of(merged).get(1).material());
-        assertEquals(true, SolidFaces.of(merged).get(0).portalable());
+        assertEquals("tile", FaceLooks.of(merged).get(1).material());
+        assertEquals(true, FaceLooks.of(merged).get(0).portalable());
     }
 
     @Test
     void aGreyFaceStaysGreyInAHullWithAnotherDefault() {
         Solid brick = box("a", Vec3.ZERO, new Vec3(1, 1, 1));
-        Solid grey = SolidFaces.withMaterial(box("b", new Vec3(1, 0, 0), new Vec3(2, 1, 1)), null);
+        Solid grey = FaceLooks.withMaterial(box("b", new Vec3(1, 0, 0), new Vec3(2, 1, 1)), null);
         Solid merged = BrushBoolean.merged(List.of(brick, grey)).result().orElseThrow();
-        assertEquals(null, SolidFaces.of(merged).get(0).material());
-        assertEquals("brick", SolidFaces.of(merged).get(1).material());
+        assertEquals(null, FaceLooks.of(merged).get(0).material());
+        assertEquals("brick", FaceLooks.of(merged).get(1).material());
     }
 
     @Test
@@ -251,7 +252,7 @@ class BrushBooleanTest {
 
     @Test
     void aHullOfTooManyFacesIsRefused() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 40);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 40, Map.of());
         Solid turned = SolidTransform.rotated(round, Vec3.ZERO, new Vec3(1, 0, 0), 90)
                 .result()
                 .orElseThrow();
@@ -264,7 +265,7 @@ class BrushBooleanTest {
 
     @Test
     void roundSolidsOf62SidesCutEachOther() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 30);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 30, Map.of());
         Solid other = SolidTransform.moved(round, new Vec3(1, 0.5, 0.25));
         List<Solid> pieces = new ArrayList<>(subtracted(round, other));
         double common = volume(BrushBoolean.intersected(round, other).result().orElseThrow());

@@ -34,7 +34,7 @@ class BrushCheckTest {
 
     private static Solid slab(double thickness) {
         List<PlaneFace> planes = Stream.of(BoxFace.values())
-                .map(side -> new PlaneFace(side.normal(), side == BoxFace.PLUS_Y ? thickness - 1 : 1, null, null))
+                .map(side -> new PlaneFace(side.normal(), side == BoxFace.PLUS_Y ? thickness - 1 : 1, null, null, null))
                 .toList();
         return new Solid.Planes("s", null, false, TextureMapping.WORLD, planes);
     }
@@ -53,8 +53,8 @@ class BrushCheckTest {
                 TextureMapping.WORLD,
                 ((Solid.Planes) slab(1))
                         .planes().stream()
-                                .map(face ->
-                                        new PlaneFace(face.normal().scaled(1e-10), face.distanceMetres(), null, null))
+                                .map(face -> new PlaneFace(
+                                        face.normal().scaled(1e-10), face.distanceMetres(), null, null, null))
                                 .toList());
         return Stream.of(
                 Arguments.of(box(Vec3.ZERO, new Vec3(1, 5e-5, 1)), BrushText.TOO_THIN),
@@ -65,7 +65,7 @@ class BrushCheckTest {
                 Arguments.of(wedge(BoxFace.PLUS_Y, new Vec3(1, 1, 1)), BrushText.NOT_SOLID),
                 Arguments.of(wedge(BoxFace.PLUS_X, new Vec3(1, 1, 5e-5)), BrushText.TOO_THIN),
                 Arguments.of(
-                        new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 5e-5, 8),
+                        new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 5e-5, 8, Map.of()),
                         BrushText.TOO_THIN),
                 Arguments.of(slab(5e-5), BrushText.TOO_THIN),
                 Arguments.of(slab(-1), BrushText.NOT_SOLID),

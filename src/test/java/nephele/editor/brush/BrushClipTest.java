@@ -10,7 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import nephele.editor.brush.BrushClip.Keep;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
@@ -28,7 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
 class BrushClipTest {
-    private static final Solid.Face METAL = new Solid.Face("metal", true);
+    private static final Solid.Face METAL = new Solid.Face("metal", true, null);
     private static final Solid UNIT = box("unit", Vec3.ZERO, new Vec3(2, 2, 2));
 
     private static BrushEdit<List<Solid>> clipped(Solid solid, Plane plane) {
@@ -134,11 +136,11 @@ class BrushClipTest {
         Vec3 top = prism.centre();
         List<Solid> halves =
                 clipped(prism, plane(new Vec3(0, 1, 0), top)).result().orElseThrow();
-        assertInstanceOf(Solid.Planes.class, halves.get(0));
-        Solid plain = SolidFaces.withPortalable(SolidFaces.withMaterial(halves.get(0), "tile"), false);
-        assertEquals(prism.sides() + 2, Brush.of(plain).faces().size());
+        Solid.Prism cut = assertInstanceOf(Solid.Prism.class, halves.get(0));
+        assertEquals(Set.of("+y"), cut.faces().keySet());
+        assertEquals(METAL, FaceLooks.of(cut).get(0));
         List<Solid> same = BrushClip.clipped(
-                        prism, plane(new Vec3(0, 1, 0), top), Keep.BOTH, new Solid.Face(null, null), "front")
+                        prism, plane(new Vec3(0, 1, 0), top), Keep.BOTH, new Solid.Face(null, null, null), "front")
                 .result()
                 .orElseThrow();
         Solid.Prism lower = assertInstanceOf(Solid.Prism.class, same.get(0));
@@ -149,7 +151,7 @@ class BrushClipTest {
 
     @Test
     void aCutThatNeeds65FacesIsRefused() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 62);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 62, Map.of());
         Plane chamfer = plane(new Vec3(1, 1, 0), new Vec3(1.9, 0.5, 0));
         assertEquals(
                 BrushText.TOO_MANY_FACES,

@@ -28,7 +28,7 @@ class BrushHollowTest {
 
     @Test
     void aBoxBecomesSixBoxesWithFloorAndCeilingAcrossTheWalls() {
-        Solid room = SolidFaces.withMaterial(box("room", Vec3.ZERO, new Vec3(6, 3, 4)), 3, "tile");
+        Solid room = FaceLooks.withMaterial(box("room", Vec3.ZERO, new Vec3(6, 3, 4)), 3, "tile");
         List<Solid> walls = hollowed(room, 0.25).result().orElseThrow();
         assertEquals(6, walls.size());
         assertEquals("room", walls.get(0).id());

@@ -70,7 +70,7 @@ class FaceExtrudeTest {
                                 0.0625)
                         .result()
                         .orElseThrow();
-                boolean isAllThere = SolidFaces.of(back).size() == faces.size();
+                boolean isAllThere = FaceLooks.of(back).size() == faces.size();
                 assertEquals(volume(solid), volume(back), isAllThere ? 1e-9 * volume(solid) : area);
             }
         }
@@ -83,7 +83,7 @@ class FaceExtrudeTest {
         assertEquals(new Vec3(0, 0, 0.5), wider.centre());
         Solid.Wedge deeper = assertInstanceOf(Solid.Wedge.class, extruded(WEDGE, new Vec3(0, -1, 0), 1));
         assertEquals(new Vec3(6, 3, 3), deeper.size());
-        Solid.Prism prism = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 7);
+        Solid.Prism prism = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 2, 7, Map.of());
         Solid.Prism higher = assertInstanceOf(Solid.Prism.class, extruded(prism, new Vec3(0, 1, 0), 3));
         assertEquals(5, higher.heightMetres());
         assertEquals(new Vec3(0, 1.5, 0), higher.centre());
@@ -119,26 +119,26 @@ class FaceExtrudeTest {
     /** A truncated pyramid: apex at 2 m, cut at 1 m. */
     private static Solid pyramid() {
         List<Solid.PlaneFace> planes = List.of(
-                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null),
-                new Solid.PlaneFace(new Vec3(1, 1, 0), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(-1, 1, 0), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, 1), Math.sqrt(2), null, null),
-                new Solid.PlaneFace(new Vec3(0, 1, -1), Math.sqrt(2), null, null));
+                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null, null),
+                new Solid.PlaneFace(new Vec3(1, 1, 0), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(-1, 1, 0), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, 1), Math.sqrt(2), null, null, null),
+                new Solid.PlaneFace(new Vec3(0, 1, -1), Math.sqrt(2), null, null, null));
         return new Solid.Planes("pyramid", null, false, TextureMapping.WORLD, planes);
     }
 
     @Test
     void aNewBrushGrowsFromAFaceWithTheLooksAroundIt() {
-        Solid tiled = SolidFaces.withMaterial(SolidFaces.withPortalable(BOX, 2, true), 0, "tile");
+        Solid tiled = FaceLooks.withMaterial(FaceLooks.withPortalable(BOX, 2, true), 0, "tile");
         List<Solid> both =
                 FaceExtrude.extrudedAsNew(tiled, 2, 1.5, "new").result().orElseThrow();
         assertSame(tiled, both.get(0));
         Solid.Box grown = assertInstanceOf(Solid.Box.class, both.get(1));
         assertEquals("new", grown.id());
         assertEquals(new Aabb(0, 3, 0, 4, 4.5, 2), bounds(grown));
-        assertEquals(true, SolidFaces.of(grown).get(2).portalable());
-        assertEquals("tile", SolidFaces.of(grown).get(0).material());
+        assertEquals(true, FaceLooks.of(grown).get(2).portalable());
+        assertEquals("tile", FaceLooks.of(grown).get(0).material());
     }
 
     @Test

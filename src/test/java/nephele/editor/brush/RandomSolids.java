@@ -61,7 +61,7 @@ final class RandomSolids {
     }
 
     private Solid.Face face() {
-        return new Solid.Face(random.nextBoolean() ? "brick" : "metal", random.nextBoolean());
+        return new Solid.Face(random.nextBoolean() ? "brick" : "metal", random.nextBoolean(), null);
     }
 
     Solid.Box box() {
@@ -88,7 +88,8 @@ final class RandomSolids {
                 point(2),
                 eighths(1, 3),
                 eighths(1, 4),
-                3 + random.nextInt(8));
+                3 + random.nextInt(8),
+                Map.of());
     }
 
     /** Returns a box with random corners cut off. */
@@ -98,12 +99,12 @@ final class RandomSolids {
         for (BoxFace side : BoxFace.values()) {
             double distance =
                     side.normal().dot(box.centre()) + Math.abs(side.normal().dot(box.size())) / 2;
-            planes.add(new PlaneFace(side.normal(), distance, null, null));
+            planes.add(new PlaneFace(side.normal(), distance, null, null, null));
         }
         for (int i = random.nextInt(1, 5); i > 0; i--) {
             Vec3 normal = Plane.of(direction(), 0).normal();
             double distance = ExactNumber.snapped(normal.dot(box.centre()) + 0.5 + random.nextDouble() / 2);
-            planes.add(new PlaneFace(normal, distance, random.nextBoolean() ? "metal" : null, null));
+            planes.add(new PlaneFace(normal, distance, random.nextBoolean() ? "metal" : null, null, null));
         }
         return PlaneForm.of(new Solid.Planes("planes", material(), random.nextBoolean(), TextureMapping.WORLD, planes));
     }

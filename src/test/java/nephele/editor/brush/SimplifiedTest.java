@@ -60,14 +60,15 @@ class SimplifiedTest {
     }
 
     @Test
-    void aPrismThatIsNotRegularOrNotUniformStaysPlanes() {
+    void onlyARegularPrismIsOne() {
         Solid.Prism prism = new RandomSolids(73).prism();
         Solid.Planes planes = PlaneForm.of(prism);
         List<PlaneFace> faces = new ArrayList<>(planes.planes());
         PlaneFace side = faces.get(3);
-        faces.set(3, new PlaneFace(side.normal(), side.distanceMetres() - 0.01, null, null));
+        faces.set(3, new PlaneFace(side.normal(), side.distanceMetres() - 0.01, null, null, null));
         assertInstanceOf(Solid.Planes.class, Simplified.of(PlaneForm.with(planes, "p", faces)));
-        faces.set(3, new PlaneFace(side.normal(), side.distanceMetres(), "metal", null));
-        assertInstanceOf(Solid.Planes.class, Simplified.of(PlaneForm.with(planes, "p", faces)));
+        faces.set(3, new PlaneFace(side.normal(), side.distanceMetres(), "metal", null, null));
+        Solid.Prism metal = assertInstanceOf(Solid.Prism.class, Simplified.of(PlaneForm.with(planes, "p", faces)));
+        assertEquals("metal", FaceLooks.of(metal).get(3).material());
     }
 }

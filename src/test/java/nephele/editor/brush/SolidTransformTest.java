@@ -48,7 +48,7 @@ class SolidTransformTest {
             Aabb expected = bounds(solid).moved(by);
             assertEquals(expected.minX(), bounds(moved).minX(), 1e-9);
             assertEquals(expected.maxZ(), bounds(moved).maxZ(), 1e-9);
-            assertEquals(SolidFaces.of(solid), SolidFaces.of(moved));
+            assertEquals(FaceLooks.of(solid), FaceLooks.of(moved));
         }
     }
 
@@ -178,7 +178,7 @@ class SolidTransformTest {
         assertInstanceOf(Solid.Wedge.class, scaled(solids.wedge(), Vec3.ZERO, stretched));
         assertInstanceOf(Solid.Prism.class, scaled(solids.prism(), Vec3.ZERO, new Vec3(2, 3, -2)));
         assertInstanceOf(Solid.Planes.class, scaled(solids.wedge(), Vec3.ZERO, new Vec3(1, -1, 1)));
-        Solid.Prism odd = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 1, 5);
+        Solid.Prism odd = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 1, 1, 5, Map.of());
         assertInstanceOf(Solid.Planes.class, scaled(odd, Vec3.ZERO, new Vec3(-1, 1, 1)));
         assertEquals(odd, scaled(scaled(odd, Vec3.ZERO, new Vec3(-1, 1, 1)), Vec3.ZERO, new Vec3(-1, 1, 1)));
     }

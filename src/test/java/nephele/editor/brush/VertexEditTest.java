@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
 class VertexEditTest {
-    private static final Solid BOX = SolidFaces.withPortalable(
-            SolidFaces.withMaterial(box("box", Vec3.ZERO, new Vec3(2, 2, 2)), 2, "tile"), 0, true);
+    private static final Solid BOX = FaceLooks.withPortalable(
+            FaceLooks.withMaterial(box("box", Vec3.ZERO, new Vec3(2, 2, 2)), 2, "tile"), 0, true);
     private static final Vec3 CORNER = new Vec3(2, 2, 2);
 
     private static Edited moved(Solid solid, List<Vec3> vertices, Vec3 by) {
@@ -57,7 +57,7 @@ class VertexEditTest {
         Edited raised = moved(BOX, top(), new Vec3(0, 0.5, 0));
         assertInstanceOf(Solid.Box.class, raised.solid());
         assertEquals(new Aabb(0, 0, 0, 2, 2.5, 2), bounds(raised.solid()));
-        assertEquals(SolidFaces.of(BOX), SolidFaces.of(raised.solid()));
+        assertEquals(FaceLooks.of(BOX), FaceLooks.of(raised.solid()));
         assertEquals(4, raised.vertices().size());
         assertTrue(raised.vertices().stream().allMatch(v -> v.y() == 2.5));
         assertEquals(

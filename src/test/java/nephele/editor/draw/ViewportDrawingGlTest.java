@@ -120,7 +120,7 @@ class ViewportDrawingGlTest {
     @Test
     void aFaceOnAMirrorIsNotShownAsPortalable() {
         Material mirror = new Material("m", new Vec3(1, 1, 1), null, null, null, null, Vec3.ZERO, 1, true);
-        Solid.Face face = new Solid.Face("m", null);
+        Solid.Face face = new Solid.Face("m", null, null);
         Solid.Box wall = new Solid.Box(
                 "w",
                 null,
@@ -252,7 +252,8 @@ class ViewportDrawingGlTest {
         Material red = new Material("red", new Vec3(1, 0, 0), null, null, null, null, Vec3.ZERO, 1);
         Solid floor = box("floor", new Vec3(0, -0.5, 0), new Vec3(8, 1, 8), false);
         Solid moved = box("wall", new Vec3(1, 1.25, -1), new Vec3(3, 2, 1), true);
-        Solid painted = new Solid.Prism("p", "red", false, TextureMapping.WORLD, new Vec3(-1, 1, 1), 0.5, 2, 6);
+        Solid painted =
+                new Solid.Prism("p", "red", false, TextureMapping.WORLD, new Vec3(-1, 1, 1), 0.5, 2, 6, Map.of());
         Light lamp = new Light.Point("lamp", new Vec3(0, 2, 2), new Vec3(5, 5, 5), 9, true);
         Level first = level(WALL, floor);
         Level second = first.with(List.of(), List.of(moved, floor));
@@ -317,7 +318,7 @@ class ViewportDrawingGlTest {
                 null,
                 false,
                 TextureMapping.WORLD,
-                List.of(new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null)));
+                List.of(new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null, null)));
         ModelPlacement lost = new ModelPlacement("lost", "no.obj", null, List.of(), null, false);
         ModelPlacement onLost = new ModelPlacement("on", "box_1_1.3d", "lost", List.of(), null, false);
         Level level = level().with(List.of(missing), List.of(WALL, broken), List.of(), List.of(lost, onLost));

@@ -53,7 +53,7 @@ class TextureFitTest {
                 switch (random.nextInt(3)) {
                     case 0 -> new Solid.Box("b", null, false, mapping, centre, size, Map.of());
                     case 1 -> new Solid.Wedge("w", null, false, mapping, centre, size, BoxFace.PLUS_X, Map.of());
-                    default -> new Solid.Prism("p", null, false, mapping, centre, size.x(), size.y(), 7);
+                    default -> new Solid.Prism("p", null, false, mapping, centre, size.x(), size.y(), 7, Map.of());
                 });
     }
 

@@ -14,7 +14,7 @@ class BrushTest {
 
     @Test
     void aFaceInheritsWhatItDoesNotSay() {
-        var said = Map.of(BoxFace.PLUS_Y, new Solid.Face("tile", null));
+        var said = Map.of(BoxFace.PLUS_Y, new Solid.Face("tile", null, null));
         Brush brush = Brush.of(new Solid.Box("b", "brick", true, TextureMapping.WORLD, Vec3.ZERO, SIZE, said));
         assertEquals(
                 List.of("brick", "brick", "tile", "brick", "brick", "brick"),
@@ -42,7 +42,7 @@ class BrushTest {
 
     @Test
     void aPrismReachesItsRadiusAtTheCorners() {
-        Brush prism = Brush.of(new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 3, 8));
+        Brush prism = Brush.of(new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 3, 8, Map.of()));
         assertEquals(10, prism.faces().size());
         for (Vec3 v : prism.shape().vertices()) {
             assertEquals(2, Math.sqrt(v.x() * v.x() + v.z() * v.z()), 1e-12);

@@ -21,14 +21,14 @@ class SolidFacesTest {
     private static List<Solid> oneOfEachKind() {
         Vec3 size = new Vec3(1, 2, 3);
         List<Solid.PlaneFace> planes = List.of(
-                new Solid.PlaneFace(new Vec3(1, 1, 1), 1, null, null),
-                new Solid.PlaneFace(new Vec3(-1, 0, 0), 0, "brick", null),
-                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, false),
+                new Solid.PlaneFace(new Vec3(1, 1, 1), 1, null, null, null),
+                new Solid.PlaneFace(new Vec3(-1, 0, 0), 0, "brick", null, null),
+                new Solid.PlaneFace(new Vec3(0, -1, 0), 0, null, false, null),
                 new Solid.PlaneFace(new Vec3(0, 0, -1), 0, null, null, SAID.texture()));
         return List.of(
                 new Solid.Box("s", "brick", false, WORLD, Vec3.ZERO, size, Map.of()),
                 new Solid.Wedge("s", "brick", false, WORLD, Vec3.ZERO, size, BoxFace.MINUS_Z, Map.of()),
-                new Solid.Prism("s", "brick", false, WORLD, Vec3.ZERO, 1, 2, 12),
+                new Solid.Prism("s", "brick", false, WORLD, Vec3.ZERO, 1, 2, 12, Map.of()),
                 new Solid.Planes("s", "brick", false, WORLD, planes));
     }
 
@@ -78,7 +78,7 @@ class SolidFacesTest {
     void aPlacementThatChangesNothingIsLeftOut() {
         Solid box = oneOfEachKind().get(0);
         assertEquals(box, SolidFaces.with(box, "+x", new Solid.Face(null, null, TexturePlacement.NONE)));
-        Solid.Face mapped = new Solid.Face("tile", null);
+        Solid.Face mapped = new Solid.Face("tile", null, null);
         Level level = LevelJsonTest.sections("\"name\": \"\"")
                 .with(List.of(), List.of(SolidFaces.with(box, "+x", mapped)), List.of(), List.of());
         assertEquals(-1, LevelJson.write(level).indexOf("texture"));

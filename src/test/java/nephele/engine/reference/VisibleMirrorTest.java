@@ -75,7 +75,7 @@ class VisibleMirrorTest {
     void mirrorsLightNothing() {
         TestLevel dark = stage().castingSun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
         TestLevel bright = stage().castingSun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
-        Solid.Face mirror = new Solid.Face("mirror", null);
+        Solid.Face mirror = new Solid.Face("mirror", null, null);
         bright.solid(new Solid.Box(
                 "wall",
                 "blue",

@@ -48,7 +48,7 @@ class MirrorFogGlTest {
                 TextureMapping.WORLD,
                 new Vec3(0, 0, z),
                 new Vec3(200, 200, 1),
-                Map.of(face, new Solid.Face(mirror, null)));
+                Map.of(face, new Solid.Face(mirror, null, null)));
     }
 
     /** Returns the radiance with two mirrors on the path, and a third one beyond which there is only fog. */

@@ -165,6 +165,6 @@ class MirrorGlTest {
                 TextureMapping.WORLD,
                 new Vec3(0, 0, PLANE_METRES - 0.5),
                 size,
-                Map.of(BoxFace.PLUS_Z, new Solid.Face("silver", null)));
+                Map.of(BoxFace.PLUS_Z, new Solid.Face("silver", null, null)));
     }
 }

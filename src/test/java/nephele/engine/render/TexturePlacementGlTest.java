@@ -47,7 +47,7 @@ class TexturePlacementGlTest {
                 new Solid.Box("b", "m", false, mapping, new Vec3(-1.5, 0.5, 0), TestLevel.grey(1), Map.of()),
                 new Solid.Wedge(
                         "w", "m", false, mapping, new Vec3(0, 0.5, 0), TestLevel.grey(1.2), BoxFace.MINUS_X, Map.of()),
-                new Solid.Prism("p", "m", false, mapping, new Vec3(1.5, 0.5, 0), 0.7, 1.3, 7));
+                new Solid.Prism("p", "m", false, mapping, new Vec3(1.5, 0.5, 0), 0.7, 1.3, 7, Map.of()));
         TestLevel level = lit().material(material);
         for (Solid solid : solids) {
             Solid painted = solid;
@@ -127,7 +127,7 @@ class TexturePlacementGlTest {
             Solid bare = solid;
             for (var said : SolidFaces.said(solid).entrySet()) {
                 Solid.Face face = said.getValue();
-                bare = SolidFaces.with(bare, said.getKey(), new Solid.Face(face.material(), face.portalable()));
+                bare = SolidFaces.with(bare, said.getKey(), new Solid.Face(face.material(), face.portalable(), null));
             }
             solids.add(bare);
         }

@@ -39,6 +39,6 @@ record AxisScale(Vec3 factors, Vec3 from, Vec3 to) {
         double distance = PlaneForm.isAlongAxis(moved.normal())
                 ? ExactNumber.clean(moved.distanceMetres(), ExactNumber.OF_SUMS)
                 : moved.distanceMetres();
-        return new PlaneFace(moved.normal(), distance, face.material(), face.portalable());
+        return PlaneForm.at(face, moved.normal(), distance);
     }
 }

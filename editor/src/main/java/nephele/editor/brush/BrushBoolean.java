@@ -17,7 +17,7 @@ public final class BrushBoolean {
     public enum CutLook {
         /** The solid's default material and portalability. */
         OF_SOLID,
-        /** Material and portalability of the cutter's face; a grey one is the solid's default. */
+        /** Material, portalability and placement of the picture of the cutter's face; a grey one is the solid's default. */
         OF_CUTTER
     }
 
@@ -43,8 +43,8 @@ public final class BrushBoolean {
         List<PlaneFace> caps = new ArrayList<>();
         for (Brush.BrushFace face : Brush.of(cutter).faces()) {
             PlaneFace cap = PlaneForm.canonical(face.plane());
-            Solid.Face shown =
-                    new Solid.Face(face.material() == null ? solid.material() : face.material(), face.portalable());
+            Solid.Face shown = new Solid.Face(
+                    face.material() == null ? solid.material() : face.material(), face.portalable(), face.texture());
             caps.add(look == CutLook.OF_CUTTER ? PlaneForm.look(solid, cap, shown) : cap);
         }
         return caps;

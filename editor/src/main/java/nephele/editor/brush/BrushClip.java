@@ -29,7 +29,8 @@ public final class BrushClip {
         PlaneFace cap = PlaneForm.look(
                 solid,
                 flat,
-                new Solid.Face(cut.material() == null ? solid.material() : cut.material(), cut.portalable()));
+                new Solid.Face(
+                        cut.material() == null ? solid.material() : cut.material(), cut.portalable(), cut.texture()));
         BrushEdit<Solid> behind = PlaneCut.behind(solid, cap);
         BrushEdit<Solid> front = PlaneCut.behind(solid, PlaneForm.opposite(cap));
         boolean misses = isWhole(behind, solid) || isWhole(front, solid);

@@ -40,6 +40,6 @@ public final class BrushHollow {
         double distance = PlaneForm.isAlongAxis(face.normal())
                 ? ExactNumber.clean(sum, ExactNumber.OF_SUMS)
                 : ExactNumber.snapped(sum);
-        return new PlaneFace(face.normal(), distance, face.material(), face.portalable());
+        return PlaneForm.at(face, face.normal(), distance);
     }
 }

@@ -146,6 +146,7 @@ public final class BrushShapes {
                 Vec3.ZERO,
                 radius,
                 size.y(),
-                sides);
+                sides,
+                Map.of());
     }
 }

@@ -58,7 +58,7 @@ public final class FaceExtrude {
         PlaneFace said = solid.planes().get(face);
         double distance = PlaneForm.canonical(after).distanceMetres();
         List<PlaneFace> planes = new ArrayList<>(solid.planes());
-        planes.set(face, new PlaneFace(said.normal(), distance, said.material(), said.portalable()));
+        planes.set(face, PlaneForm.at(said, said.normal(), distance));
         BrushEdit<Solid> moved = PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes));
         if (moved.result().isEmpty()) {
             boolean isEmpty =

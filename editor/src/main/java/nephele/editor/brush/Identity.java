@@ -26,7 +26,8 @@ final class Identity {
                     p.centre(),
                     p.radiusMetres(),
                     p.heightMetres(),
-                    p.sides());
+                    p.sides(),
+                    p.faces());
         } else if (solid instanceof Solid.Planes p) {
             return new Solid.Planes(id, s.material(), s.portalable(), s.textureMapping(), p.planes());
         }

@@ -2,12 +2,11 @@ package nephele.editor.brush;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
-import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
@@ -18,8 +17,6 @@ final class PlaneForm {
     private static final double PARALLEL = 1e-9;
 
     private static final double SAME_DISTANCE_METRES = 1e-9;
-
-    private static final Solid.Face NOTHING_SAID = new Solid.Face(null, null);
 
     private PlaneForm() {}
 
@@ -33,24 +30,10 @@ final class PlaneForm {
                 faces.add(planes.planes().get(at));
             } else {
                 BrushFace face = brush.faces().get(i);
-                PlaneFace plane = canonical(face.plane());
-                Solid.Face said = said(solid, face.name());
-                faces.add(new PlaneFace(plane.normal(), plane.distanceMetres(), said.material(), said.portalable()));
+                faces.add(saying(SolidFaces.said(solid, face.name()), canonical(face.plane())));
             }
         }
         return with(solid, solid.id(), faces);
-    }
-
-    private static Solid.Face said(Solid solid, String name) {
-        Solid.Face said = null;
-        if (solid instanceof Solid.Box box) {
-            for (BoxFace side : BoxFace.values()) {
-                said = side.text().equals(name) ? box.faces().get(side) : said;
-            }
-        } else if (solid instanceof Solid.Wedge wedge) {
-            said = wedge.faces().get(name);
-        }
-        return said == null ? NOTHING_SAID : said;
     }
 
     /** Returns a solid of other planes with the properties of this one. */
@@ -58,35 +41,35 @@ final class PlaneForm {
         return new Solid.Planes(id, solid.material(), solid.portalable(), solid.textureMapping(), List.copyOf(faces));
     }
 
-    /** Returns what a face shows, nothing inherited. */
+    /** Returns what a face shows, no material or portalability inherited. */
     static Solid.Face lookOf(BrushFace face) {
-        return new Solid.Face(face.material(), face.portalable());
+        return new Solid.Face(face.material(), face.portalable(), face.texture());
     }
 
     /** Returns a plane whose face says only what differs from its solid's defaults. */
     static PlaneFace look(Solid solid, PlaneFace plane, Solid.Face look) {
-        boolean isMaterial = Objects.equals(look.material(), solid.material());
-        boolean isPortalable = look.portalable() == null || look.portalable() == solid.portalable();
+        return saying(FaceLooks.said(solid, look), plane);
+    }
+
+    private static PlaneFace saying(Solid.Face said, PlaneFace plane) {
         return new PlaneFace(
-                plane.normal(),
-                plane.distanceMetres(),
-                isMaterial ? null : look.material(),
-                isPortalable ? null : look.portalable());
+                plane.normal(), plane.distanceMetres(), said.material(), said.portalable(), said.texture());
+    }
+
+    /** Returns another plane of which the same is said. */
+    static PlaneFace at(PlaneFace face, Vec3 normal, double distanceMetres) {
+        return new PlaneFace(normal, distanceMetres, face.material(), face.portalable(), face.texture());
     }
 
     /** Returns a plane as written by this package: no negative zeros, and oblique distances snapped. */
     static PlaneFace canonical(Plane plane) {
         Vec3 normal = ExactNumber.positiveZeros(plane.normal());
         double distance = isAlongAxis(normal) ? plane.distance() + 0.0 : ExactNumber.snapped(plane.distance());
-        return new PlaneFace(normal, distance, null, null);
+        return new PlaneFace(normal, distance, null, null, null);
     }
 
     static PlaneFace opposite(PlaneFace face) {
-        return new PlaneFace(
-                ExactNumber.positiveZeros(face.normal().negated()),
-                -face.distanceMetres() + 0.0,
-                face.material(),
-                face.portalable());
+        return at(face, ExactNumber.positiveZeros(face.normal().negated()), -face.distanceMetres() + 0.0);
     }
 
     static Plane plane(PlaneFace face) {

@@ -61,9 +61,8 @@ public final class Simplified {
     }
 
     private static Optional<Solid.Face> said(PlaneFace face) {
-        return face.material() == null && face.portalable() == null
-                ? Optional.empty()
-                : Optional.of(new Solid.Face(face.material(), face.portalable()));
+        Solid.Face said = new Solid.Face(face.material(), face.portalable(), face.texture());
+        return said.equals(Solid.Face.INHERITED) ? Optional.empty() : Optional.of(said);
     }
 
     private static double at(Map<BoxFace, PlaneFace> sides, BoxFace side) {
@@ -181,7 +180,6 @@ public final class Simplified {
                 && Math.abs(a.distance() - b.distance()) <= SAME_PLANE * Math.max(1, Math.abs(a.distance()));
     }
 
-    /** Prisms have one look, so a solid whose faces differ is none. */
     private static Optional<Solid.Prism> prism(Solid.Planes solid) {
         Map<BoxFace, PlaneFace> ends = sides(solid);
         int sides = solid.planes().size() - 2;
@@ -191,8 +189,7 @@ public final class Simplified {
         boolean isPrism = sides >= 3
                 && upright.size() == sides
                 && ends.containsKey(BoxFace.PLUS_Y)
-                && ends.containsKey(BoxFace.MINUS_Y)
-                && solid.planes().stream().allMatch(face -> said(face).isEmpty());
+                && ends.containsKey(BoxFace.MINUS_Y);
         return isPrism ? prism(solid, upright, ends) : Optional.empty();
     }
 
@@ -219,7 +216,20 @@ public final class Simplified {
                 ExactNumber.clean(new Vec3(x, (top + bottom) / 2, z), ExactNumber.OF_INTERSECTIONS),
                 ExactNumber.clean(radius, ExactNumber.OF_INTERSECTIONS),
                 ExactNumber.clean(top - bottom, ExactNumber.OF_SUMS),
-                upright.size());
-        return hasPlanes(prism, solid) ? Optional.of(prism) : Optional.empty();
+                upright.size(),
+                Map.of());
+        return hasPlanes(prism, solid) ? Optional.of(saying(prism, solid)) : Optional.empty();
+    }
+
+    private static Solid.Prism saying(Solid.Prism prism, Solid.Planes solid) {
+        Map<String, Solid.Face> faces = new LinkedHashMap<>();
+        for (Brush.BrushFace face : Brush.of(prism).faces()) {
+            solid.planes().stream()
+                    .filter(plane -> isSame(PlaneForm.plane(plane), face.plane()))
+                    .findFirst()
+                    .flatMap(Simplified::said)
+                    .ifPresent(said -> faces.put(face.name(), said));
+        }
+        return PrismFaces.with(prism, Collections.unmodifiableMap(faces));
     }
 }

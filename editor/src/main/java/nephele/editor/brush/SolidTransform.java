@@ -58,7 +58,7 @@ public final class SolidTransform {
     }
 
     private static PlaneFace withDistance(PlaneFace face, Vec3 normal, double distance) {
-        return new PlaneFace(normal, distance + 0.0, face.material(), face.portalable());
+        return PlaneForm.at(face, normal, distance + 0.0);
     }
 
     /**
@@ -94,7 +94,8 @@ public final class SolidTransform {
             Solid.Wedge turned = withFaces(wedge, turn.side(wedge.rising()), turn::side);
             return placed(turned, turn.point(wedge.centre(), pivot), turn.size(wedge.size()));
         } else if (solid instanceof Solid.Prism prism && turn.axis() == 1 && prism.sides() * turn.turns() % 4 == 0) {
-            return placed(prism, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
+            Solid.Prism turned = PrismFaces.turned(prism, turn.turns());
+            return placed(turned, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
         }
         Solid.Planes planes = solid instanceof Solid.Planes given ? given : PlaneForm.of(solid);
         return Simplified.exceptBox(eachPlane(planes, face -> {
@@ -135,7 +136,8 @@ public final class SolidTransform {
             return BrushCheck.checked(placed(turned, scale.point(wedge.centre()), scale.size(wedge.size())));
         } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, f)) {
             Vec3 size = scale.size(new Vec3(prism.radiusMetres(), prism.heightMetres(), 0));
-            return BrushCheck.checked(placed(prism, scale.point(prism.centre()), size.x(), size.y()));
+            Solid.Prism mirrored = PrismFaces.mirrored(prism, f);
+            return BrushCheck.checked(placed(mirrored, scale.point(prism.centre()), size.x(), size.y()));
         }
         return PlaneForm.rebuilt(eachPlane(PlaneForm.of(solid), scale::plane));
     }
@@ -194,6 +196,6 @@ public final class SolidTransform {
 
     static Solid.Prism placed(Solid.Prism p, Vec3 centre, double radius, double height) {
         return new Solid.Prism(
-                p.id(), p.material(), p.portalable(), p.textureMapping(), centre, radius, height, p.sides());
+                p.id(), p.material(), p.portalable(), p.textureMapping(), centre, radius, height, p.sides(), p.faces());
     }
 }

@@ -1,32 +1,28 @@
 package nephele.editor.problem;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 
 /** Changes of a face's material and portalability, by the path of its record; without one, of the whole solid. */
 final class FaceEdit {
-    private static final Pattern BOX_OR_WEDGE = Pattern.compile("\\.faces\\.([^.]+).*");
+    private static final Pattern NAMED = Pattern.compile("\\.faces\\.([^.]+).*");
     private static final Pattern PLANE = Pattern.compile("\\.(planes\\[(\\d{1,9})\\]).*");
 
     private FaceEdit() {}
 
     /** Returns the name of the face that a path leads to; empty for the solid itself. */
     static Optional<String> face(String rest) {
-        Matcher box = BOX_OR_WEDGE.matcher(rest);
+        Matcher named = NAMED.matcher(rest);
         Matcher plane = PLANE.matcher(rest);
-        return box.matches()
-                ? Optional.of(box.group(1))
+        return named.matches()
+                ? Optional.of(named.group(1))
                 : plane.matches() ? Optional.of(plane.group(1)) : Optional.empty();
     }
 
@@ -47,7 +43,7 @@ final class FaceEdit {
         return changed(
                 solid,
                 rest,
-                said -> new Solid.Face(said.material(), refusal),
+                said -> new Solid.Face(said.material(), refusal, said.texture()),
                 whole -> RecordMembers.with(whole, "portalable", false));
     }
 
@@ -55,47 +51,19 @@ final class FaceEdit {
         return changed(
                 solid,
                 rest,
-                said -> new Solid.Face(material, said.portalable()),
+                said -> new Solid.Face(material, said.portalable(), said.texture()),
                 whole -> RecordMembers.with(whole, "material", material));
     }
 
+    /** A solid of which the path names a face that it has not stays as it is. */
     private static Solid changed(
             Solid solid, String rest, UnaryOperator<Solid.Face> ofFace, UnaryOperator<Record> ofSolid) {
         String name = face(rest).orElse("");
-        if (solid instanceof Solid.Box box) {
-            for (BoxFace side : BoxFace.values()) {
-                if (side.text().equals(name)) {
-                    return (Solid) RecordMembers.with(box, "faces", changed(box.faces(), side, ofFace));
-                }
-            }
-        } else if (solid instanceof Solid.Wedge wedge && !name.isEmpty()) {
-            return (Solid) RecordMembers.with(wedge, "faces", changed(wedge.faces(), name, ofFace));
-        } else if (solid instanceof Solid.Planes planes && !name.isEmpty()) {
-            int index = Integer.parseInt(name.substring("planes[".length(), name.length() - 1));
-            return (Solid) RecordMembers.with(planes, "planes", changed(planes.planes(), index, ofFace));
+        if (name.isEmpty()) {
+            return (Solid) ofSolid.apply((Record) solid);
         }
-        return (Solid) ofSolid.apply((Record) solid);
-    }
-
-    private static <K> Map<K, Solid.Face> changed(Map<K, Solid.Face> faces, K key, UnaryOperator<Solid.Face> ofFace) {
-        Map<K, Solid.Face> changed = new LinkedHashMap<>(faces);
-        Solid.Face nothing = new Solid.Face(null, null);
-        Solid.Face said = ofFace.apply(faces.getOrDefault(key, nothing));
-        if (said.equals(nothing)) {
-            changed.remove(key);
-        } else {
-            changed.put(key, said);
-        }
-        return changed;
-    }
-
-    private static List<Solid.PlaneFace> changed(
-            List<Solid.PlaneFace> planes, int index, UnaryOperator<Solid.Face> ofFace) {
-        List<Solid.PlaneFace> changed = new ArrayList<>(planes);
-        Solid.PlaneFace plane = planes.get(index);
-        Solid.Face said = ofFace.apply(new Solid.Face(plane.material(), plane.portalable()));
-        changed.set(
-                index, new Solid.PlaneFace(plane.normal(), plane.distanceMetres(), said.material(), said.portalable()));
-        return List.copyOf(changed);
+        return SolidFaces.names(solid).contains(name)
+                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.said(solid, name)))
+                : solid;
     }
 }

@@ -150,6 +150,7 @@ public final class IdLevel {
                         plane.normal(),
                         plane.distanceMetres(),
                         isMirror(plane.material(), planes.material(), mirrors) ? MIRROR : null,
+                        null,
                         null))
                 .collect(Collectors.toList());
         return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
@@ -160,7 +161,7 @@ public final class IdLevel {
             List<N> names, Map<N, Solid.Face> said, String material, Set<String> mirrors) {
         return names.stream()
                 .filter(name -> isMirror(said.containsKey(name) ? said.get(name).material() : null, material, mirrors))
-                .collect(Collectors.toMap(name -> name, name -> new Solid.Face(MIRROR, null)));
+                .collect(Collectors.toMap(name -> name, name -> new Solid.Face(MIRROR, null, null)));
     }
 
     private static boolean isMirror(String ofFace, String ofSolid, Set<String> mirrors) {

@@ -70,20 +70,7 @@ public sealed interface Solid {
             @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double heightMetres,
             @Written(absent = "16", min = 3, max = 62) int sides,
             @Written Map<String, Face> faces)
-            implements Solid {
-        /** Creates a prism whose faces are all as the solid says. */
-        public Prism(
-                String id,
-                String material,
-                boolean portalable,
-                TextureMapping textureMapping,
-                Vec3 centre,
-                double radiusMetres,
-                double heightMetres,
-                int sides) {
-            this(id, material, portalable, textureMapping, centre, radiusMetres, heightMetres, sides, Map.of());
-        }
-    }
+            implements Solid {}
 
     /**
      * The properties of a face that differ from its solid's; {@code null} members inherit.
@@ -96,11 +83,6 @@ public sealed interface Solid {
             @Written TexturePlacement texture) {
         /** A face that is as its solid says. */
         public static final Face INHERITED = new Face(null, null, null);
-
-        /** Creates a face whose picture lies as the solid's mapping says. */
-        public Face(String material, Boolean portalable) {
-            this(material, portalable, null);
-        }
     }
 
     /**
@@ -113,10 +95,5 @@ public sealed interface Solid {
             @Written(required = true) double distanceMetres,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written Boolean portalable,
-            @Written TexturePlacement texture) {
-        /** Creates a plane whose picture lies as the solid's mapping says. */
-        public PlaneFace(Vec3 normal, double distanceMetres, String material, Boolean portalable) {
-            this(normal, distanceMetres, material, portalable, null);
-        }
-    }
+            @Written TexturePlacement texture) {}
 }

@@ -77,7 +77,7 @@ public final class SolidFaces {
                 solid,
                 face,
                 TexturePlacement.NONE.equals(said.texture())
-                        ? new Solid.Face(said.material(), said.portalable())
+                        ? new Solid.Face(said.material(), said.portalable(), null)
                         : said);
     }
 

@@ -75,7 +75,7 @@ public class LevelJsonTest {
                 sections("\"solids\": [{\"id\": \"s\", \"kind\": \"box\", \"centre\": [0, 1, 2], \"size\": [1, 1, 1],"
                         + " \"material\": \"m\", \"faces\": {\"+y\": {\"material\": \"w\", \"portalable\": true}}}]");
         Solid.Box box = assertInstanceOf(Solid.Box.class, level.solids().get(0));
-        assertEquals(new Solid.Face("w", true), box.faces().get(BoxFace.PLUS_Y));
+        assertEquals(new Solid.Face("w", true, null), box.faces().get(BoxFace.PLUS_Y));
         assertEquals(TextureMapping.WORLD, box.textureMapping());
     }
 

@@ -76,7 +76,7 @@ class MirrorRulesTest {
     @Test
     void noPortalOpensOnAMirror() {
         Material silver = mirror(null, null, Vec3.ZERO);
-        Solid one = box(null, Map.of(BoxFace.PLUS_Z, new Solid.Face("m", true)));
+        Solid one = box(null, Map.of(BoxFace.PLUS_Z, new Solid.Face("m", true, null)));
         assertEquals(
                 6,
                 PlacementSurfaces.of(StaticShapes.of(level(silver, List.of(box(null, Map.of())), List.of())))

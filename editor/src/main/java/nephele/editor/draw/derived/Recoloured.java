@@ -79,7 +79,7 @@ final class Recoloured {
         String material(String said, boolean isPortalable);
     }
 
-    /** A solid whose faces get other materials. */
+    /** A solid whose faces get other materials, which are plain, so that no placement of pictures counts. */
     private record Faces(Solid solid, Choice choice) {
         Solid copy() {
             String whole = chosen(null, null);
@@ -119,7 +119,8 @@ final class Recoloured {
                     prism.centre(),
                     prism.radiusMetres(),
                     prism.heightMetres(),
-                    prism.sides());
+                    prism.sides(),
+                    faces(prism.faces()));
         }
 
         private Solid.PlaneFace face(Solid.PlaneFace said) {
@@ -127,13 +128,14 @@ final class Recoloured {
                     said.normal(),
                     said.distanceMetres(),
                     chosen(said.material(), said.portalable()),
-                    said.portalable());
+                    said.portalable(),
+                    null);
         }
 
         private <K> Map<K, Solid.Face> faces(Map<K, Solid.Face> said) {
             Map<K, Solid.Face> others = new LinkedHashMap<>();
-            said.forEach((side, face) ->
-                    others.put(side, new Solid.Face(chosen(face.material(), face.portalable()), face.portalable())));
+            said.forEach((side, face) -> others.put(
+                    side, new Solid.Face(chosen(face.material(), face.portalable()), face.portalable(), null)));
             return others;
         }
 

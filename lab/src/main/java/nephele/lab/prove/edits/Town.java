@@ -143,7 +143,7 @@ final class Town {
 
     private void box(double x, double y, double z, double width, double height, double depth) {
         Map<BoxFace, Solid.Face> faces =
-                random.nextInt(4) == 0 ? Map.of(BoxFace.PLUS_Y, new Solid.Face(material(), null)) : Map.of();
+                random.nextInt(4) == 0 ? Map.of(BoxFace.PLUS_Y, new Solid.Face(material(), null, null)) : Map.of();
         solids.add(new Solid.Box(
                 id(),
                 material(),
@@ -172,7 +172,7 @@ final class Town {
 
     private void prism(double x, double y, double z, double radius, double height) {
         Vec3 centre = new Vec3(corner.x() + x, y, corner.z() + z);
-        solids.add(new Solid.Prism(id(), material(), false, TextureMapping.WORLD, centre, radius, height, 8));
+        solids.add(new Solid.Prism(id(), material(), false, TextureMapping.WORLD, centre, radius, height, 8, Map.of()));
     }
 
     private Vec3 place(double width, double depth, double height) {

@@ -84,7 +84,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     }
 
     private static Solid.PlaneFace plane(Vec3 normal, Vec3 through, boolean portalable) {
-        return new Solid.PlaneFace(normal, normal.dot(through), null, portalable);
+        return new Solid.PlaneFace(normal, normal.dot(through), null, portalable, null);
     }
 
     /** Returns a view along a direction without roll; straight up or down with any yaw. */
