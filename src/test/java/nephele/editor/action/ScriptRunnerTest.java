@@ -57,7 +57,7 @@ class ScriptRunnerTest {
                 "grid metres=NaN | metres must be a number",
                 "grid feet=3 | grid has no 'feet=3'",
                 "select \"ids | a \" is missing",
-                "save file=/no/such/\u0000 | is no file name"
+                "save file=/no/such/room.json | is missing: nothing was saved"
             })
     void aLineThatCannotBeDoneSaysWhyAndChangesNothing(String line, String said) {
         ScriptedSession session = ScriptedSession.empty();
