@@ -21,7 +21,8 @@ public record ScriptedSession(EditorSession session, ScriptRunner script) {
                 level,
                 LevelAssets.beside(Path.of("levels", "untitled.json")),
                 EditorSettings.DEFAULT);
-        return new ScriptedSession(session, new ScriptRunner(session, new SilentDesk()));
+        return new ScriptedSession(
+                session, new ScriptRunner(session, new ScriptDesk(() -> new java.awt.image.BufferedImage(4, 4, 1))));
     }
 
     /** Runs lines that must succeed. */

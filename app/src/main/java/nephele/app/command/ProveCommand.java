@@ -5,6 +5,8 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import nephele.editor.prove.EditorProofs;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -20,6 +22,9 @@ import picocli.CommandLine.Parameters;
 /** Runs the proofs at full count; a stopped run resumes where it was. */
 @picocli.CommandLine.Command
 final class ProveCommand implements Command {
+    private static final List<Proof> ALL =
+            Stream.concat(Proofs.ALL.stream(), EditorProofs.ALL.stream()).toList();
+
     private static final Path STATE_FOLDER = Path.of("build", "prove");
     private static final Path TABLE = Path.of("docs", "proofs.md");
 
@@ -52,7 +57,7 @@ final class ProveCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) throws Exception {
         if (list) {
-            Proofs.ALL.forEach(proof -> terminal.out()
+            ALL.forEach(proof -> terminal.out()
                     .println(proof.claim().name() + ": " + proof.claim().sentence()));
             return ExitCode.DONE;
         }
@@ -72,13 +77,12 @@ final class ProveCommand implements Command {
 
     private List<Proof> chosen() {
         if (name == null) {
-            return Proofs.ALL;
+            return ALL;
         }
-        var named = Proofs.ALL.stream()
-                .filter(proof -> proof.claim().name().equals(name))
-                .toList();
+        var named =
+                ALL.stream().filter(proof -> proof.claim().name().equals(name)).toList();
         if (named.isEmpty()) {
-            var names = Proofs.ALL.stream().map(proof -> proof.claim().name()).collect(Collectors.joining(", "));
+            var names = ALL.stream().map(proof -> proof.claim().name()).collect(Collectors.joining(", "));
             throw CommandFailure.usage("there is no proof `" + name + "`; there are: " + names);
         }
         return named;

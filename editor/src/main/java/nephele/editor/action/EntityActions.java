@@ -109,8 +109,11 @@ final class EntityActions {
         document.edit(
                 MOVE,
                 null,
-                before -> before.with(
-                        EntityTransform.moved(before.level(), before.selection().entities(), by)));
+                before -> before.with(EntityTransform.moved(
+                        before.level(),
+                        before.selection().entities(),
+                        by,
+                        call.session().options().textureLock())));
     }
 
     /** Returns the middle of the box around what is selected, on the grid. */
@@ -132,7 +135,16 @@ final class EntityActions {
         Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
         double degrees = call.number("degrees", 90);
         Vec3 pivot = pivot(call);
-        change(call, TURN, entity -> EntityTransform.turned(entity, pivot, axis, degrees));
+        Document document = call.session().document();
+        document.edit(
+                TURN,
+                level -> EntityTransform.turned(
+                        level,
+                        document.selection().entities(),
+                        pivot,
+                        axis,
+                        degrees,
+                        call.session().options().textureLock()));
     }
 
     private static void scale(ActionCall call) throws ActionFailure {

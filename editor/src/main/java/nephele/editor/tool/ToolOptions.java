@@ -3,6 +3,7 @@ package nephele.editor.tool;
 import java.util.EnumSet;
 import java.util.Set;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.brush.TextureLock;
 
 /** What the tools use next: shape, material, kind of entity, snapping. Belongs to the session, changed by its thread. */
 public final class ToolOptions {
@@ -65,6 +66,11 @@ public final class ToolOptions {
     public void entity(String newSection, String newKind) {
         section = newSection;
         kind = newKind;
+    }
+
+    /** Returns whether textures stay fixed to a brush that moves. */
+    public TextureLock textureLock() {
+        return textureLocked ? TextureLock.LOCKED : TextureLock.WORLD;
     }
 
     /** Returns true if textures stay fixed to a brush that moves. */

@@ -3,7 +3,9 @@ package nephele.editor.transform;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
+import nephele.editor.brush.TextureLock;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
@@ -25,6 +27,32 @@ public final class EntityTransform {
     /** Returns the level with entities moved. */
     public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by) {
         return by.equals(Vec3.ZERO) ? level : (Level) ENTITIES.changed(level, refs, entity -> moved(entity, by));
+    }
+
+    /** Returns the level with entities moved, textures fixed to their brushes or to the world. */
+    public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by, TextureLock lock) {
+        if (by.equals(Vec3.ZERO)) {
+            return level;
+        }
+        LockableTransform solids = LockableTransform.of(lock, level.materials());
+        return (Level) ENTITIES.changed(
+                level,
+                refs,
+                entity -> entity instanceof Solid solid ? (Record) solids.moved(solid, by) : moved(entity, by));
+    }
+
+    /** Returns the level with entities turned; a solid that cannot be turned stays as it is. */
+    public static Level turned(
+            Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, TextureLock lock) {
+        LockableTransform solids = LockableTransform.of(lock, level.materials());
+        return (Level) ENTITIES.changed(
+                level,
+                refs,
+                entity -> entity instanceof Solid solid
+                        ? (Record) solids.rotated(solid, pivot, axis, degrees)
+                                .result()
+                                .orElse(solid)
+                        : turned(entity, pivot, axis, degrees));
     }
 
     /** Returns an entity moved by a vector, metres. */

@@ -89,7 +89,10 @@ public final class SelectTool implements Tool {
             Vec3 snapped = context.grid().snapped(offset);
             context.document()
                     .drag(before -> before.with(EntityTransform.moved(
-                            before.level(), before.selection().entities(), snapped)));
+                            before.level(),
+                            before.selection().entities(),
+                            snapped,
+                            context.options().textureLock())));
         });
     }
 
