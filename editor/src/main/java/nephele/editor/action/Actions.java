@@ -13,7 +13,8 @@ public final class Actions {
                     SelectActions.ALL,
                     BrushActions.ALL,
                     ViewActions.ALL,
-                    ToolActions.ALL)
+                    ToolActions.ALL,
+                    PlayActions.ALL)
             .flatMap(List::stream)
             .toList();
 

@@ -57,7 +57,7 @@ final class ViewActions {
                             "camera",
                             Words.of("Go to Coordinates…", "Ir para coordenadas…", "Ir para coordenadas…"),
                             Menu.VIEW,
-                            List.of("Ctrl+Shift+G"),
+                            List.of("Ctrl+Alt+G"),
                             ViewActions::camera)
                     .taking("at", "yaw", "pitch"),
             EditorAction.of(

@@ -2,11 +2,13 @@ package nephele.editor.session;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.Document;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pick.Grid;
+import nephele.editor.play.WarmGame;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
@@ -40,6 +42,7 @@ public final class EditorSession {
     private Tool tool;
     private Words status = Words.NONE;
     private String clipboard = "";
+    private Consumer<WarmGame.Request> game = request -> {};
 
     /** @param assets of the level's file; an untitled level has those of the working folder */
     public EditorSession(DocumentFile file, Level level, AssetSource assets, EditorSettings settings) {
@@ -180,5 +183,15 @@ public final class EditorSession {
 
     public void clipboard(String text) {
         clipboard = text;
+    }
+
+    /** Sets what plays the level; without it, as in a script, nothing does. */
+    public void playsWith(Consumer<WarmGame.Request> player) {
+        game = player;
+    }
+
+    /** Plays the level as it is now, saved or not. */
+    public void play(WarmGame.Request request) {
+        game.accept(request);
     }
 }

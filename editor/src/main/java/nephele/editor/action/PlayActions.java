@@ -1,0 +1,60 @@
+package nephele.editor.action;
+
+import java.nio.file.Path;
+import java.util.List;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.play.RecordedSolution;
+import nephele.editor.play.WarmGame;
+import nephele.editor.session.EditorSession;
+import nephele.editor.text.Words;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.sim.player.FreeStart;
+
+/** Playing the level as it is, from the camera's place or from its start, and recording a solution. */
+final class PlayActions {
+    private static final Words UNSAVED = Words.of(
+            "save the level first: its solution is kept beside it",
+            "salve a fase antes: a solução fica ao lado dela",
+            "guarda primeiro o nível: a solução fica ao lado dele");
+    private static final Words STARTING = Words.of("Starting the game", "Iniciando o jogo", "A iniciar o jogo");
+
+    static final List<EditorAction> ALL = List.of(
+            EditorAction.of(
+                    "play-here",
+                    Words.of("Play from Here", "Jogar daqui", "Jogar daqui"),
+                    Menu.PLAY,
+                    List.of("F5"),
+                    call -> play(call.session(), here(call.session()), null)),
+            EditorAction.of(
+                    "play-start",
+                    Words.of("Play from the Start", "Jogar do início", "Jogar do início"),
+                    Menu.PLAY,
+                    List.of("Shift+F5"),
+                    call -> play(call.session(), null, null)),
+            EditorAction.of(
+                    "record-solution",
+                    Words.of("Record a Solution", "Gravar uma solução", "Gravar uma solução"),
+                    Menu.PLAY,
+                    List.of("F6"),
+                    PlayActions::record));
+
+    private PlayActions() {}
+
+    /** Returns the start below the camera of the first perspective pane. */
+    private static PlayerStart here(EditorSession session) {
+        PerspectiveCamera camera = session.panes().activeView().perspective();
+        return FreeStart.below(camera.eye(), camera.yawDegrees(), camera.pitchDegrees());
+    }
+
+    private static void record(ActionCall call) throws ActionFailure {
+        Path file = call.session().file().path().orElseThrow(() -> new ActionFailure(UNSAVED));
+        play(call.session(), null, RecordedSolution.fileOf(file));
+    }
+
+    private static void play(EditorSession session, PlayerStart from, Path record) {
+        session.status(STARTING);
+        Path file = session.file().path().orElse(Path.of("untitled.json"));
+        session.play(new WarmGame.Request(session.document().level(), file, from, null, record));
+    }
+}
