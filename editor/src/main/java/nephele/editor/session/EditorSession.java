@@ -2,6 +2,7 @@ package nephele.editor.session;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.Document;
 import nephele.editor.pane.PaneCamera.PaneSize;
@@ -47,7 +48,7 @@ public final class EditorSession {
         this.assets = assets;
         this.settings = settings;
         document = new Document(level);
-        context = new ToolContext(document, options, this::grid, this::status);
+        context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
         document.listen((before, after) -> tell(Change.DOCUMENT));
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
