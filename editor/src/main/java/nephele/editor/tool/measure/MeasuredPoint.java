@@ -6,8 +6,8 @@ import java.util.Set;
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
+import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.SurfacePoint;
 import nephele.editor.tool.ToolContext;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Vec3;
@@ -20,7 +20,7 @@ final class MeasuredPoint {
 
     /** Returns the place; empty if the pointer is over nothing. */
     static Optional<Vec3> under(ToolContext context, Pointer pointer) {
-        return vertex(context, pointer).or(() -> SurfacePoint.under(context, pointer)
+        return vertex(context, pointer).or(() -> PointedPlace.under(context, pointer)
                 .map(place -> place.snapped(context).point()));
     }
 

@@ -12,7 +12,7 @@ import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
-import nephele.editor.tool.SurfacePoint;
+import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.ToolOptions;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.BoxFace;
@@ -31,13 +31,13 @@ record NewEntity(String section, Record entity) {
     private static final double HALF_METRES = 0.5;
 
     /** Makes the entity that the options name; empty if there is no such kind. */
-    static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, SurfacePoint at) {
+    static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
         String section = options.section();
         return kind(entities.structure(), options).map(kind -> {
             String id = entities.freshId(level, section, wish(entities.structure(), options, kind));
             double off = Standoff.metres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
-                    made(kind, id, SurfacePoint.cleaned(at.point().addScaled(off, at.normal())), options, level);
+                    made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
             return new NewEntity(section, record instanceof PortalSpec portal ? on(at, portal, level) : record);
         });
     }
@@ -108,7 +108,7 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns a portal that looks away from the surface and leads to one that has no partner yet, or to itself. */
-    private static PortalSpec on(SurfacePoint at, PortalSpec made, Level level) {
+    private static PortalSpec on(PointedPlace at, PortalSpec made, Level level) {
         boolean isLevel = Math.abs(at.normal().y()) > 0.999;
         return new PortalSpec(
                 made.id(),

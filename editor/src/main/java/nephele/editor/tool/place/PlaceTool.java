@@ -8,8 +8,8 @@ import nephele.editor.mark.MarkColour;
 import nephele.editor.mark.MarkOutline;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.text.Words;
+import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.SurfacePoint;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
@@ -80,7 +80,7 @@ public final class PlaceTool implements Tool {
 
     private Optional<NewEntity> at(Pointer pointer) {
         Snapshot before = context.document().history().current();
-        return SurfacePoint.under(
+        return PointedPlace.under(
                         context,
                         pointer,
                         entity -> isPressed && ghost != null && ghost.ref().equals(entity))
@@ -113,7 +113,7 @@ public final class PlaceTool implements Tool {
     @Override
     public Words hint() {
         Snapshot now = context.document().now();
-        SurfacePoint anywhere = new SurfacePoint(Vec3.ZERO, new Vec3(0, 1, 0));
+        PointedPlace anywhere = new PointedPlace(Vec3.ZERO, new Vec3(0, 1, 0));
         return NewEntity.of(now.level(), context.document().entities(), context.options(), anywhere)
                 .map(entity -> HINT.with(entity.ref().shortName()))
                 .orElseGet(() ->

@@ -11,8 +11,8 @@ import nephele.editor.mark.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
+import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.SurfacePoint;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
@@ -47,7 +47,7 @@ public final class PortalTool implements Tool {
     private static final String SECTION = "portals";
 
     private final ToolContext context;
-    private final PortalShots shots;
+    private final SightShots shots;
     /** The portal of the first click; not in the level before it has a partner. */
     private Portal first;
     /** The portal that a drag moves; {@code null} without one. */
@@ -57,7 +57,7 @@ public final class PortalTool implements Tool {
 
     public PortalTool(ToolContext context) {
         this.context = context;
-        shots = new PortalShots(context);
+        shots = new SightShots(context);
     }
 
     @Override
@@ -67,7 +67,7 @@ public final class PortalTool implements Tool {
 
     private PortalGun gun() {
         PortalGun said = context.document().level().portalGun();
-        return said == null ? PortalShots.DEFAULT_GUN : said;
+        return said == null ? SightShots.DEFAULT_GUN : said;
     }
 
     /** Returns the portals that are open, but for one that moves. */
@@ -167,9 +167,9 @@ public final class PortalTool implements Tool {
         return new PortalSpec(
                 id,
                 linkedTo,
-                SurfacePoint.cleaned(portal.centre()),
-                SurfacePoint.cleaned(portal.normal()),
-                SurfacePoint.cleaned(portal.frame().up()),
+                PointedPlace.cleaned(portal.centre()),
+                PointedPlace.cleaned(portal.normal()),
+                PointedPlace.cleaned(portal.frame().up()),
                 portal.aperture().widthMetres(),
                 portal.aperture().heightMetres(),
                 portal.aperture().shape());

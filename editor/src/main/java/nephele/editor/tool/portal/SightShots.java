@@ -26,7 +26,7 @@ import nephele.engine.portal.placement.ShotRay;
  * Shots along the ray of sight, as the game makes them but without a range. The surfaces are prepared anew only when
  * they differ.
  */
-final class PortalShots {
+final class SightShots {
     static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
 
     /** Beyond every level, and every plan's eye. */
@@ -42,7 +42,7 @@ final class PortalShots {
     private StaticShapes shapes;
     private PlacementSurfaces surfaces;
 
-    PortalShots(ToolContext context) {
+    SightShots(ToolContext context) {
         this.context = context;
     }
 
