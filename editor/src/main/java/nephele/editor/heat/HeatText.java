@@ -1,6 +1,7 @@
 package nephele.editor.heat;
 
 import java.util.Locale;
+import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.portal.placement.Refusal;
 
@@ -43,8 +44,13 @@ public enum HeatText {
     }
 
     /** Returns the text for a refusal. */
-    static HeatText of(Refusal refusal) {
+    public static HeatText of(Refusal refusal) {
         return valueOf(refusal.name());
+    }
+
+    /** Returns the text in all languages; a number of metres fills its place, if it has one. */
+    public Words words(double metres) {
+        return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
     }
 
     /** Returns the text in a language; a number of metres fills its place, if it has one. */

@@ -2,6 +2,7 @@ package nephele.editor.session;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.Document;
@@ -50,7 +51,7 @@ public final class EditorSession {
         this.assets = assets;
         this.settings = settings;
         document = new Document(level);
-        context = new ToolContext(document, options, this::grid, this::status);
+        context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
         document.listen((before, after) -> tell(Change.DOCUMENT));
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);

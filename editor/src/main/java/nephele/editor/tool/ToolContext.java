@@ -1,5 +1,6 @@
 package nephele.editor.tool;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import nephele.editor.document.Document;
@@ -8,6 +9,7 @@ import nephele.editor.pick.Grid;
 import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Picker;
 import nephele.editor.text.Words;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 
 /** What a tool works on: the document, its shapes, the grid and the options. */
@@ -16,15 +18,32 @@ public final class ToolContext {
     private final ToolOptions options;
     private final Supplier<Grid> grid;
     private final Consumer<Words> status;
+    private final Supplier<Optional<AssetSource>> assets;
     private LevelShapes shapes;
     private Level shapesOf;
 
-    /** @param status receives messages for the status bar, such as why an edit is refused */
+    /** Creates a context without files: tools then take no notice of models. */
     public ToolContext(Document document, ToolOptions options, Supplier<Grid> grid, Consumer<Words> status) {
+        this(document, options, grid, status, Optional::empty);
+    }
+
+    /**
+     * Creates a context.
+     *
+     * @param status receives messages for the status bar, such as why an edit is refused
+     * @param assets the files of the level
+     */
+    public ToolContext(
+            Document document,
+            ToolOptions options,
+            Supplier<Grid> grid,
+            Consumer<Words> status,
+            Supplier<Optional<AssetSource>> assets) {
         this.document = document;
         this.options = options;
         this.grid = grid;
         this.status = status;
+        this.assets = assets;
         shapes = LevelShapes.of(document.level());
         shapesOf = document.level();
     }
@@ -43,6 +62,11 @@ public final class ToolContext {
 
     public void status(Words words) {
         status.accept(words);
+    }
+
+    /** Returns the files of the level; empty if they are not known. */
+    public Optional<AssetSource> assets() {
+        return assets.get();
     }
 
     /** Returns the shapes of what is shown, a drag in progress included. */

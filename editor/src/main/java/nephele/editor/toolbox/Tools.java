@@ -3,11 +3,24 @@ package nephele.editor.toolbox;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.measure.MeasureTool;
+import nephele.editor.tool.paint.PaintTool;
+import nephele.editor.tool.place.PlaceTool;
+import nephele.editor.tool.portal.PortalTool;
+import nephele.editor.tool.portalable.PortalableTool;
 import nephele.editor.tool.select.SelectTool;
+import nephele.editor.tool.sun.SunTool;
 
 /** All tools in the order of the toolbar; the only registration. */
 public final class Tools {
-    public static final List<ToolEntry> ALL = List.of(SelectTool.ENTRY);
+    public static final List<ToolEntry> ALL = List.of(
+            SelectTool.ENTRY,
+            PlaceTool.ENTRY,
+            PortalTool.ENTRY,
+            PaintTool.ENTRY,
+            PortalableTool.ENTRY,
+            MeasureTool.ENTRY,
+            SunTool.ENTRY);
 
     private Tools() {}
 

@@ -1,0 +1,2 @@
+/** The tool that measures distances. */
+package nephele.editor.tool.measure;

@@ -1,0 +1,200 @@
+package nephele.editor.tool.paint;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.mark.MarkOutline;
+import nephele.editor.paint.PaintedFace;
+import nephele.editor.paint.TextureFit;
+import nephele.editor.text.Words;
+import nephele.editor.tool.FacesUnderPointer;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.engine.level.Brush.BrushFace;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TexturePlacement;
+
+/**
+ * Paints the faces that a click or a drag touches with the material of the options. Shift paints whole solids; Control
+ * continues the picture from the face painted before; Alt takes the material of a face.
+ */
+public final class PaintTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "paint",
+            Words.of("Paint", "Pintar", "Pintar"),
+            Words.of(
+                    "Click or drag over faces to paint; Shift: whole solid, Control: continue, Alt: take material",
+                    "Clique ou arraste sobre faces para pintar; Shift: sólido, Control: continuar, Alt: pegar material",
+                    "Clica ou arrasta sobre faces para pintar; Shift: sólido, Control: continuar, Alt: obter material"),
+            "M",
+            "paint",
+            PaintTool::new);
+
+    private static final Words PAINT = Words.of("Paint", "Pintar", "Pintar");
+    private static final Words TAKEN = Words.of("Material: %s", "Material: %s", "Material: %s");
+    private static final Words GREY = Words.of("grey", "cinza", "cinzento");
+    private static final Words UNKNOWN = Words.of(
+            "The level has no material %s: choose another one",
+            "A fase não tem o material %s: escolha outro", "O nível não tem o material %s: escolhe outro");
+
+    private final ToolContext context;
+    private final Set<FaceRef> touched = new HashSet<>();
+    /** The level with what is painted so far; {@code null} without a stroke. */
+    private Level painted;
+
+    private Pointer previous;
+    /** The face painted last, in this stroke or before. */
+    private FaceRef last;
+    /** {@code last} as it was before the stroke. */
+    private FaceRef lastBefore;
+    /** {@code null} over nothing. */
+    private FaceRef hovered;
+
+    public PaintTool(ToolContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public void moved(Pointer pointer) {
+        hovered = FacesUnderPointer.at(context, pointer).orElse(null);
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        moved(pointer);
+        String material = context.options().material();
+        if (pointer.isHeld(Modifier.ALT)) {
+            take();
+        } else if (material != null && material(material).isEmpty()) {
+            context.status(UNKNOWN.with(material));
+        } else {
+            begin(pointer);
+        }
+    }
+
+    private void begin(Pointer pointer) {
+        painted = context.document().level();
+        touched.clear();
+        lastBefore = last;
+        previous = pointer;
+        dragged(pointer);
+    }
+
+    private void take() {
+        if (hovered == null) {
+            return;
+        }
+        FacesUnderPointer.shape(context.document().level(), hovered).ifPresent(face -> {
+            context.options().material(face.material());
+            context.status(
+                    face.material() == null
+                            ? Words.of(
+                                    TAKEN.with(GREY.english()).english(),
+                                    TAKEN.with(GREY.brazilian()).brazilian(),
+                                    TAKEN.with(GREY.european()).european())
+                            : TAKEN.with(face.material()));
+        });
+    }
+
+    private Optional<Material> material(String id) {
+        return context.document().level().materials().stream()
+                .filter(material -> material.id().equals(id))
+                .findFirst();
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (painted == null) {
+            return;
+        }
+        moved(pointer);
+        Level before = painted;
+        for (FaceRef face : FacesUnderPointer.between(context, previous, pointer)) {
+            if (touched.add(face)) {
+                paint(face, pointer);
+                last = face;
+            }
+        }
+        previous = pointer;
+        if (painted != before) {
+            Level now = painted;
+            context.document().drag(start -> start.with(now));
+        }
+    }
+
+    private void paint(FaceRef face, Pointer pointer) {
+        Solid solid = FacesUnderPointer.solid(painted, face);
+        Solid changed = changed(solid, face, pointer);
+        if (changed != solid) {
+            painted = (Level)
+                    context.document().entities().changed(painted, List.of(face.solid()), before -> (Record) changed);
+        }
+    }
+
+    private Solid changed(Solid solid, FaceRef face, Pointer pointer) {
+        String material = context.options().material();
+        if (pointer.isHeld(Modifier.SHIFT)) {
+            return FacePaint.whole(solid, material);
+        }
+        Optional<TexturePlacement> continued =
+                pointer.isHeld(Modifier.CONTROL) ? continued(face, material) : Optional.empty();
+        return continued
+                .map(placement -> FacePaint.face(solid, face.face(), material, placement))
+                .orElseGet(() -> FacePaint.face(solid, face.face(), material));
+    }
+
+    /** Returns the placement that continues the picture of the last face; empty if there is none. */
+    private Optional<TexturePlacement> continued(FaceRef face, String material) {
+        if (last == null || last.equals(face)) {
+            return Optional.empty();
+        }
+        Optional<BrushFace> from = FacesUnderPointer.shape(painted, last);
+        Optional<BrushFace> to = FacesUnderPointer.shape(painted, face);
+        if (from.isEmpty() || to.isEmpty()) {
+            return Optional.empty();
+        }
+        Material picture = material(material).orElse(null);
+        return Optional.of(
+                TextureFit.continued(PaintedFace.of(from.get(), picture), PaintedFace.of(to.get(), picture)));
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (painted != null) {
+            context.document().commitDrag(PAINT);
+            painted = null;
+        }
+    }
+
+    @Override
+    public void cancel() {
+        context.document().cancelDrag();
+        if (painted != null) {
+            painted = null;
+            last = lastBefore;
+        }
+        hovered = null;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        return Optional.ofNullable(hovered)
+                .flatMap(face -> FacesUnderPointer.shape(context.document().level(), face))
+                .map(face -> MarkOutline.polygon(face.polygon(), MarkColour.PREVIEW))
+                .orElse(List.of());
+    }
+
+    @Override
+    public Words hint() {
+        return ENTRY.description();
+    }
+}

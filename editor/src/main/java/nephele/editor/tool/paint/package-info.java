@@ -1,0 +1,2 @@
+/** The tool that gives faces a material. */
+package nephele.editor.tool.paint;

@@ -1,0 +1,122 @@
+package nephele.editor.tool.place;
+
+import java.util.List;
+import java.util.Optional;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.mark.MarkOutline;
+import nephele.editor.pick.EntityBounds;
+import nephele.editor.text.Words;
+import nephele.editor.tool.PointedPlace;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * Places an entity of the kind that the options name, standing on the surface under the pointer, snapped to the grid
+ * along it. A single record, such as the player's start, replaces the level's.
+ */
+public final class PlaceTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "place",
+            Words.of("Place", "Colocar", "Colocar"),
+            Words.of(
+                    "Click on a surface to place an entity there",
+                    "Clique numa superfície para colocar uma entidade",
+                    "Clica numa superfície para colocar uma entidade"),
+            "G",
+            "place",
+            PlaceTool::new);
+
+    private static final Words PLACE = Words.of("Place %s", "Colocar %s", "Colocar %s");
+    private static final Words HINT = Words.of(
+            "Click to place %s; hold the button to move it before",
+            "Clique para colocar %s; segure o botão para mover antes",
+            "Clica para colocar %s; mantém o botão premido para mover antes");
+    private static final Words UNKNOWN = Words.of(
+            "There is nothing of the kind %s in %s: choose another kind",
+            "Não há nada do tipo %s em %s: escolha outro tipo", "Não há nada do tipo %s em %s: escolhe outro tipo");
+
+    private final ToolContext context;
+    /** What a click would place; {@code null} while the pointer is over nothing. */
+    private NewEntity ghost;
+
+    private boolean isPressed;
+
+    public PlaceTool(ToolContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public void moved(Pointer pointer) {
+        ghost = at(pointer).orElse(null);
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        isPressed = true;
+        ghost = null;
+        dragged(pointer);
+        if (ghost == null) {
+            context.status(hint());
+        }
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (!isPressed) {
+            return;
+        }
+        at(pointer).ifPresent(entity -> {
+            ghost = entity;
+            context.document()
+                    .drag(before -> entity.addedTo(before, context.document().entities()));
+        });
+    }
+
+    private Optional<NewEntity> at(Pointer pointer) {
+        Snapshot before = context.document().history().current();
+        return PointedPlace.under(
+                        context,
+                        pointer,
+                        entity -> isPressed && ghost != null && ghost.ref().equals(entity))
+                .flatMap(place -> NewEntity.of(
+                        before.level(), context.document().entities(), context.options(), place.snapped(context)));
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (isPressed && ghost != null) {
+            context.document().commitDrag(PLACE.with(ghost.ref().shortName()));
+        }
+        isPressed = false;
+        ghost = null;
+    }
+
+    @Override
+    public void cancel() {
+        context.document().cancelDrag();
+        isPressed = false;
+        ghost = null;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        Aabb box = ghost == null ? Aabb.EMPTY : EntityBounds.of(ghost.entity());
+        return box.isEmpty() ? List.of() : MarkOutline.box(box, MarkColour.PREVIEW);
+    }
+
+    @Override
+    public Words hint() {
+        Snapshot now = context.document().now();
+        PointedPlace anywhere = new PointedPlace(Vec3.ZERO, new Vec3(0, 1, 0));
+        return NewEntity.of(now.level(), context.document().entities(), context.options(), anywhere)
+                .map(entity -> HINT.with(entity.ref().shortName()))
+                .orElseGet(() ->
+                        UNKNOWN.with(context.options().kind(), context.options().section()));
+    }
+}

@@ -1,0 +1,202 @@
+package nephele.editor.tool.portal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.document.Selection;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
+import nephele.editor.tool.PointedPlace;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalSpec;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult;
+
+/**
+ * Opens pairs of portals where the game's gun would: the first click gives one, the second its partner; both are one
+ * step. A drag from a portal that is selected moves it along the walls.
+ */
+public final class PortalTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "portal",
+            Words.of("Portals", "Portais", "Portais"),
+            Words.of(
+                    "Click twice for a pair of portals; drag a selected portal to move it",
+                    "Clique duas vezes para um par de portais; arraste um portal selecionado para mover",
+                    "Clica duas vezes para um par de portais; arrasta um portal selecionado para o mover"),
+            "P",
+            "portal",
+            PortalTool::new);
+
+    private static final Words PAIR = Words.of("Add portals", "Adicionar portais", "Adicionar portais");
+    private static final Words MOVE = Words.of("Move portal", "Mover portal", "Mover portal");
+    private static final Words GONE = Words.of(
+            "The first portal no longer fits: place it again",
+            "O primeiro portal não cabe mais: coloque de novo",
+            "O primeiro portal já não cabe: volta a colocá-lo");
+    private static final String SECTION = "portals";
+
+    private final ToolContext context;
+    private final SightShots shots;
+    /** The portal of the first click; not in the level before it has a partner. */
+    private Portal first;
+    /** The portal that a drag moves; {@code null} without one. */
+    private PortalSpec moving;
+    /** {@code null} before the pointer is over the pane. */
+    private PortalAim aim;
+
+    public PortalTool(ToolContext context) {
+        this.context = context;
+        shots = new SightShots(context);
+    }
+
+    @Override
+    public void moved(Pointer pointer) {
+        aim = new PortalAim(shots.shot("new", gun(), pointer, open("")));
+    }
+
+    private PortalGun gun() {
+        PortalGun said = context.document().level().portalGun();
+        return said == null ? SightShots.DEFAULT_GUN : said;
+    }
+
+    /** Returns the portals that are open, but for one that moves. */
+    private List<Portal> open(String movingId) {
+        List<Portal> open = new ArrayList<>();
+        for (PortalSpec portal : context.document().level().portals()) {
+            if (!portal.id().equals(movingId)) {
+                open.add(Portal.of(portal));
+            }
+        }
+        if (first != null) {
+            open.add(first);
+        }
+        return open;
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        moving = first == null ? grabbed(pointer).orElse(null) : null;
+        if (moving == null) {
+            moved(pointer);
+        }
+    }
+
+    /** Returns the selected portal under the pointer. */
+    private Optional<PortalSpec> grabbed(Pointer pointer) {
+        return context.picker().along(pointer.ray()).stream()
+                .map(pick -> pick.entity())
+                .filter(entity -> entity.section().equals(SECTION))
+                .filter(context.document().selection()::contains)
+                .findFirst()
+                .flatMap(entity ->
+                        context.document().entities().find(context.document().level(), entity))
+                .map(PortalSpec.class::cast);
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (moving == null) {
+            moved(pointer);
+            return;
+        }
+        PortalGun own = new PortalGun(moving.widthMetres(), moving.heightMetres(), moving.shape(), 1);
+        aim = new PortalAim(shots.shot(moving.id(), own, pointer, open(moving.id())));
+        context.status(aim.words());
+        if (aim.result() instanceof PlacementResult.Fits fits) {
+            PortalSpec there = spec(fits.portal(), moving.id(), moving.linkedTo());
+            Entities entities = context.document().entities();
+            context.document()
+                    .drag(before -> before.with((Level) entities.changed(
+                            before.level(), List.of(new EntityRef(SECTION, moving.id())), portal -> there)));
+        }
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (moving != null) {
+            context.document().commitDrag(MOVE);
+            moving = null;
+        } else if (aim != null) {
+            moved(pointer);
+            click();
+        }
+        aim = null;
+    }
+
+    private void click() {
+        if (first != null
+                && !shots.holds(
+                        first,
+                        gun(),
+                        open("").stream().filter(portal -> portal != first).toList())) {
+            first = null;
+            context.status(GONE);
+        } else if (!(aim.result() instanceof PlacementResult.Fits fits)) {
+            context.status(aim.words());
+        } else if (first == null) {
+            first = fits.portal();
+        } else {
+            Portal second = fits.portal();
+            context.document().edit(PAIR, null, before -> paired(before, first, second));
+            first = null;
+        }
+    }
+
+    private Snapshot paired(Snapshot before, Portal one, Portal two) {
+        Entities entities = context.document().entities();
+        String oneId = entities.freshId(before.level(), SECTION, "portal-1");
+        String twoId = entities.freshId(before.level(), SECTION, "portal-2", Set.of(oneId));
+        Level with = (Level) entities.added(before.level(), SECTION, spec(one, oneId, twoId));
+        return new Snapshot(
+                (Level) entities.added(with, SECTION, spec(two, twoId, oneId)),
+                Selection.of(List.of(new EntityRef(SECTION, oneId), new EntityRef(SECTION, twoId))));
+    }
+
+    private static PortalSpec spec(Portal portal, String id, String linkedTo) {
+        return new PortalSpec(
+                id,
+                linkedTo,
+                PointedPlace.cleaned(portal.centre()),
+                PointedPlace.cleaned(portal.normal()),
+                PointedPlace.cleaned(portal.frame().up()),
+                portal.aperture().widthMetres(),
+                portal.aperture().heightMetres(),
+                portal.aperture().shape());
+    }
+
+    @Override
+    public void cancel() {
+        context.document().cancelDrag();
+        first = null;
+        moving = null;
+        aim = null;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        List<Mark> marks = new ArrayList<>();
+        if (first != null) {
+            marks.addAll(PortalAim.outline(first, MarkColour.PREVIEW));
+        }
+        if (aim != null) {
+            marks.addAll(aim.marks());
+        }
+        return marks;
+    }
+
+    @Override
+    public Words hint() {
+        return aim == null ? ENTRY.description() : aim.words();
+    }
+}

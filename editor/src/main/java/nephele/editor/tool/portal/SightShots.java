@@ -1,0 +1,108 @@
+package nephele.editor.tool.portal;
+
+import java.util.List;
+import java.util.Set;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.ToolContext;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalShape;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.portal.placement.ShotRay;
+
+/**
+ * Shots along the ray of sight, as the game makes them but without a range. The surfaces are prepared anew only when
+ * they differ.
+ */
+final class SightShots {
+    static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+
+    /** Beyond every level, and every plan's eye. */
+    private static final double FARTHEST_METRES = 1e8;
+
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
+    private final ToolContext context;
+    private Level preparedOf;
+    /** {@code null} while a model or solid cannot be used; its level then counts without models. */
+    private PlacedLevel placed;
+
+    private StaticShapes shapes;
+    private PlacementSurfaces surfaces;
+
+    SightShots(ToolContext context) {
+        this.context = context;
+    }
+
+    /**
+     * Returns the result of a shot.
+     *
+     * @param others portals that stay open
+     */
+    PlacementResult shot(String id, PortalGun gun, Pointer pointer, List<Portal> others) {
+        Ray ray = pointer.ray();
+        Vec3 eye = new Vec3(ray.originX(), ray.originY(), ray.originZ());
+        Vec3 sight = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
+        Vec3 up = pointer.isPlan() ? pointer.camera().up() : UP;
+        // The difference to a far origin would lose digits of the direction.
+        Basis view = Basis.lookAt(Vec3.ZERO, sight, up, Basis.WORLD);
+        return placement(gun).place(id, new ShotRay(eye, view), others, MovingSurfaces.NONE);
+    }
+
+    /** Returns true if a portal still fits where it is. */
+    boolean holds(Portal portal, PortalGun gun, List<Portal> others) {
+        return placement(gun).holds(portal, others);
+    }
+
+    private Placement placement(PortalGun said) {
+        Gun gun = Gun.of(said);
+        return new Placement(surfaces(), new Gun(gun.aperture(), FARTHEST_METRES, gun.slideMetres()));
+    }
+
+    private PlacementSurfaces surfaces() {
+        Level level = context.document().level();
+        if (level != preparedOf) {
+            StaticShapes next = shapes(level);
+            preparedOf = level;
+            if (shapes == null || !shapes.equals(next)) {
+                shapes = next;
+                surfaces = PlacementSurfaces.of(next);
+            }
+        }
+        return surfaces;
+    }
+
+    private StaticShapes shapes(Level level) {
+        try {
+            if (placed == null) {
+                placed = context.assets()
+                        .map(assets -> PlacedLevel.of(level, assets))
+                        .orElse(null);
+            } else {
+                placed = placed.edited(level);
+            }
+        } catch (AssetException | IllegalArgumentException unusable) {
+            placed = null;
+        }
+        return placed == null ? solids(level) : placed.statics();
+    }
+
+    private StaticShapes solids(Level level) {
+        Set<String> mirrors = MirrorFaces.materials(level.materials());
+        return StaticShapes.of(context.shapes().brushes().stream()
+                .map(brush -> brush.refusingPortalsOn(mirrors))
+                .toList());
+    }
+}

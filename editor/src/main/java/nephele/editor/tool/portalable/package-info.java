@@ -1,0 +1,2 @@
+/** The tool that decides which faces take portals. */
+package nephele.editor.tool.portalable;
