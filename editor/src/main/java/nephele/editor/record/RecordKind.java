@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.json.WrittenRecord;
+import nephele.engine.math.Vec3;
 
 /** A record class of the level: reads and replaces components of its records by name. */
 public final class RecordKind {
@@ -47,7 +48,8 @@ public final class RecordKind {
     /** Returns the record classes of a type: itself, or those of a sealed interface in the order of their names. */
     static List<Class<?>> classesOf(Class<?> type) {
         if (type.isRecord()) {
-            return List.of(type);
+            // A vector is a single value in files, though its class is a record.
+            return type == Vec3.class ? List.of() : List.of(type);
         }
         if (!type.isSealed()) {
             return List.of();
