@@ -18,6 +18,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.level.json.LevelJson;
@@ -98,6 +99,13 @@ public final class ToolScene {
                 .filter(solid -> solid.id().equals(id))
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /** Returns true if a solid of what is shown has vertices at these places, but for rounding. */
+    public boolean hasVertices(String id, Vec3... places) {
+        List<Vec3> vertices = Brush.of(solid(id)).shape().vertices();
+        return List.of(places).stream().allMatch(place -> vertices.stream()
+                .anyMatch(vertex -> vertex.minus(place).length() < 1e-9));
     }
 
     public double metresPerPixel(Vec3 at) {

@@ -13,8 +13,7 @@ import nephele.editor.tool.vertex.VertexTool;
 /** All tools in the order of the toolbar; the only registration. */
 public final class Tools {
     public static final List<ToolEntry> ALL = List.of(
-            // A line for each tool keeps merges easy.
-            SelectTool.ENTRY, //
+            SelectTool.ENTRY,
             DrawBrushTool.ENTRY,
             TransformTool.MOVE,
             TransformTool.ROTATE,

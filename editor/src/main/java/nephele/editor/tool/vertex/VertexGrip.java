@@ -29,6 +29,11 @@ record VertexGrip(EntityRef solid, List<Vec3> vertices) {
         return isSame;
     }
 
+    /** Returns true for a grip of any solid at the same place, but for rounding. */
+    boolean isBeside(VertexGrip other) {
+        return at().minus(other.at()).length() < SAME_METRES;
+    }
+
     private static boolean isIn(Vec3 vertex, List<Vec3> others) {
         return others.stream().anyMatch(other -> other.minus(vertex).length() < SAME_METRES);
     }

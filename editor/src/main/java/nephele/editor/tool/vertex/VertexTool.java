@@ -110,7 +110,7 @@ public final class VertexTool implements Tool {
         List<VertexGrip> all = grips();
         selected.retainAll(all);
         List<VertexGrip> here =
-                all.stream().filter(grip -> grip.at().equals(taken.at())).toList();
+                all.stream().filter(grip -> grip.isBeside(taken)).toList();
         if (pointer.isHeld(Modifier.SHIFT) && selected.containsAll(here)) {
             here.forEach(selected::remove);
             taken = null;
