@@ -1,5 +1,6 @@
 package nephele.editor.brush;
 
+import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 
 /** Why an edit of brushes is refused, in English, Brazilian and European Portuguese. */
@@ -60,5 +61,10 @@ public enum BrushText {
             case PT_BR -> brazilian;
             case PT_PT -> portuguese;
         };
+    }
+
+    /** Returns the text in all languages, for the status bar. */
+    public Words words() {
+        return Words.of(english, brazilian, portuguese);
     }
 }

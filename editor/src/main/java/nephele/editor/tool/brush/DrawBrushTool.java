@@ -1,0 +1,239 @@
+package nephele.editor.tool.brush;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.brush.BrushEdit;
+import nephele.editor.brush.BrushShapes;
+import nephele.editor.brush.BrushStyle;
+import nephele.editor.document.Selection;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.pick.EntityBounds;
+import nephele.editor.pick.Pick;
+import nephele.editor.pick.Picker;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.PointerDrag;
+import nephele.editor.tool.Snap;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.WorldAxis;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * Draws a brush from corner to corner on a surface, or in the plane of a plan. Shift makes its base square; Alt changes
+ * the height instead of the base. In a plan the brush is as deep as the last one that was drawn or is selected.
+ */
+public final class DrawBrushTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "brush",
+            Words.of("Brush", "Bloco", "Bloco"),
+            Words.of(
+                    "Drag to draw a brush; Shift: square base, Alt: height",
+                    "Arraste para desenhar um bloco; Shift: base quadrada, Alt: altura",
+                    "Arrasta para desenhar um bloco; Shift: base quadrada, Alt: altura"),
+            "B",
+            "brush",
+            DrawBrushTool::new);
+
+    private static final Words DRAW = Words.of("Draw brush", "Desenhar bloco", "Desenhar bloco");
+    private static final int HEIGHT_STEPS = 2;
+
+    private final ToolContext context;
+    /** The box in progress; {@code null} without a drag. */
+    private DrawnBox box;
+    /** Of the last brush that was drawn. */
+    private Aabb last = Aabb.EMPTY;
+
+    private Vec3 corner;
+
+    public DrawBrushTool(ToolContext context) {
+        this.context = context;
+    }
+
+    @Override
+    public void moved(Pointer pointer) {
+        corner = base(pointer).map(DrawnBox::first).orElse(null);
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        box = base(pointer).orElse(null);
+        corner = null;
+    }
+
+    /** Returns the box without extent at the pointer, as high or deep as it will be. */
+    private Optional<DrawnBox> base(Pointer pointer) {
+        if (pointer.isPlan()) {
+            return inPlan(pointer);
+        }
+        List<Pick> surfaces = context.picker().surfaces(pointer.ray());
+        if (surfaces.isEmpty()) {
+            Vec3 up = WorldAxis.Y.unit();
+            return PointerDrag.onPlane(pointer, Vec3.ZERO, up).map(at -> on(pointer, at, up, 0));
+        }
+        Pick surface = surfaces.get(0);
+        WorldAxis axis = WorldAxis.nearest(surface.normal());
+        return Optional.of(on(pointer, surface.point(), surface.normal(), height(surface, axis)));
+    }
+
+    private DrawnBox on(Pointer pointer, Vec3 at, Vec3 normal, double baseMetres) {
+        WorldAxis axis = WorldAxis.nearest(normal);
+        Vec3 first = axis.with(Snap.place(context, pointer, at), baseMetres);
+        return new DrawnBox(axis, first, first, Math.signum(axis.of(normal)) * defaultHeight());
+    }
+
+    /** A vertex of the face is exact where the place of the pick is rounded; a sloped face has the place itself. */
+    private double height(Pick surface, WorldAxis axis) {
+        if (Math.abs(axis.of(surface.normal())) < 1) {
+            return axis.of(surface.point());
+        }
+        return context.shapes().brushes().stream()
+                .filter(brush -> brush.solidId().equals(surface.entity().id()))
+                .flatMap(brush -> brush.faces().stream())
+                .filter(face -> face.name().equals(surface.face()))
+                .findFirst()
+                .map(face -> axis.of(face.polygon().get(0)))
+                .orElse(axis.of(surface.point()));
+    }
+
+    private Optional<DrawnBox> inPlan(Pointer pointer) {
+        Vec3 forward = pointer.camera().forward();
+        WorldAxis axis = WorldAxis.nearest(forward);
+        Aabb depth = depth();
+        double from = depth.isEmpty() ? 0 : axis.least(depth);
+        double metres = depth.isEmpty() ? context.grid().stepMetres() : axis.most(depth) - from;
+        return PointerDrag.onPlane(pointer, axis.with(Vec3.ZERO, from), forward).map(at -> {
+            Vec3 first = axis.with(Snap.place(context, pointer, at), from);
+            return new DrawnBox(
+                    axis, first, first, metres > 0 ? metres : context.grid().stepMetres());
+        });
+    }
+
+    private Aabb depth() {
+        Aabb around = last;
+        Snapshot now = context.document().now();
+        if (around.isEmpty()) {
+            for (EntityRef ref : now.selection().entities()) {
+                around = context.document()
+                        .entities()
+                        .find(now.level(), ref)
+                        .map(EntityBounds::of)
+                        .orElse(Aabb.EMPTY)
+                        .union(around);
+            }
+        }
+        return around;
+    }
+
+    private double defaultHeight() {
+        return HEIGHT_STEPS * context.grid().stepMetres();
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (box == null) {
+            return;
+        }
+        boolean isHigher = pointer.isHeld(Modifier.ALT) && !pointer.isPlan() && !box.isFlat();
+        box = (isHigher ? higher(pointer) : wider(pointer)).orElse(box);
+        show(box);
+    }
+
+    private Optional<DrawnBox> higher(Pointer pointer) {
+        return PointerDrag.alongLine(pointer, box.second(), box.axis().unit())
+                .map(metres -> Snap.length(context, metres))
+                .filter(metres -> metres != 0)
+                .map(box::withHeight);
+    }
+
+    private Optional<DrawnBox> wider(Pointer pointer) {
+        return PointerDrag.onPlane(pointer, box.first(), box.axis().unit())
+                .map(at -> box.withSecond(Snap.place(context, pointer, at)))
+                .map(free -> pointer.isHeld(Modifier.SHIFT) ? free.square() : free);
+    }
+
+    private void show(DrawnBox drawn) {
+        if (drawn.isFlat()) {
+            context.document().cancelDrag();
+            return;
+        }
+        context.document().drag(before -> {
+            BrushEdit<List<Solid>> made = solids(before.level(), drawn.bounds());
+            made.refusal().ifPresent(why -> context.status(why.words()));
+            return made.result().map(solids -> with(before, solids)).orElse(before);
+        });
+    }
+
+    private BrushEdit<List<Solid>> solids(Level level, Aabb bounds) {
+        String material = context.options().material();
+        boolean exists = level.materials().stream().anyMatch(known -> known.id().equals(material));
+        BrushStyle style =
+                new BrushStyle(exists ? material : null, context.options().isPortalable(), TextureMapping.WORLD);
+        String wish = context.options().shape().getClass().getSimpleName().toLowerCase(Locale.ROOT);
+        Set<String> taken = new HashSet<>();
+        return BrushShapes.drawn(bounds, context.options().shape(), style, () -> {
+            String id = context.document().entities().freshId(level, Picker.SOLIDS, wish, taken);
+            taken.add(id);
+            return id;
+        });
+    }
+
+    private Snapshot with(Snapshot before, List<Solid> solids) {
+        Record level = before.level();
+        List<EntityRef> made = new ArrayList<>();
+        for (Solid solid : solids) {
+            level = context.document().entities().added(level, Picker.SOLIDS, (Record) solid);
+            made.add(new EntityRef(Picker.SOLIDS, solid.id()));
+        }
+        return new Snapshot((Level) level, Selection.of(made));
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (box != null && context.document().isDragging()) {
+            last = box.bounds();
+            context.document().commitDrag(DRAW);
+        }
+        box = null;
+    }
+
+    @Override
+    public void cancel() {
+        context.document().cancelDrag();
+        box = null;
+        corner = null;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        if (box == null) {
+            return corner == null ? List.of() : List.of(new Mark.Handle(corner, MarkColour.PREVIEW));
+        }
+        Aabb bounds = box.bounds();
+        String size = String.format(
+                Locale.ROOT,
+                "%.4g × %.4g × %.4g m",
+                bounds.maxX() - bounds.minX(),
+                bounds.maxY() - bounds.minY(),
+                bounds.maxZ() - bounds.minZ());
+        return List.of(new Mark.Label(bounds.centre(), size, MarkColour.GUIDE));
+    }
+
+    @Override
+    public Words hint() {
+        return ENTRY.description();
+    }
+}

@@ -1,0 +1,2 @@
+/** The tool that draws brushes. */
+package nephele.editor.tool.brush;

@@ -1,0 +1,213 @@
+package nephele.editor.tool.clip;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.brush.BrushClip;
+import nephele.editor.brush.BrushClip.Keep;
+import nephele.editor.brush.BrushEdit;
+import nephele.editor.brush.BrushText;
+import nephele.editor.brush.VertexEdit;
+import nephele.editor.document.Selection;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.pick.Pick;
+import nephele.editor.pick.Picker;
+import nephele.editor.pick.Picker.Containment;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.PointerDrag;
+import nephele.editor.tool.ScreenDistance;
+import nephele.editor.tool.Snap;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+
+/**
+ * Cuts the selected brushes, or without any those at the points, by the plane through two points of a plan or three of
+ * the perspective view. Nothing changes before Enter.
+ */
+public final class ClipTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "clip",
+            Words.of("Clip", "Cortar", "Cortar"),
+            Words.of(
+                    "Set two points in a plan or three in 3-D; Control+click: other part, Enter: cut",
+                    "Marque dois pontos em uma planta ou três em 3-D; Control+clique: outra parte, Enter: cortar",
+                    "Marca dois pontos numa planta ou três em 3-D; Control+clique: outra parte, Enter: cortar"),
+            "C",
+            "clip",
+            ClipTool::new);
+
+    private static final Words CLIP = Words.of("Clip", "Cortar", "Cortar");
+
+    private final ToolContext context;
+    private ClipPoints points = ClipPoints.none(null);
+    private Keep keep = Keep.BEHIND;
+    /** Index of the point that the pointer moves; -1 without one. */
+    private int moving = -1;
+
+    public ClipTool(ToolContext context) {
+        this.context = context;
+    }
+
+    /** Takes the next of the choices what stays: the part behind the plane, that in front, both. */
+    public void cycle() {
+        keep = Keep.values()[(keep.ordinal() + 1) % Keep.values().length];
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        moving = -1;
+        if (pointer.isHeld(Modifier.CONTROL)) {
+            cycle();
+            return;
+        }
+        Vec3 sight = pointer.isPlan() ? pointer.camera().forward() : null;
+        boolean isSamePane = sight == null ? points.sight() == null : sight.equals(points.sight());
+        for (int i = 0; isSamePane && i < points.points().size(); i++) {
+            if (ScreenDistance.toPoint(pointer, points.points().get(i)) < ScreenDistance.REACH_PIXELS) {
+                moving = i;
+                return;
+            }
+        }
+        ClipPoints before = isSamePane && !points.isComplete() ? points : ClipPoints.none(sight);
+        place(pointer).ifPresent(at -> {
+            points = before.with(at);
+            moving = points.points().size() - 1;
+        });
+    }
+
+    private Optional<Vec3> place(Pointer pointer) {
+        return on(pointer).map(at -> Snap.place(context, pointer, at));
+    }
+
+    private Optional<Vec3> on(Pointer pointer) {
+        if (pointer.isPlan()) {
+            return PointerDrag.onPlane(pointer, Vec3.ZERO, pointer.camera().forward());
+        }
+        List<Pick> surfaces = context.picker().surfaces(pointer.ray());
+        return surfaces.isEmpty()
+                ? PointerDrag.onPlane(pointer, Vec3.ZERO, new Vec3(0, 1, 0))
+                : Optional.of(surfaces.get(0).point());
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (moving >= 0) {
+            place(pointer).ifPresent(at -> points = points.with(moving, at));
+        }
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        moving = -1;
+    }
+
+    @Override
+    public void cancel() {
+        points = ClipPoints.none(null);
+        moving = -1;
+    }
+
+    @Override
+    public boolean confirm() {
+        Optional<Plane> plane = points.plane();
+        if (plane.isEmpty()) {
+            return false;
+        }
+        Map<EntityRef, List<Solid>> parts = parts(plane.get(), keep);
+        if (parts.isEmpty()) {
+            context.status(BrushText.PLANE_MISSES.words());
+            return true;
+        }
+        context.document().edit(CLIP, null, before -> cut(before, parts));
+        cancel();
+        return true;
+    }
+
+    private Snapshot cut(Snapshot before, Map<EntityRef, List<Solid>> parts) {
+        Record level = before.level();
+        List<EntityRef> selected = new ArrayList<>(before.selection().entities());
+        for (Map.Entry<EntityRef, List<Solid>> entry : parts.entrySet()) {
+            List<Record> solids =
+                    entry.getValue().stream().map(Record.class::cast).toList();
+            level = context.document().entities().replaced(level, entry.getKey(), solids);
+            if (selected.contains(entry.getKey())) {
+                entry.getValue().forEach(solid -> selected.add(new EntityRef(Picker.SOLIDS, solid.id())));
+            }
+        }
+        return new Snapshot((Level) level, Selection.of(selected));
+    }
+
+    /** Returns what stays of the brushes that the plane cuts. */
+    private Map<EntityRef, List<Solid>> parts(Plane plane, Keep kept) {
+        Level level = context.document().level();
+        Map<EntityRef, List<Solid>> parts = new LinkedHashMap<>();
+        Set<String> taken = new HashSet<>();
+        for (EntityRef ref : targets()) {
+            Solid solid = (Solid) context.document().entities().find(level, ref).orElseThrow();
+            String other = context.document().entities().freshId(level, Picker.SOLIDS, ref.id(), taken);
+            BrushEdit<List<Solid>> edit = BrushClip.clipped(solid, plane, kept, Solid.Face.INHERITED, other);
+            edit.result().ifPresent(solids -> {
+                parts.put(ref, solids);
+                taken.add(other);
+            });
+        }
+        return parts;
+    }
+
+    private List<EntityRef> targets() {
+        List<EntityRef> refs = context.document().selection().entities();
+        List<EntityRef> from = refs.isEmpty() ? context.picker().in(points.reach(), Containment.TOUCHING) : refs;
+        return from.stream()
+                .filter(ref -> ref.section().equals(Picker.SOLIDS))
+                .filter(this::hasVolume)
+                .toList();
+    }
+
+    private boolean hasVolume(EntityRef ref) {
+        return context.shapes().brushes().stream()
+                .anyMatch(brush -> brush.solidId().equals(ref.id()));
+    }
+
+    @Override
+    public List<Mark> marks() {
+        List<Mark> marks = new ArrayList<>();
+        List<Vec3> all = points.points();
+        for (int i = 0; i < all.size(); i++) {
+            marks.add(new Mark.Handle(all.get(i), MarkColour.GUIDE));
+            marks.add(line(all.get(i), all.get((i + 1) % all.size()), MarkColour.GUIDE));
+        }
+        points.plane().ifPresent(plane -> parts(plane, Keep.BOTH).values().forEach(both -> {
+            addEdges(marks, both.get(0), keep != Keep.IN_FRONT);
+            addEdges(marks, both.get(1), keep != Keep.BEHIND);
+        }));
+        return marks;
+    }
+
+    private static void addEdges(List<Mark> marks, Solid part, boolean stays) {
+        MarkColour colour = stays ? MarkColour.PREVIEW : MarkColour.REFUSED;
+        VertexEdit.edges(part).forEach(edge -> marks.add(line(edge.from(), edge.to(), colour)));
+    }
+
+    private static Mark line(Vec3 from, Vec3 to, MarkColour colour) {
+        return new Mark.Line(from, to, colour, Mark.Visibility.ALWAYS);
+    }
+
+    @Override
+    public Words hint() {
+        return ENTRY.description();
+    }
+}

@@ -1,0 +1,2 @@
+/** The tool that cuts brushes by a plane. */
+package nephele.editor.tool.clip;

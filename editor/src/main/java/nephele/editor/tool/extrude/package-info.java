@@ -1,0 +1,2 @@
+/** The tool that extrudes faces. */
+package nephele.editor.tool.extrude;

@@ -1,0 +1,227 @@
+package nephele.editor.tool.vertex;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.brush.BrushEdit;
+import nephele.editor.brush.VertexEdit;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
+import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.PointerDrag;
+import nephele.editor.tool.ScreenDistance;
+import nephele.editor.tool.Snap;
+import nephele.editor.tool.Tool;
+import nephele.editor.tool.ToolContext;
+import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.select.SelectTool;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Vec3;
+
+/**
+ * Moves vertices and edges of the selected brushes, which stay convex. Vertices of several brushes at one place move
+ * together; Alt moves vertically. Elsewhere the pointer selects as with the select tool.
+ */
+public final class VertexTool implements Tool {
+    public static final ToolEntry ENTRY = new ToolEntry(
+            "vertex",
+            Words.of("Vertex", "Vértice", "Vértice"),
+            Words.of(
+                    "Drag vertices or middles of edges; Shift adds, Alt moves vertically",
+                    "Arraste vértices ou meios de arestas; Shift acrescenta, Alt move na vertical",
+                    "Arrasta vértices ou meios de arestas; Shift acrescenta, Alt move na vertical"),
+            "V",
+            "vertex",
+            VertexTool::new);
+
+    private static final Words MOVE = Words.of("Move vertices", "Mover vértices", "Mover vértices");
+
+    private final ToolContext context;
+    private final Tool select;
+    private final Set<VertexGrip> selected = new LinkedHashSet<>();
+    private VertexGrip hovered;
+    /** The grip under the pointer when it was pressed; {@code null} without a drag of it. */
+    private VertexGrip taken;
+
+    private Pointer start;
+    /** What the drag shows. */
+    private Vec3 by = Vec3.ZERO;
+
+    public VertexTool(ToolContext context) {
+        this.context = context;
+        select = new SelectTool(context);
+    }
+
+    @Override
+    public void moved(Pointer pointer) {
+        hovered = under(pointer).orElse(null);
+    }
+
+    private Optional<VertexGrip> under(Pointer pointer) {
+        return grips().stream()
+                .filter(grip -> ScreenDistance.toPoint(pointer, grip.at()) < ScreenDistance.REACH_PIXELS)
+                .min(Comparator.comparingDouble(grip -> depthMetres(grip, pointer)));
+    }
+
+    private static double depthMetres(VertexGrip grip, Pointer pointer) {
+        return pointer.camera().project(grip.at(), pointer.size()).orElseThrow().depthMetres();
+    }
+
+    private List<VertexGrip> grips() {
+        Snapshot now = context.document().now();
+        List<VertexGrip> grips = new ArrayList<>();
+        for (EntityRef ref : now.selection().entities()) {
+            Solid solid = solid(now.level(), ref);
+            if (solid != null && context.shapes().brush(solid).isPresent()) {
+                VertexEdit.vertices(solid).forEach(vertex -> grips.add(new VertexGrip(ref, List.of(vertex))));
+                VertexEdit.edges(solid)
+                        .forEach(edge -> grips.add(new VertexGrip(ref, List.of(edge.from(), edge.to()))));
+            }
+        }
+        return grips;
+    }
+
+    /** Returns {@code null} for an entity of another kind. */
+    private Solid solid(Level level, EntityRef ref) {
+        return context.document().entities().find(level, ref).orElse(null) instanceof Solid solid ? solid : null;
+    }
+
+    @Override
+    public void pressed(Pointer pointer) {
+        taken = under(pointer).orElse(null);
+        start = pointer;
+        by = Vec3.ZERO;
+        if (taken == null) {
+            selected.clear();
+            select.pressed(pointer);
+            return;
+        }
+        List<VertexGrip> all = grips();
+        selected.retainAll(all);
+        List<VertexGrip> here =
+                all.stream().filter(grip -> grip.isBeside(taken)).toList();
+        if (pointer.isHeld(Modifier.SHIFT) && selected.containsAll(here)) {
+            here.forEach(selected::remove);
+            taken = null;
+        } else {
+            if (!pointer.isHeld(Modifier.SHIFT) && !selected.contains(taken)) {
+                selected.clear();
+            }
+            selected.addAll(here);
+        }
+    }
+
+    @Override
+    public void dragged(Pointer pointer) {
+        if (taken == null) {
+            if (selected.isEmpty()) {
+                select.dragged(pointer);
+            }
+            return;
+        }
+        offset(pointer).ifPresent(this::show);
+    }
+
+    private Optional<Vec3> offset(Pointer pointer) {
+        Vec3 at = taken.at();
+        if (pointer.isHeld(Modifier.ALT) && !pointer.isPlan()) {
+            Vec3 up = new Vec3(0, 1, 0);
+            return PointerDrag.alongLine(pointer, at, up).map(metres -> up.scaled(Snap.length(context, metres)));
+        }
+        return PointerDrag.onPlane(pointer, at, PointerDrag.planeNormal(start))
+                .map(to -> Snap.offset(context, to.minus(at)));
+    }
+
+    private void show(Vec3 offset) {
+        by = Vec3.ZERO;
+        if (offset.equals(Vec3.ZERO)) {
+            context.document().cancelDrag();
+            return;
+        }
+        context.document().drag(before -> {
+            BrushEdit<Level> edit = BrushEdit.done(before.level());
+            for (Map.Entry<EntityRef, Set<Vec3>> moved : vertices().entrySet()) {
+                edit = edit.flatMap(level -> edited(level, moved.getKey(), moved.getValue(), offset));
+            }
+            context.status(edit.refusal().map(why -> why.words()).orElse(Words.NONE));
+            edit.result().ifPresent(done -> by = offset);
+            return edit.result().map(before::with).orElse(before);
+        });
+    }
+
+    /** Returns the vertices that move, by their solids. */
+    private Map<EntityRef, Set<Vec3>> vertices() {
+        Map<EntityRef, Set<Vec3>> moving = new LinkedHashMap<>();
+        for (VertexGrip grip : selected) {
+            moving.computeIfAbsent(grip.solid(), ref -> new LinkedHashSet<>()).addAll(grip.vertices());
+        }
+        return moving;
+    }
+
+    private BrushEdit<Level> edited(Level level, EntityRef ref, Collection<Vec3> vertices, Vec3 offset) {
+        return VertexEdit.moved(solid(level, ref), vertices, offset).map(edited ->
+                (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) edited.solid()));
+    }
+
+    @Override
+    public void released(Pointer pointer) {
+        if (taken == null) {
+            select.released(pointer);
+            return;
+        }
+        context.document().commitDrag(MOVE);
+        List<VertexGrip> moved = grips().stream().filter(this::isSelected).toList();
+        selected.clear();
+        selected.addAll(moved);
+        by = Vec3.ZERO;
+        taken = null;
+        hovered = null;
+    }
+
+    @Override
+    public void cancel() {
+        select.cancel();
+        context.document().cancelDrag();
+        taken = null;
+        by = Vec3.ZERO;
+    }
+
+    @Override
+    public List<Mark> marks() {
+        List<Mark> marks = new ArrayList<>(select.marks());
+        for (VertexGrip grip : grips()) {
+            marks.add(new Mark.Handle(grip.at(), colour(grip)));
+        }
+        return marks;
+    }
+
+    /** Returns true for a grip that was selected before the drag moved it. */
+    private boolean isSelected(VertexGrip grip) {
+        return selected.stream().anyMatch(before -> before.isAt(grip, by));
+    }
+
+    private MarkColour colour(VertexGrip grip) {
+        if (grip.equals(hovered)) {
+            return MarkColour.HOVERED;
+        } else if (isSelected(grip)) {
+            return MarkColour.SELECTED;
+        }
+        return grip.isVertex() ? MarkColour.EDGE : MarkColour.GUIDE;
+    }
+
+    @Override
+    public Words hint() {
+        return ENTRY.description();
+    }
+}
