@@ -8,7 +8,7 @@ import nephele.editor.text.Words;
 /**
  * An action or a tool of one session, ready to run.
  *
- * @param id the action's, or {@code tool.} and the tool's; names it in the settings' key bindings
+ * @param id the action's, or {@code tool-} and the tool's; names it in the settings' key bindings
  * @param description longer than the title; the same for an action
  * @param keys default keys as {@link KeyText} reads them
  * @param isChosen true for the tool in use
@@ -24,7 +24,7 @@ public record EditorCommand(
         BooleanSupplier isChosen,
         Runnable effect) {
     /** Begins the id of every command that takes a tool. */
-    public static final String TOOL = "tool.";
+    public static final String TOOL = "tool-";
 
     /** Runs the command if it is possible now. */
     public void run() {

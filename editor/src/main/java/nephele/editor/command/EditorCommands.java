@@ -20,7 +20,7 @@ public final class EditorCommands {
     private final EditorSession session;
     private final Desk desk;
 
-    /** Tools for which {@code actions} has an action {@code tool.<id>} of their own are not added again. */
+    /** Tools for which {@code actions} has an action {@code tool-<id>} of their own are not added again. */
     public EditorCommands(EditorSession session, Desk desk, List<EditorAction> actions, List<ToolEntry> tools) {
         this.session = session;
         this.desk = desk;

@@ -1,12 +1,12 @@
 package nephele.editor.command;
 
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiPredicate;
-import java.util.ArrayList;
 
 /**
  * The keys of commands: the defaults, or what the user has chosen instead. A key is found by the character of the user's
@@ -52,10 +52,9 @@ public final class EditorKeys {
     /** Returns every key that several commands claim. */
     public List<KeyConflict> conflicts() {
         Map<KeyText, List<String>> claims = new LinkedHashMap<>();
-        keys.forEach((id, texts) -> texts.stream()
-                .distinct()
-                .forEach(key -> claims.computeIfAbsent(key, first -> new ArrayList<>())
-                        .add(id)));
+        keys.forEach((id, texts) -> texts.stream().distinct().forEach(key -> claims.computeIfAbsent(
+                        key, first -> new ArrayList<>())
+                .add(id)));
         return claims.entrySet().stream()
                 .filter(claim -> claim.getValue().size() > 1)
                 .map(claim -> new KeyConflict(claim.getKey(), List.copyOf(claim.getValue())))

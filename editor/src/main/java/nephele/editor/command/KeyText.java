@@ -68,6 +68,9 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
         if (text.length() == 1 && !Character.isWhitespace(text.charAt(0))) {
             return Optional.of(text.toUpperCase(Locale.ROOT));
         }
+        if (text.equalsIgnoreCase("Escape")) {
+            return Optional.of("Esc");
+        }
         return NAMED.keySet().stream().filter(text::equalsIgnoreCase).findFirst();
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.json.WrittenRecord;
+import nephele.engine.math.Vec3;
 
 /** A record class of the level: reads and replaces components of its records by name. */
 public final class RecordKind {
@@ -44,10 +45,13 @@ public final class RecordKind {
         return KINDS.get(value.getClass());
     }
 
-    /** Returns the record classes of a type: itself, or those of a sealed interface in the order of their names. */
+    /**
+     * Returns the record classes of a type: itself, or those of a sealed interface in the order of their names. A vector
+     * is a plain value.
+     */
     static List<Class<?>> classesOf(Class<?> type) {
         if (type.isRecord()) {
-            return List.of(type);
+            return type == Vec3.class ? List.of() : List.of(type);
         }
         if (!type.isSealed()) {
             return List.of();

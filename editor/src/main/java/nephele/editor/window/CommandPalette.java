@@ -21,12 +21,12 @@ import javax.swing.JTextField;
 import javax.swing.ListSelectionModel;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
-import net.miginfocom.swing.MigLayout;
 import nephele.editor.command.CommandSearch;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorKeys;
 import nephele.editor.command.KeyText;
 import nephele.engine.level.Language;
+import net.miginfocom.swing.MigLayout;
 
 /** A search over all commands: words narrow the list, Enter runs the chosen one. */
 public final class CommandPalette extends JPanel {
@@ -43,10 +43,7 @@ public final class CommandPalette extends JPanel {
 
     /** @param done receives the command to run, or nothing if the user cancels */
     public CommandPalette(
-            List<EditorCommand> commands,
-            EditorKeys keys,
-            Language language,
-            Consumer<Optional<EditorCommand>> done) {
+            List<EditorCommand> commands, EditorKeys keys, Language language, Consumer<Optional<EditorCommand>> done) {
         super(new BorderLayout(0, 6));
         this.commands = commands;
         this.keys = keys;
@@ -128,10 +125,8 @@ public final class CommandPalette extends JPanel {
         row.setBackground(isSelected ? list.getSelectionBackground() : list.getBackground());
         JLabel title = new JLabel(command.title().in(language));
         JLabel menu = new JLabel(command.menu().title().in(language));
-        JLabel key = new JLabel(keys.of(command.id()).stream()
-                .findFirst()
-                .map(KeyText::text)
-                .orElse(""));
+        JLabel key = new JLabel(
+                keys.of(command.id()).stream().findFirst().map(KeyText::text).orElse(""));
         for (JLabel label : List.of(title, menu, key)) {
             label.setForeground(isSelected ? list.getSelectionForeground() : list.getForeground());
             row.add(label);

@@ -68,7 +68,8 @@ final class CommandToolbar extends JPanel {
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setToolTipText(title + key);
         button.getAccessibleContext().setAccessibleName(title);
-        button.getAccessibleContext().setAccessibleDescription(command.description().in(language));
+        button.getAccessibleContext()
+                .setAccessibleDescription(command.description().in(language));
         button.addActionListener(event -> {
             command.run();
             refresh();

@@ -6,7 +6,6 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.Map;
 import java.util.Optional;
-import javax.swing.BoxLayout;
 import javax.swing.JMenuBar;
 import javax.swing.JPanel;
 import nephele.editor.command.EditorCommands;
@@ -44,15 +43,12 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         this.commands = commands;
         this.slots = slots;
         status = new StatusBar(session);
-        viewport = new ViewportPanel(
-                session, mode, new Told(status::pointed, line -> session.status(Words.same(line))));
+        viewport =
+                new ViewportPanel(session, mode, new Told(status::pointed, line -> session.status(Words.same(line))));
         middle = new SlotLayout(viewport, slots, session.settings().get(EditorSetting.SPLITTERS));
-        JPanel top = new JPanel();
-        top.setLayout(new BoxLayout(top, BoxLayout.PAGE_AXIS));
-        menus.setAlignmentX(LEFT_ALIGNMENT);
-        toolbar.setAlignmentX(LEFT_ALIGNMENT);
-        top.add(menus);
-        top.add(toolbar);
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(menus, BorderLayout.PAGE_START);
+        top.add(toolbar, BorderLayout.CENTER);
         add(top, BorderLayout.PAGE_START);
         add(middle, BorderLayout.CENTER);
         add(status, BorderLayout.PAGE_END);

@@ -62,11 +62,11 @@ final class SlotLayout extends JPanel {
         for (String name : new String[] {"left", "right", "bottom"}) {
             JSplitPane split = splits.get(name);
             if (split != null) {
-                validate();
                 split.setDividerLocation((int) Math.round(length(split) * shares.get(name)));
+                // Without a display, validate() lays out nothing.
+                split.doLayout();
             }
         }
-        validate();
     }
 
     private static int length(JSplitPane split) {

@@ -6,10 +6,10 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.SwingConstants;
-import net.miginfocom.swing.MigLayout;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
+import net.miginfocom.swing.MigLayout;
 
 /** The line below the editor: the last message, or what the tool would do; the grid; the place under the pointer. */
 final class StatusBar extends JPanel {
@@ -44,8 +44,8 @@ final class StatusBar extends JPanel {
         getAccessibleContext().setAccessibleName(WindowText.STATUS.in(language));
         show(message, session.status().in(language));
         showHint();
-        grid.setText(
-                WindowText.GRID.in(language, number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "")));
+        grid.setText(WindowText.GRID.in(
+                language, number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "")));
     }
 
     private void showHint() {

@@ -1,5 +1,6 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
@@ -10,7 +11,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.util.List;
-import com.formdev.flatlaf.util.UIScale;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 

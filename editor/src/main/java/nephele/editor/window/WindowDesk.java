@@ -67,7 +67,8 @@ public final class WindowDesk implements Desk {
     }
 
     private JFileChooser chooser() {
-        File folder = session.file().path().map(Path::getParent).map(Path::toFile).orElse(new File("."));
+        File folder =
+                session.file().path().map(Path::getParent).map(Path::toFile).orElse(new File("."));
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setFileFilter(
                 new FileNameExtensionFilter(WindowText.LEVEL_FILES.in(session.language()), "json", "zip"));

@@ -43,6 +43,9 @@ final class WindowKeys implements KeyEventDispatcher {
     private static boolean isBound(JComponent component, KeyEvent event) {
         KeyStroke stroke = KeyStroke.getKeyStrokeForEvent(event);
         return component.getInputMap(JComponent.WHEN_FOCUSED).get(stroke) != null
-                || component.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).get(stroke) != null;
+                || component
+                                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                                .get(stroke)
+                        != null;
     }
 }

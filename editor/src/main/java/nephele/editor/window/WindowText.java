@@ -20,8 +20,7 @@ public enum WindowText {
     NO("No", "Não", "Não"),
     ASK_CLOSE(
             "Save the changes to \"%s\" before closing?",
-            "Salvar as alterações de \"%s\" antes de fechar?",
-            "Guardar as alterações de \"%s\" antes de fechar?"),
+            "Salvar as alterações de \"%s\" antes de fechar?", "Guardar as alterações de \"%s\" antes de fechar?"),
     LEVEL_FILES("Levels (*.json, *.zip)", "Níveis (*.json, *.zip)", "Níveis (*.json, *.zip)");
 
     private final Words words;

@@ -10,7 +10,13 @@ import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
 /** Flight of the camera by W, A, S, D, E and Q, by their places on the keyboard, while the right button is held. */
 final class Flight {
     private static final Set<Integer> KEYS = Set.of(
-            KeyEvent.VK_W, KeyEvent.VK_A, KeyEvent.VK_S, KeyEvent.VK_D, KeyEvent.VK_E, KeyEvent.VK_Q, KeyEvent.VK_SHIFT);
+            KeyEvent.VK_W,
+            KeyEvent.VK_A,
+            KeyEvent.VK_S,
+            KeyEvent.VK_D,
+            KeyEvent.VK_E,
+            KeyEvent.VK_Q,
+            KeyEvent.VK_SHIFT);
     private static final double START_METRES_PER_SECOND = 6;
     private static final double SPEED_PER_NOTCH = 1.25;
     private static final int TICK_MILLIS = 15;

@@ -58,8 +58,7 @@ final class SessionMarks {
         Level level = now.level();
         LevelShapes shapes = session.context().shapes();
         Selection selection = now.selection();
-        Set<String> names =
-                selection.entities().stream().map(EntityRef::text).collect(Collectors.toSet());
+        Set<String> names = selection.entities().stream().map(EntityRef::text).collect(Collectors.toSet());
         StaticShapes statics = new StaticShapes(shapes.brushes(), models(level), List.of());
         List<Mark> made = new ArrayList<>(EntityMarks.of(level, statics, names));
         for (EntityRef ref : selection.entities()) {

@@ -71,18 +71,16 @@ final class ViewportScene implements SurfacePainter {
     private ViewportFrame frame(double scale) {
         PaneLayout layout = session.panes();
         int gap = (int) Math.round(PaneLayout.GAP_PIXELS * scale);
-        List<Pane> panes =
-                layout.rectangles(session.viewport(), gap).stream().map(this::pane).toList();
+        List<Pane> panes = layout.rectangles(session.viewport(), gap).stream()
+                .map(this::pane)
+                .toList();
         int active = 0;
         for (int i = 0; i < panes.size(); i++) {
             active = panes.get(i).place().index() == layout.active() ? i : active;
         }
         boolean isDark = session.settings().get(EditorSetting.THEME) == Theme.DARK;
         Look look = new Look(
-                isDark ? Background.DARK : Background.LIGHT,
-                session.grid().stepMetres(),
-                FloorGrid.SHOWN,
-                scale);
+                isDark ? Background.DARK : Background.LIGHT, session.grid().stepMetres(), FloorGrid.SHOWN, scale);
         return new ViewportFrame(
                 session.document().level(),
                 session.assets(),
