@@ -1,0 +1,17 @@
+package nephele.editor.window;
+
+import nephele.engine.level.Language;
+
+/** Asks what happens to unsaved changes. */
+@FunctionalInterface
+public interface CloseQuestion {
+    /** What the user wants. */
+    enum Choice {
+        SAVE,
+        DISCARD,
+        CANCEL
+    }
+
+    /** Asks about the level of this name. */
+    Choice ask(String level, Language language);
+}

@@ -1,0 +1,23 @@
+package nephele.editor.window;
+
+import java.util.function.BooleanSupplier;
+import nephele.editor.session.EditorSession;
+
+/**
+ * Decides whether a window may close.
+ *
+ * @param save saves the level; false if it was not saved
+ */
+public record Closing(EditorSession session, CloseQuestion question, BooleanSupplier save) {
+    /** Returns true if nothing is lost by closing, or if the user agrees to lose it. */
+    public boolean isAllowed() {
+        if (!session.document().isModified()) {
+            return true;
+        }
+        return switch (question.ask(EditorTitle.name(session), session.language())) {
+            case SAVE -> save.getAsBoolean();
+            case DISCARD -> true;
+            case CANCEL -> false;
+        };
+    }
+}

@@ -1,0 +1,103 @@
+package nephele.editor.window;
+
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import javax.swing.WindowConstants;
+import nephele.editor.command.EditorCommand;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.settings.EditorSettings;
+
+/** The window of an editor. It follows theme, scale and language of the settings while it is open. */
+public final class EditorWindow extends JFrame {
+    private static final long serialVersionUID = 1;
+
+    private final transient EditorSession session;
+    private final EditorPanel panel;
+    private final transient Closing closing;
+    private final transient Runnable closed;
+    private final transient WindowKeys keys;
+    private transient EditorSettings look;
+
+    /**
+     * Creates a window, not yet visible; {@link WindowLook#apply} has to come before the panel is made.
+     *
+     * @param closed called after the window was closed, such as to keep its settings
+     */
+    public EditorWindow(EditorSession session, EditorPanel panel, WindowDesk desk, Closing closing, Runnable closed) {
+        this.session = session;
+        this.panel = panel;
+        this.closing = closing;
+        this.closed = closed;
+        look = session.settings();
+        keys = new WindowKeys(this, panel);
+        desk.attach(this);
+        desk.part("palette", this::showPalette);
+        add(panel);
+        setSize(1280, 800);
+        setLocationByPlatform(true);
+        setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                closeIfAllowed();
+            }
+        });
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
+        session.listen(this::follow);
+        setTitle(EditorTitle.of(session));
+    }
+
+    /** Returns the question of a window about unsaved changes. */
+    public static CloseQuestion question(Component owner) {
+        return new SwingQuestions(owner);
+    }
+
+    private void follow(Change change) {
+        if (change == Change.SETTINGS && WindowLook.differs(look, session.settings())) {
+            look = session.settings();
+            WindowLook.apply(look);
+            SwingUtilities.updateComponentTreeUI(this);
+        }
+        String title = EditorTitle.of(session);
+        if (!title.equals(getTitle())) {
+            setTitle(title);
+        }
+    }
+
+    /** Returns what the window shows. */
+    public EditorPanel panel() {
+        return panel;
+    }
+
+    /** Closes the window if the user agrees to lose nothing; returns false if it stays. */
+    public boolean closeIfAllowed() {
+        if (!closing.isAllowed()) {
+            return false;
+        }
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
+        panel.close();
+        dispose();
+        closed.run();
+        return true;
+    }
+
+    /** Opens the search over all commands. */
+    public void showPalette() {
+        JDialog dialog = new JDialog(this, WindowText.SEARCH.in(session.language()), true);
+        CommandPalette palette =
+                new CommandPalette(panel.commands().all(), panel.keys(), session.language(), chosen -> {
+                    dialog.dispose();
+                    chosen.ifPresent(EditorCommand::run);
+                });
+        dialog.add(palette);
+        dialog.pack();
+        dialog.setLocationRelativeTo(this);
+        dialog.setVisible(true);
+    }
+}

@@ -1,0 +1,59 @@
+package nephele.editor.window;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.image.BufferedImage;
+import javax.swing.SwingUtilities;
+
+/** The picture of the whole editor, the viewport's canvas included, whichever surface it has. */
+public final class PanelPicture {
+    private PanelPicture() {}
+
+    /** Lays a panel out at a size; without a display nothing else does. */
+    public static void layOut(EditorPanel panel, Dimension size) {
+        panel.setSize(size);
+        // The second pass knows the widths that the first one gave.
+        for (int pass = 0; pass < 2; pass++) {
+            invalidate(panel);
+            layOut(panel);
+        }
+    }
+
+    private static void invalidate(Container container) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                invalidate(inner);
+            }
+        }
+        container.invalidate();
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    /** Paints a panel that has been laid out. */
+    public static BufferedImage of(EditorPanel panel) {
+        int width = Math.max(1, panel.getWidth());
+        int height = Math.max(1, panel.getHeight());
+        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = picture.createGraphics();
+        try {
+            panel.printAll(graphics);
+            Component viewport = panel.viewport().surface().component();
+            Point at = SwingUtilities.convertPoint(viewport, 0, 0, panel);
+            graphics.drawImage(panel.viewport().picture(), at.x, at.y, viewport.getWidth(), viewport.getHeight(), null);
+        } finally {
+            graphics.dispose();
+        }
+        return picture;
+    }
+}

@@ -1,0 +1,133 @@
+package nephele.editor.window;
+
+import java.awt.GraphicsEnvironment;
+import java.awt.Toolkit;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JFileChooser;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import nephele.editor.action.ActionFailure;
+import nephele.editor.action.Desk;
+import nephele.editor.session.EditorSession;
+import nephele.editor.text.Words;
+
+/** The desk of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
+public final class WindowDesk implements Desk {
+    private static final Words NO_PICTURE = Words.of(
+            "There is no window to take a picture of",
+            "Não há janela para capturar a imagem",
+            "Não há janela de que tirar uma imagem");
+
+    private final EditorSession session;
+    private final Map<String, Runnable> parts = new LinkedHashMap<>();
+    private EditorWindow window;
+
+    public WindowDesk(EditorSession session) {
+        this.session = session;
+    }
+
+    /** Names the window that the desk belongs to; called once, when it exists. */
+    void attach(EditorWindow owner) {
+        window = owner;
+    }
+
+    /** Registers a part that {@link #show} opens. */
+    public void part(String name, Runnable opener) {
+        parts.put(name, opener);
+    }
+
+    @Override
+    public Optional<Path> fileToOpen() {
+        JFileChooser chooser = chooser();
+        return chooser.showOpenDialog(window) == JFileChooser.APPROVE_OPTION
+                ? Optional.of(chooser.getSelectedFile().toPath())
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<Path> fileToSave() {
+        JFileChooser chooser = chooser();
+        session.file().path().map(Path::toFile).ifPresent(chooser::setSelectedFile);
+        return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
+                ? Optional.of(withEnding(chooser.getSelectedFile()))
+                : Optional.empty();
+    }
+
+    private static Path withEnding(File chosen) {
+        return chosen.getName().contains(".") ? chosen.toPath() : Path.of(chosen.getPath() + ".json");
+    }
+
+    private JFileChooser chooser() {
+        File folder =
+                session.file().path().map(Path::getParent).map(Path::toFile).orElse(new File("."));
+        JFileChooser chooser = new JFileChooser(folder);
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(WindowText.LEVEL_FILES.in(session.language()), "json", "zip"));
+        return chooser;
+    }
+
+    @Override
+    public boolean isAgreed(Words question) {
+        return new SwingQuestions(window).isAgreed(question.in(session.language()), session.language());
+    }
+
+    @Override
+    public BufferedImage picture() throws ActionFailure {
+        if (window == null) {
+            throw new ActionFailure(NO_PICTURE);
+        }
+        return PanelPicture.of(window.panel());
+    }
+
+    private static Optional<Clipboard> clipboard() {
+        return GraphicsEnvironment.isHeadless()
+                ? Optional.empty()
+                : Optional.of(Toolkit.getDefaultToolkit().getSystemClipboard());
+    }
+
+    @Override
+    public void copy(String text) {
+        session.clipboard(text);
+        clipboard().ifPresent(system -> {
+            try {
+                system.setContents(new StringSelection(text), null);
+            } catch (IllegalStateException busy) {
+                // Another program holds it; the session's own clipboard has the text.
+            }
+        });
+    }
+
+    @Override
+    public String pasted() {
+        return clipboard().flatMap(WindowDesk::text).orElseGet(session::clipboard);
+    }
+
+    private static Optional<String> text(Clipboard system) {
+        try {
+            return Optional.of((String) system.getData(DataFlavor.stringFlavor));
+        } catch (UnsupportedFlavorException | IOException | IllegalStateException noText) {
+            return Optional.empty();
+        }
+    }
+
+    @Override
+    public void show(String part) {
+        Optional.ofNullable(parts.get(part)).ifPresent(Runnable::run);
+    }
+
+    @Override
+    public void quit() {
+        if (window != null) {
+            window.closeIfAllowed();
+        }
+    }
+}

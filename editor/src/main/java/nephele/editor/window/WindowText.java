@@ -1,0 +1,41 @@
+package nephele.editor.window;
+
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+
+/** A text of the window's frame in English, Brazilian and European Portuguese. */
+public enum WindowText {
+    TITLE("Nephele level editor", "Editor de níveis Nephele", "Editor de níveis Nephele"),
+    UNTITLED("Untitled", "Sem título", "Sem título"),
+    TOOLS("Tools", "Ferramentas", "Ferramentas"),
+    MAIN_ACTIONS("Main actions", "Ações principais", "Ações principais"),
+    STATUS("Status", "Estado", "Estado"),
+    GRID("Grid %s m", "Grade %s m", "Grelha %s m"),
+    SEARCH("Search commands", "Buscar comandos", "Procurar comandos"),
+    NOTHING_FOUND("Nothing found", "Nada encontrado", "Nada encontrado"),
+    SAVE("Save", "Salvar", "Guardar"),
+    DISCARD("Don't save", "Não salvar", "Não guardar"),
+    CANCEL("Cancel", "Cancelar", "Cancelar"),
+    YES("Yes", "Sim", "Sim"),
+    NO("No", "Não", "Não"),
+    ASK_CLOSE(
+            "Save the changes to \"%s\" before closing?",
+            "Salvar as alterações de \"%s\" antes de fechar?", "Guardar as alterações de \"%s\" antes de fechar?"),
+    LEVEL_FILES("Levels (*.json, *.zip)", "Níveis (*.json, *.zip)", "Níveis (*.json, *.zip)");
+
+    private final Words words;
+
+    WindowText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
+    }
+
+    /** Returns the text. */
+    public Words words() {
+        return words;
+    }
+
+    /** Returns the text with its values filled in. */
+    public String in(Language language, Object... values) {
+        return (values.length == 0 ? words : words.with(values)).in(language);
+    }
+}

@@ -1,0 +1,147 @@
+package nephele.editor.window.viewport;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import nephele.editor.document.Selection;
+import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.document.Snapshot;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.Mark.Visibility;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.pick.EntityBounds;
+import nephele.editor.pick.LevelShapes;
+import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorSession;
+import nephele.editor.symbol.EntityMarks;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Body;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.Solid;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/** The marks of a session: symbols of entities, the selection, and what the tool shows. */
+final class SessionMarks {
+    private final EditorSession session;
+    private Snapshot of;
+    private List<Mark> marks = List.of();
+    private List<ModelPlacement> modelsOf = List.of();
+    private AssetSource assetsOf;
+    private PlacedModels models = PlacedModels.NONE;
+
+    SessionMarks(EditorSession session) {
+        this.session = session;
+    }
+
+    /** Returns the marks of this instant; they are made anew only after an edit. */
+    List<Mark> now() {
+        Snapshot now = session.document().now();
+        if (!now.equals(of)) {
+            marks = made(now);
+            of = now;
+        }
+        List<Mark> all = new ArrayList<>(marks);
+        all.addAll(session.tool().marks());
+        return all;
+    }
+
+    private List<Mark> made(Snapshot now) {
+        Level level = now.level();
+        LevelShapes shapes = session.context().shapes();
+        Selection selection = now.selection();
+        Set<String> names = selection.entities().stream().map(EntityRef::text).collect(Collectors.toSet());
+        StaticShapes statics = new StaticShapes(shapes.brushes(), models(level), List.of());
+        List<Mark> made = new ArrayList<>(EntityMarks.of(level, statics, names));
+        for (EntityRef ref : selection.entities()) {
+            session.document().entities().find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
+        }
+        selection.faces().forEach(face -> addFace(face, level, shapes, made));
+        return List.copyOf(made);
+    }
+
+    /** Returns the placed models; none if a file is missing, of which the drawing tells. */
+    private PlacedModels models(Level level) {
+        if (level.models() != modelsOf || session.assets() != assetsOf) {
+            modelsOf = level.models();
+            assetsOf = session.assets();
+            try {
+                models = PlacedModels.of(level, session.assets());
+            } catch (AssetException | IllegalArgumentException missing) {
+                models = PlacedModels.NONE;
+            }
+        }
+        return models;
+    }
+
+    private static void addSelected(Record entity, LevelShapes shapes, List<Mark> made) {
+        if (entity instanceof Solid solid) {
+            shapes.brush(solid).ifPresent(brush -> addEdges(brush, made));
+        } else if (!(entity instanceof Body) && !(entity instanceof ModelPlacement)) {
+            addBox(EntityBounds.of(entity), made);
+        }
+    }
+
+    private static void addEdges(Brush brush, List<Mark> made) {
+        Set<Set<Vec3>> known = new HashSet<>();
+        for (Brush.BrushFace face : brush.faces()) {
+            addOutline(face.polygon(), known, made);
+        }
+    }
+
+    private static void addOutline(List<Vec3> polygon, Set<Set<Vec3>> known, List<Mark> made) {
+        for (int i = 0; i < polygon.size(); i++) {
+            Vec3 from = polygon.get(i);
+            Vec3 to = polygon.get((i + 1) % polygon.size());
+            if (!from.equals(to) && known.add(Set.of(from, to))) {
+                made.add(line(from, to));
+            }
+        }
+    }
+
+    private static Mark line(Vec3 from, Vec3 to) {
+        return new Mark.Line(from, to, MarkColour.SELECTED, Visibility.ALWAYS);
+    }
+
+    private static void addBox(Aabb box, List<Mark> made) {
+        if (box.isEmpty()) {
+            return;
+        }
+        for (int corner = 0; corner < 8; corner++) {
+            for (int axis = 1; axis < 8; axis <<= 1) {
+                if ((corner & axis) == 0) {
+                    made.add(line(corner(box, corner), corner(box, corner | axis)));
+                }
+            }
+        }
+    }
+
+    private static Vec3 corner(Aabb box, int corner) {
+        return new Vec3(
+                (corner & 1) == 0 ? box.minX() : box.maxX(),
+                (corner & 2) == 0 ? box.minY() : box.maxY(),
+                (corner & 4) == 0 ? box.minZ() : box.maxZ());
+    }
+
+    private static void addFace(FaceRef ref, Level level, LevelShapes shapes, List<Mark> made) {
+        Optional<Solid> solid = level.solids().stream()
+                .filter(each -> each.id().equals(ref.solid().id()))
+                .findFirst();
+        List<Brush.BrushFace> faces =
+                solid.flatMap(shapes::brush).map(Brush::faces).orElse(List.of());
+        for (Brush.BrushFace face : faces) {
+            if (face.name().equals(ref.face())) {
+                made.add(new Mark.Polygon(face.polygon(), MarkColour.SELECTED, Visibility.HIDDEN_BY_SURFACES));
+                addOutline(face.polygon(), new HashSet<>(), made);
+            }
+        }
+    }
+}

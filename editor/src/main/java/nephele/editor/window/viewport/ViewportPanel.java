@@ -1,0 +1,94 @@
+package nephele.editor.window.viewport;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ForkJoinPool;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.surface.SurfaceMode;
+import nephele.editor.surface.ViewportSurface;
+import nephele.editor.surface.ViewportSurfaces;
+import nephele.engine.math.Vec3;
+
+/** The viewport of a session: its panes, drawn on a surface, and the mouse in them. It draws only after changes. */
+public final class ViewportPanel extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1;
+
+    private final transient ViewportSurface surface;
+    private final transient ViewportControl control;
+
+    /**
+     * What the viewport tells its window.
+     *
+     * @param pointed receives the place under the pointer, empty outside
+     * @param report receives a line for each thing that cannot be shown
+     */
+    public record Told(Consumer<Optional<Vec3>> pointed, Consumer<String> report) {}
+
+    /** Creates a viewport that follows the session. */
+    public ViewportPanel(EditorSession session, SurfaceMode mode, Told told) {
+        this(session, mode, told, ForkJoinPool.commonPool());
+    }
+
+    /** @param background runs what takes long, such as the light of the sky */
+    ViewportPanel(EditorSession session, SurfaceMode mode, Told told, Executor background) {
+        super(new BorderLayout());
+        ViewportScene scene = new ViewportScene(session, background, this::repaintSoon, told.report());
+        surface = ViewportSurfaces.choose(mode, scene, told.report());
+        control = new ViewportControl(session, surface::size, place -> {
+            told.pointed().accept(place);
+            surface.repaintSoon();
+        });
+        surface.listen(control, new KeyAdapter() {});
+        surface.listen(new FocusOnPress(), new KeyAdapter() {});
+        session.listen(change -> {
+            if (change != Change.STATUS) {
+                surface.repaintSoon();
+            }
+        });
+        setMinimumSize(new Dimension(80, 60));
+        setPreferredSize(new Dimension(640, 400));
+        add(surface.component());
+    }
+
+    /** Takes the keyboard when the viewport is clicked. */
+    private final class FocusOnPress extends MouseAdapter {
+        @Override
+        public void mousePressed(MouseEvent event) {
+            surface.requestFocus();
+        }
+    }
+
+    private void repaintSoon() {
+        surface.repaintSoon();
+    }
+
+    /** Takes a key of a flight or of the tool's drag; returns false for any other. */
+    public boolean key(KeyEvent event) {
+        return control.key(event);
+    }
+
+    /** Returns the surface, whose component receives the mouse. */
+    public ViewportSurface surface() {
+        return surface;
+    }
+
+    /** Draws now, and returns the picture. */
+    public BufferedImage picture() {
+        return surface.picture();
+    }
+
+    @Override
+    public void close() {
+        surface.close();
+    }
+}

@@ -1,0 +1,111 @@
+package nephele.editor.window.viewport;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import nephele.editor.draw.Background;
+import nephele.editor.draw.ViewportDrawing;
+import nephele.editor.draw.ViewportFrame;
+import nephele.editor.draw.ViewportFrame.FloorGrid;
+import nephele.editor.draw.ViewportFrame.Look;
+import nephele.editor.draw.ViewportFrame.Pane;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneLayout.PaneRectangle;
+import nephele.editor.pane.PaneView;
+import nephele.editor.session.EditorSession;
+import nephele.editor.settings.EditorSetting;
+import nephele.editor.settings.EditorSetting.Theme;
+import nephele.editor.surface.SurfacePainter;
+import nephele.editor.surface.SurfaceSize;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+
+/** Paints a session's frame on the surface. */
+final class ViewportScene implements SurfacePainter {
+    private final EditorSession session;
+    private final Executor background;
+    private final Runnable repaintSoon;
+    private final Consumer<String> report;
+    private final SessionMarks marks;
+    private ViewportDrawing drawing;
+    private List<String> told = List.of();
+
+    /** @param report receives what cannot be drawn, a line each */
+    ViewportScene(EditorSession session, Executor background, Runnable repaintSoon, Consumer<String> report) {
+        this.session = session;
+        this.background = background;
+        this.repaintSoon = repaintSoon;
+        this.report = report;
+        marks = new SessionMarks(session);
+    }
+
+    @Override
+    public void opened(GlContext gl) {
+        drawing = new ViewportDrawing(gl, background, repaintSoon);
+    }
+
+    @Override
+    public void paint(RenderTarget target, SurfaceSize size) {
+        session.viewport(new PaneSize(size.width(), size.height()));
+        drawing.draw(frame(pixelsPerPoint(size)), target);
+        List<String> messages = drawing.messages();
+        if (!messages.equals(told)) {
+            told = List.copyOf(messages);
+            told.forEach(report);
+        }
+    }
+
+    /** Returns the display's scale times that of the user's interface. */
+    static double pixelsPerPoint(SurfaceSize size) {
+        return size.pixelsPerPoint() * UIScale.getUserScaleFactor();
+    }
+
+    /** Returns the gap between panes in pixels. */
+    static int gap(Supplier<SurfaceSize> size) {
+        return (int) Math.round(PaneLayout.GAP_PIXELS * pixelsPerPoint(size.get()));
+    }
+
+    private ViewportFrame frame(double scale) {
+        PaneLayout layout = session.panes();
+        int gap = (int) Math.round(PaneLayout.GAP_PIXELS * scale);
+        List<Pane> panes = layout.rectangles(session.viewport(), gap).stream()
+                .map(this::pane)
+                .toList();
+        int active = 0;
+        for (int i = 0; i < panes.size(); i++) {
+            active = panes.get(i).place().index() == layout.active() ? i : active;
+        }
+        boolean isDark = session.settings().get(EditorSetting.THEME) == Theme.DARK;
+        Look look = new Look(
+                isDark ? Background.DARK : Background.LIGHT, session.grid().stepMetres(), FloorGrid.SHOWN, scale);
+        return new ViewportFrame(
+                session.document().level(),
+                session.assets(),
+                panes,
+                active,
+                marks.now(),
+                look,
+                !session.document().isDragging());
+    }
+
+    private Pane pane(PaneRectangle place) {
+        PaneView view = session.panes().views().get(place.index());
+        return new Pane(place, view, PaneCaption.of(view).in(session.language()), List.of());
+    }
+
+    @Override
+    public void closing() {
+        if (drawing != null) {
+            drawing.close();
+            drawing = null;
+        }
+    }
+
+    @Override
+    public void failed(String reason) {
+        report.accept(reason);
+    }
+}
