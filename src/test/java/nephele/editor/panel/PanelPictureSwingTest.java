@@ -154,6 +154,6 @@ class PanelPictureSwingTest {
             session.document().select(Selection.NONE);
             seen.add(table.getSelectedRowCount());
         });
-        assertEquals(List.of(2, Selection.of(new EntityRef("materials", "lamp")), 1, true, false, 0), seen);
+        assertEquals(List.of(3, Selection.of(new EntityRef("materials", "lamp")), 1, true, false, 0), seen);
     }
 }
