@@ -39,7 +39,7 @@ final class FieldLine {
     }
 
     void addTo(JPanel panel) {
-        panel.add(title, "wmin 40, gapleft " + 10 * field.depth());
+        panel.add(title, "gapleft " + 10 * field.depth());
         panel.add(editor.component(), "growx, wmin 40");
         panel.add(menu);
     }

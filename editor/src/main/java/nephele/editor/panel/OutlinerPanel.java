@@ -49,7 +49,7 @@ public final class OutlinerPanel extends JPanel {
 
     /** @param focus called with the entity that the views shall look at */
     public OutlinerPanel(EditorSession session, Consumer<EntityRef> focus) {
-        super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", "[][][grow, fill]"));
+        super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", ""));
         this.session = session;
         this.focus = focus;
         edits = new OutlinerEdits(session);
@@ -58,7 +58,7 @@ public final class OutlinerPanel extends JPanel {
         arrangeTable();
         add(search);
         add(error);
-        add(new JScrollPane(table));
+        add(new JScrollPane(table), "push, grow");
         search.getDocument().addDocumentListener(new TextListener(this::searched));
         table.getSelectionModel().addListSelectionListener(event -> selectInDocument());
         bindKeys();
