@@ -1,0 +1,138 @@
+package nephele.editor.panel;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import nephele.editor.document.Snapshot;
+import nephele.editor.panel.model.InspectorField;
+import nephele.editor.panel.model.InspectorModel;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordKind;
+import nephele.editor.session.EditorSession;
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+import nephele.engine.level.Level;
+
+/** Makes the inspector's changes steps of the document; what a field does not take is told and changes nothing. */
+final class FieldChanges {
+    private final EditorSession session;
+    private final InspectorModel model = new InspectorModel(LevelStructure.LEVEL);
+    private final java.util.function.Consumer<Words> report;
+
+    /** @param report receives what is wrong with a value, or {@link Words#NONE} */
+    FieldChanges(EditorSession session, java.util.function.Consumer<Words> report) {
+        this.session = session;
+        this.report = report;
+    }
+
+    /** Returns the inspected entities: those selected, or the level itself. */
+    List<EntityRef> refs() {
+        List<EntityRef> selected = session.document().selection().entities();
+        return selected.isEmpty() ? InspectorModel.ROOT : selected;
+    }
+
+    List<InspectorField> fields() {
+        return model.fields(session.document().level(), refs());
+    }
+
+    List<String> ids(String section) {
+        return model.ids(session.document().level(), section);
+    }
+
+    Language language() {
+        return session.language();
+    }
+
+    void report(Words words) {
+        report.accept(words);
+    }
+
+    /** Sets a value; returns false if the field does not take it. */
+    boolean set(InspectorField field, Object value) {
+        return change(field, null, old -> value);
+    }
+
+    /**
+     * Changes each record's own value in one step.
+     *
+     * @param mergeKey as in {@code History.add}
+     */
+    boolean change(InspectorField field, String mergeKey, UnaryOperator<Object> change) {
+        if (isRefused(field, change)) {
+            return false;
+        }
+        if (field.isId()) {
+            rename(field, change.apply(field.value()));
+        } else {
+            edit(field, mergeKey, level -> model.changed(level, refs(), field, change));
+        }
+        return true;
+    }
+
+    private boolean isRefused(InspectorField field, UnaryOperator<Object> change) {
+        Level level = session.document().level();
+        Optional<Words> problem = field.values().stream()
+                .flatMap(value -> model.problem(level, refs(), field, change.apply(value)).stream())
+                .findFirst();
+        report.accept(problem.orElse(Words.NONE));
+        return problem.isPresent();
+    }
+
+    private void rename(InspectorField field, Object id) {
+        EntityRef before = refs().get(0);
+        EntityRef after = new EntityRef(before.section(), (String) id);
+        session.document()
+                .edit(
+                        label(field),
+                        null,
+                        now -> new Snapshot(
+                                (Level) model.set(now.level(), List.of(before), field, id),
+                                now.selection().renamed(before, after)));
+    }
+
+    /** Shows a change until {@link #endDrag}. */
+    void drag(InspectorField field, UnaryOperator<Object> change) {
+        List<EntityRef> refs = refs();
+        if (!isRefused(field, change)) {
+            session.document().drag(start -> start.with((Level) model.changed(start.level(), refs, field, change)));
+        }
+    }
+
+    void endDrag(InspectorField field) {
+        session.document().commitDrag(label(field));
+    }
+
+    void cancelDrag() {
+        session.document().cancelDrag();
+    }
+
+    void reset(InspectorField field) {
+        edit(field, null, level -> model.reset(level, refs(), field));
+    }
+
+    void unset(InspectorField field) {
+        edit(field, null, level -> model.set(level, refs(), field, null));
+    }
+
+    void withKind(InspectorField field, RecordKind kind) {
+        edit(field, null, level -> model.withKind(level, refs(), field, kind));
+    }
+
+    /** Adds an entry unless the list or table is full. */
+    void add(InspectorField field, Object key) {
+        edit(field, null, level -> model.added(level, refs(), field, key));
+    }
+
+    void remove(InspectorField field) {
+        edit(field, null, level -> model.removed(level, refs(), field));
+    }
+
+    private void edit(InspectorField field, String mergeKey, UnaryOperator<Record> change) {
+        session.document().edit(label(field), mergeKey, now -> now.with((Level) change.apply(now.level())));
+    }
+
+    private static Words label(InspectorField field) {
+        return Words.same(field.title());
+    }
+}

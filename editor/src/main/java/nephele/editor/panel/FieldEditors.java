@@ -1,0 +1,159 @@
+package nephele.editor.panel;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import nephele.editor.panel.model.ChoiceWord;
+import nephele.editor.panel.model.InspectorField;
+import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.FieldKind;
+import nephele.editor.record.RecordKind;
+import nephele.engine.level.TextKind;
+
+/** Makes the editor of a field by its kind. */
+final class FieldEditors {
+    private FieldEditors() {}
+
+    /** An editor that a function shows. */
+    private record Shown(JComponent component, Consumer<InspectorField> shows) implements FieldEditor {
+        @Override
+        public void show(InspectorField field) {
+            shows.accept(field);
+        }
+    }
+
+    static FieldEditor make(InspectorField field, FieldChanges changes, AssetChooser chooser) {
+        return switch (field.type().kind()) {
+            case NUMBER, WHOLE -> number(field, changes);
+            case VECTOR -> new VectorEditor(field, changes);
+            case TRUTH -> truth(field, changes);
+            case CHOICE -> combo(field, changes, field.type()::choices, value -> changes.set(field, value));
+            case REFERENCE ->
+                combo(
+                        field,
+                        changes,
+                        () -> List.copyOf(changes.ids(field.type().refersTo())),
+                        value -> changes.set(field, value));
+            case VARIANT ->
+                combo(
+                        field,
+                        changes,
+                        () -> field.type().kinds().stream()
+                                .map(RecordKind::name)
+                                .map(Object.class::cast)
+                                .toList(),
+                        value -> field.type().kinds().stream()
+                                .filter(kind -> kind.name().equals(value))
+                                .forEach(kind -> changes.withKind(field, kind)));
+            case TEXT, ASSET -> new TextEditor(field, changes, isAsset(field) ? chooser : null);
+            case RECORD, LIST, TABLE -> heading(changes);
+        };
+    }
+
+    private static boolean isAsset(InspectorField field) {
+        return field.type().kind() == FieldKind.ASSET
+                || field.type().field().declaration().text() == TextKind.ASSET;
+    }
+
+    static String placeholder(InspectorField field, FieldChanges changes) {
+        PanelText text = field.isMixed() ? PanelText.MIXED : PanelText.NOT_SET;
+        return text.in(changes.language());
+    }
+
+    static void refuse(FieldChanges changes) {
+        changes.report(PanelText.NO_NUMBER.with("?"));
+    }
+
+    private static FieldEditor number(InspectorField field, FieldChanges changes) {
+        var input = new NumberInput(
+                value -> changes.change(
+                        field, "inspector " + field.path(), old -> field.type().number(value)),
+                () -> refuse(changes));
+        return new Shown(
+                input,
+                next -> input.show(
+                        next.value() instanceof Number number ? number.doubleValue() : null,
+                        placeholder(next, changes)));
+    }
+
+    private static FieldEditor truth(InspectorField field, FieldChanges changes) {
+        var box = new JCheckBox();
+        box.addActionListener(event -> changes.set(field, box.isSelected()));
+        return new Shown(box, next -> {
+            box.setSelected(Boolean.TRUE.equals(next.value()));
+            box.putClientProperty(
+                    FlatClientProperties.SELECTED_STATE,
+                    next.isMixed() ? FlatClientProperties.SELECTED_STATE_INDETERMINATE : null);
+            box.setText(next.isMixed() || next.isUnset() ? placeholder(next, changes) : "");
+        });
+    }
+
+    private static FieldEditor combo(
+            InspectorField field, FieldChanges changes, Supplier<List<Object>> choices, Consumer<Object> choose) {
+        var combo = new JComboBox<>();
+        boolean[] isShowing = {false};
+        combo.setRenderer(new ChoiceCell());
+        combo.addActionListener(event -> {
+            if (!isShowing[0] && combo.getSelectedItem() != null) {
+                choose.accept(combo.getSelectedItem());
+            }
+        });
+        return new Shown(combo, next -> {
+            isShowing[0] = true;
+            List<Object> all = choices.get();
+            if (!all.equals(items(combo))) {
+                combo.removeAllItems();
+                all.forEach(combo::addItem);
+            }
+            Object value = next.value() instanceof Record nested && field.type().kind() == FieldKind.VARIANT
+                    ? RecordKind.of(nested).name()
+                    : next.value();
+            if (value != null && !all.contains(value)) {
+                combo.addItem(value);
+            }
+            if (!Objects.equals(combo.getSelectedItem(), value)) {
+                combo.setSelectedItem(value);
+            }
+            combo.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, placeholder(next, changes));
+            isShowing[0] = false;
+        });
+    }
+
+    private static List<Object> items(JComboBox<Object> combo) {
+        List<Object> items = new java.util.ArrayList<>();
+        for (int i = 0; i < combo.getItemCount(); i++) {
+            items.add(combo.getItemAt(i));
+        }
+        return items;
+    }
+
+    private static FieldEditor heading(FieldChanges changes) {
+        var label = new JLabel();
+        return new Shown(label, next -> label.setText(headingText(next, changes)));
+    }
+
+    private static String headingText(InspectorField field, FieldChanges changes) {
+        if (field.isMixed()) {
+            return field.type().kind() == FieldKind.RECORD ? "" : placeholder(field, changes);
+        } else if (field.isUnset()) {
+            return placeholder(field, changes);
+        } else if (field.value() instanceof List<?> list) {
+            return PanelText.ENTRIES.with(list.size()).in(changes.language());
+        }
+        return field.value() instanceof Map<?, ?> table
+                ? PanelText.ENTRIES.with(table.size()).in(changes.language())
+                : "";
+    }
+
+    /** Returns the text of a choice. */
+    static String word(Object value) {
+        return value == null ? "" : ChoiceWord.of(value);
+    }
+}

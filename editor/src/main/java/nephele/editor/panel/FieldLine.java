@@ -1,0 +1,152 @@
+package nephele.editor.panel;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Cursor;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import nephele.editor.panel.model.ChoiceWord;
+import nephele.editor.panel.model.InspectorField;
+import nephele.editor.panel.model.InspectorModel;
+import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.FieldKind;
+
+/** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
+final class FieldLine {
+    private final FieldChanges changes;
+    private final JLabel title = new JLabel();
+    private final FieldEditor editor;
+    private final JButton menu = new JButton(PanelIcon.MENU);
+    private InspectorField field;
+
+    FieldLine(InspectorField field, FieldChanges changes, AssetChooser chooser) {
+        this.field = field;
+        this.changes = changes;
+        editor = FieldEditors.make(field, changes, chooser);
+        menu.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+        menu.addActionListener(event -> menu().show(menu, 0, menu.getHeight()));
+        title.setLabelFor(editor.component());
+        if (field.type().kind() == FieldKind.NUMBER || field.type().kind() == FieldKind.WHOLE) {
+            listenToDrags();
+        }
+        show(field);
+    }
+
+    void addTo(JPanel panel) {
+        panel.add(title, "gapleft " + 10 * field.depth());
+        panel.add(editor.component(), "growx, wmin 40");
+        panel.add(menu);
+    }
+
+    InspectorField field() {
+        return field;
+    }
+
+    /** Shows a field of the same form. */
+    void show(InspectorField next) {
+        field = next;
+        String unit = next.isEntry() ? "" : next.type().field().unit();
+        title.setText(unit.isEmpty() ? next.title() : next.title() + " (" + unit + ")");
+        title.setToolTipText(next.type().field().name() + "  " + next.type().range());
+        menu.getAccessibleContext()
+                .setAccessibleName(PanelText.MENU_OF.with(next.title()).in(changes.language()));
+        menu.setVisible(menu().getComponentCount() > 0);
+        editor.component().getAccessibleContext().setAccessibleName(next.title());
+        editor.show(next);
+        enable(editor.component(), !next.isUnset());
+    }
+
+    private void enable(Component component, boolean isEnabled) {
+        // A combo without a value can still choose one; that sets it.
+        boolean isChoice = field.type().kind() == FieldKind.REFERENCE
+                || field.type().kind() == FieldKind.CHOICE
+                || field.type().kind() == FieldKind.VARIANT
+                || field.type().kind() == FieldKind.ASSET;
+        component.setEnabled(isEnabled || isChoice);
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                enable(child, isEnabled);
+            }
+        }
+    }
+
+    private JPopupMenu menu() {
+        JPopupMenu items = new JPopupMenu();
+        var type = field.type();
+        if (type.isNullable() && (field.isUnset() || field.isMixed())) {
+            item(items, PanelText.SET_FIELD, () -> changes.set(field, type.freshValue()));
+        }
+        if (type.isNullable() && !field.isUnset()) {
+            item(items, PanelText.UNSET_FIELD, () -> changes.unset(field));
+        }
+        if (field.canReset() && !type.isNullable()) {
+            item(items, PanelText.RESET_FIELD, () -> changes.reset(field));
+        }
+        if (type.kind() == FieldKind.LIST) {
+            item(items, PanelText.ADD_TO, () -> changes.add(field, null));
+        } else if (type.kind() == FieldKind.TABLE) {
+            addKeys(items);
+        }
+        if (field.isEntry()) {
+            item(items, PanelText.REMOVE_FROM, () -> changes.remove(field));
+        }
+        return items;
+    }
+
+    private void addKeys(JPopupMenu items) {
+        var keys = InspectorModel.missingKeys(field);
+        for (Object key : keys) {
+            String text = PanelText.ADD_TO.with(field.title()).in(changes.language()) + ": " + ChoiceWord.of(key);
+            items.add(text).addActionListener(event -> changes.add(field, key));
+        }
+        if (keys.isEmpty() && InspectorModel.hasTextKeys(field)) {
+            item(items, PanelText.ADD_TO, this::askForKey);
+        }
+    }
+
+    private void askForKey() {
+        String key = JOptionPane.showInputDialog(menu, PanelText.KEY_TO_ADD.in(changes.language()));
+        if (key != null && !key.isBlank()) {
+            changes.add(field, key.strip());
+        }
+    }
+
+    private void item(JPopupMenu items, PanelText text, Runnable action) {
+        String name = field.isEntry() ? field.path().last().component() : field.title();
+        items.add(text.with(name).in(changes.language())).addActionListener(event -> action.run());
+    }
+
+    private void listenToDrags() {
+        title.setCursor(Cursor.getPredefinedCursor(Cursor.E_RESIZE_CURSOR));
+        var drag = new MouseAdapter() {
+            private int startX;
+
+            @Override
+            public void mousePressed(MouseEvent event) {
+                startX = event.getX();
+            }
+
+            @Override
+            public void mouseDragged(MouseEvent event) {
+                double step = event.isShiftDown() ? 0.001 : 0.01;
+                double change = (event.getX() - startX) * (field.type().kind() == FieldKind.WHOLE ? 0.1 : step);
+                changes.drag(
+                        field,
+                        old -> old instanceof Number number ? field.type().number(number.doubleValue() + change) : old);
+            }
+
+            @Override
+            public void mouseReleased(MouseEvent event) {
+                changes.endDrag(field);
+            }
+        };
+        title.addMouseListener(drag);
+        title.addMouseMotionListener(drag);
+    }
+}

@@ -1,0 +1,274 @@
+package nephele.editor.panel;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.table.TableColumn;
+import nephele.editor.document.Selection;
+import nephele.editor.panel.model.EntityQuery;
+import nephele.editor.panel.model.EntityStatus;
+import nephele.editor.panel.model.OutlinerModel;
+import nephele.editor.panel.model.OutlinerRow;
+import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The list of everything in the level by section, with a search. Space folds or hides, L locks, F2 renames, Delete
+ * deletes, Enter and a double click look at an entity.
+ */
+public final class OutlinerPanel extends JPanel {
+    private final transient EditorSession session;
+    private final transient OutlinerEdits edits;
+    private final transient Consumer<EntityRef> focus;
+    private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
+    private final JTextField search = new JTextField();
+    private final JLabel error = new JLabel();
+    private final OutlinerTable lines;
+    private final JTable table;
+    private transient EntityQuery query = EntityQuery.ALL;
+    private boolean isUpdating;
+
+    /** @param focus called with the entity that the views shall look at */
+    public OutlinerPanel(EditorSession session, Consumer<EntityRef> focus) {
+        super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", ""));
+        this.session = session;
+        this.focus = focus;
+        edits = new OutlinerEdits(session);
+        lines = new OutlinerTable((row, id) -> edits.rename(row.members().get(0), id));
+        table = new JTable(lines);
+        arrangeTable();
+        add(search);
+        add(error);
+        add(new JScrollPane(table), "push, grow");
+        search.getDocument().addDocumentListener(new TextListener(this::searched));
+        table.getSelectionModel().addListSelectionListener(event -> selectInDocument());
+        bindKeys();
+        session.listen(change -> {
+            if (change == Change.SETTINGS) {
+                translate();
+            } else if (change == Change.DOCUMENT || change == Change.FILE) {
+                refresh();
+            }
+        });
+        error.setVisible(false);
+        translate();
+    }
+
+    private void arrangeTable() {
+        table.setTableHeader(null);
+        table.setShowGrid(false);
+        table.setFillsViewportHeight(true);
+        table.setDefaultRenderer(Object.class, new OutlinerCell());
+        // A key that is typed shall not begin to rename; F2 does.
+        table.putClientProperty("JTable.autoStartsEdit", Boolean.FALSE);
+        for (int column : new int[] {OutlinerTable.EYE, OutlinerTable.LOCK}) {
+            TableColumn narrow = table.getColumnModel().getColumn(column);
+            narrow.setMinWidth(UIScale.scale(24));
+            narrow.setMaxWidth(UIScale.scale(24));
+        }
+        table.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                pressed(event);
+            }
+
+            @Override
+            public void mouseReleased(MouseEvent event) {
+                showMenu(event);
+            }
+        });
+    }
+
+    private void bindKeys() {
+        key("F2", "rename", () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
+        key("DELETE", "delete", () -> edits.delete(selected()));
+        key("ENTER", "focus", this::focusOnSelected);
+        key("L", "lock", () -> edits.toggleLocked(members()));
+        key("SPACE", "fold-or-hide", this::foldOrHide);
+        key("LEFT", "fold", () -> fold(true));
+        key("RIGHT", "unfold", () -> fold(false));
+    }
+
+    private void key(String stroke, String name, Runnable action) {
+        table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(stroke), name);
+        table.getActionMap().put(name, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                // The field of a rename has no use for some keys and passes them on.
+                if (!table.isEditing()) {
+                    action.run();
+                }
+            }
+        });
+    }
+
+    private void translate() {
+        lines.language(session.language());
+        search.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, PanelText.SEARCH.in(session.language()));
+        search.getAccessibleContext().setAccessibleName(PanelText.SEARCH.in(session.language()));
+        table.getAccessibleContext().setAccessibleName(PanelText.OUTLINER.in(session.language()));
+        table.setRowHeight(UIScale.scale(20));
+        showErrors();
+        refresh();
+        table.repaint();
+        search.repaint();
+    }
+
+    private void searched() {
+        query = EntityQuery.parse(search.getText(), LevelStructure.LEVEL);
+        showErrors();
+        refresh();
+    }
+
+    /** Searches as if the text had been typed. */
+    public void search(String text) {
+        search.setText(text);
+    }
+
+    private void showErrors() {
+        error.setVisible(!query.errors().isEmpty());
+        error.setText(query.errors().isEmpty() ? "" : query.errors().get(0).in(session.language()));
+    }
+
+    private void refresh() {
+        var level = session.document().level();
+        isUpdating = true;
+        lines.rows(model.rows(level, EntityStatus.of(level.editor()), query));
+        selectInTable();
+        isUpdating = false;
+    }
+
+    private List<OutlinerRow> selectedRows() {
+        List<OutlinerRow> rows = new ArrayList<>();
+        for (int row : table.getSelectedRows()) {
+            rows.add(lines.rows().get(row));
+        }
+        return rows;
+    }
+
+    private List<EntityRef> selected() {
+        return selectedRows().stream()
+                .flatMap(row -> row.selected().stream())
+                .distinct()
+                .toList();
+    }
+
+    private List<EntityRef> members() {
+        return selectedRows().stream()
+                .flatMap(row -> row.members().stream())
+                .distinct()
+                .toList();
+    }
+
+    private void selectInDocument() {
+        if (!isUpdating) {
+            session.document().select(Selection.of(selected()));
+        }
+    }
+
+    private void selectInTable() {
+        Set<EntityRef> wanted =
+                new LinkedHashSet<>(session.document().selection().entities());
+        if (wanted.equals(new LinkedHashSet<>(selected()))) {
+            return;
+        }
+        var selection = table.getSelectionModel();
+        selection.setValueIsAdjusting(true);
+        table.clearSelection();
+        int first = -1;
+        for (int i = 0; i < lines.rows().size(); i++) {
+            OutlinerRow row = lines.rows().get(i);
+            if (row.kind() == OutlinerRow.Kind.ENTITY
+                    && wanted.contains(row.members().get(0))) {
+                table.addRowSelectionInterval(i, i);
+                first = first < 0 ? i : first;
+            }
+        }
+        selection.setValueIsAdjusting(false);
+        if (first >= 0) {
+            table.scrollRectToVisible(table.getCellRect(first, 0, true));
+        }
+    }
+
+    private void pressed(MouseEvent event) {
+        int at = table.rowAtPoint(event.getPoint());
+        if (at < 0 || event.isPopupTrigger()) {
+            showMenu(event);
+            return;
+        }
+        OutlinerRow row = lines.rows().get(at);
+        int column = table.columnAtPoint(event.getPoint());
+        if (column == OutlinerTable.EYE) {
+            edits.toggleHidden(row.members());
+        } else if (column == OutlinerTable.LOCK) {
+            edits.toggleLocked(row.members());
+        } else if (row.hasFold() && event.getX() < UIScale.scale(24 + 14 * row.depth())) {
+            toggleFold(row);
+        } else if (event.getClickCount() == 2) {
+            focusOnSelected();
+        }
+    }
+
+    private void toggleFold(OutlinerRow row) {
+        model.toggleFold(row.key());
+        refresh();
+    }
+
+    private void fold(boolean shut) {
+        selectedRows().stream()
+                .filter(row -> row.hasFold() && row.state().isOpen() == shut)
+                .forEach(this::toggleFold);
+    }
+
+    private void foldOrHide() {
+        List<OutlinerRow> rows = selectedRows();
+        if (rows.size() == 1 && rows.get(0).hasFold()) {
+            toggleFold(rows.get(0));
+        } else {
+            edits.toggleHidden(members());
+        }
+    }
+
+    private void focusOnSelected() {
+        selected().stream().findFirst().ifPresent(focus);
+    }
+
+    private void showMenu(MouseEvent event) {
+        if (event.isPopupTrigger()) {
+            menu().show(table, event.getX(), event.getY());
+        }
+    }
+
+    /** Returns the context menu for the selected lines. */
+    JPopupMenu menu() {
+        JPopupMenu menu = new JPopupMenu();
+        item(menu, PanelText.FOCUS, this::focusOnSelected);
+        item(menu, PanelText.FIND_USAGES, () -> selected().stream().findFirst().ifPresent(edits::selectUsages));
+        item(menu, PanelText.RENAME, () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
+        item(menu, PanelText.DELETE, () -> edits.delete(selected()));
+        return menu;
+    }
+
+    private void item(JPopupMenu menu, PanelText text, Runnable action) {
+        menu.add(text.in(session.language())).addActionListener(event -> action.run());
+    }
+}

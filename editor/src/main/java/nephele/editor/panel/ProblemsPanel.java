@@ -1,0 +1,131 @@
+package nephele.editor.panel;
+
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+import javax.swing.Timer;
+import nephele.editor.panel.model.PanelText;
+import nephele.editor.problem.HiddenProblems;
+import nephele.editor.problem.LevelProblem;
+import nephele.editor.problem.ProblemFix;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+import net.miginfocom.swing.MigLayout;
+
+/** The problems of the level, searched a moment after each edit on another thread; with their remedies. */
+public final class ProblemsPanel extends JPanel {
+    private static final int DELAY_MILLIS = 300;
+
+    private final transient EditorSession session;
+    private final transient ProblemWork work;
+    private final DefaultListModel<LevelProblem> problems = new DefaultListModel<>();
+    private final JList<LevelProblem> list = new JList<>(problems);
+    private final JLabel state = new JLabel();
+    private final JButton fix = new JButton();
+    private final JButton hide = new JButton();
+    private final Timer debounce;
+    private boolean isUpdating;
+
+    /** @param choose called with the problem that was selected: its marks are to be shown, its entity selected */
+    public ProblemsPanel(EditorSession session, Consumer<LevelProblem> choose) {
+        super(new MigLayout("insets 4, fill, wrap 1", "[grow, fill]", "[grow, fill][]"));
+        this.session = session;
+        work = new ProblemWork(session.assets(), this::show);
+        debounce =
+                new Timer(DELAY_MILLIS, event -> work.search(session.document().level(), session.assets()));
+        debounce.setRepeats(false);
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new ProblemCell(session));
+        list.addListSelectionListener(event -> {
+            enableButtons();
+            if (!isUpdating && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
+                choose.accept(list.getSelectedValue());
+            }
+        });
+        fix.addActionListener(event -> fixes().show(fix, 0, fix.getHeight()));
+        hide.addActionListener(event -> hideSelected());
+        JPanel buttons = new JPanel(new MigLayout("insets 0", "[grow][][]"));
+        buttons.add(state);
+        buttons.add(fix);
+        buttons.add(hide);
+        add(new JScrollPane(list));
+        add(buttons);
+        session.listen(change -> {
+            if (change == Change.SETTINGS) {
+                translate();
+            } else if (change != Change.STATUS && !session.document().isDragging()) {
+                restart();
+            }
+        });
+        translate();
+        restart();
+    }
+
+    private void restart() {
+        if (work.isNew(session.document().level(), session.assets())) {
+            state.setText(PanelText.SEARCHING.in(session.language()) + " …");
+            debounce.restart();
+        }
+    }
+
+    /** Shows the problems that a search has found. */
+    void show(List<LevelProblem> found) {
+        LevelProblem before = list.getSelectedValue();
+        isUpdating = true;
+        problems.clear();
+        for (LevelProblem problem : found) {
+            if (!HiddenProblems.isHidden(session.document().level(), problem)) {
+                problems.addElement(problem);
+                if (before != null && before.key().equals(problem.key())) {
+                    list.setSelectedIndex(problems.size() - 1);
+                }
+            }
+        }
+        isUpdating = false;
+        translate();
+    }
+
+    private void translate() {
+        Language language = session.language();
+        list.getAccessibleContext().setAccessibleName(PanelText.PROBLEMS.in(language));
+        fix.setText(PanelText.FIX.in(language));
+        hide.setText(PanelText.HIDE.in(language));
+        state.setText(
+                problems.isEmpty()
+                        ? PanelText.NO_PROBLEMS.in(language)
+                        : PanelText.PROBLEMS.in(language) + ": " + problems.size());
+        enableButtons();
+        list.repaint();
+    }
+
+    private void enableButtons() {
+        LevelProblem selected = list.getSelectedValue();
+        fix.setEnabled(selected != null && !selected.fixes().isEmpty());
+        hide.setEnabled(selected != null);
+    }
+
+    private JPopupMenu fixes() {
+        JPopupMenu menu = new JPopupMenu();
+        for (ProblemFix remedy : list.getSelectedValue().fixes()) {
+            Words label =
+                    Words.of(remedy.label(Language.EN), remedy.label(Language.PT_BR), remedy.label(Language.PT_PT));
+            menu.add(label.in(session.language()))
+                    .addActionListener(event -> session.document().edit(label, remedy.change()));
+        }
+        return menu;
+    }
+
+    private void hideSelected() {
+        LevelProblem selected = list.getSelectedValue();
+        session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> HiddenProblems.hide(level, selected));
+    }
+}

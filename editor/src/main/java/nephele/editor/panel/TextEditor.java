@@ -1,0 +1,90 @@
+package nephele.editor.panel;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.text.JTextComponent;
+import nephele.editor.panel.model.InspectorField;
+import nephele.editor.panel.model.PanelText;
+import nephele.engine.level.TextKind;
+import net.miginfocom.swing.MigLayout;
+
+/** A text field, of several lines for prose, with a button for a file. */
+final class TextEditor implements FieldEditor {
+    private final FieldChanges changes;
+    private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 2, fill", "[grow, fill][]", ""));
+    private final JTextComponent text;
+    private InspectorField field;
+    private String shown = "";
+
+    /** @param chooser {@code null} if the text names no file */
+    TextEditor(InspectorField field, FieldChanges changes, AssetChooser chooser) {
+        this.field = field;
+        this.changes = changes;
+        boolean isProse = field.type().field().declaration().text() == TextKind.PROSE;
+        text = isProse ? area() : line();
+        text.getAccessibleContext().setAccessibleName(field.title());
+        panel.add(isProse ? new JScrollPane(text) : text, "wmin 40, grow");
+        text.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                enter();
+            }
+        });
+        if (chooser != null) {
+            JButton choose = new JButton("…");
+            choose.getAccessibleContext()
+                    .setAccessibleName(PanelText.CHOOSE_FILE.with(field.title()).in(changes.language()));
+            choose.addActionListener(event -> chooser.choose(shown).ifPresent(id -> changes.set(this.field, id)));
+            panel.add(choose);
+        }
+    }
+
+    private JTextComponent line() {
+        var line = new JTextField(8);
+        line.addActionListener(event -> enter());
+        return line;
+    }
+
+    private static JTextComponent area() {
+        var area = new JTextArea(3, 8);
+        area.setLineWrap(true);
+        area.setWrapStyleWord(true);
+        // Tab goes to the next field as everywhere else.
+        area.setFocusTraversalKeys(0, null);
+        area.setFocusTraversalKeys(1, null);
+        return area;
+    }
+
+    private void enter() {
+        if (!text.getText().equals(shown)) {
+            boolean isTaken = changes.set(field, text.getText());
+            text.putClientProperty(FlatClientProperties.OUTLINE, isTaken ? null : FlatClientProperties.OUTLINE_ERROR);
+        }
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public void show(InspectorField next) {
+        field = next;
+        text.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, FieldEditors.placeholder(next, changes));
+        String value = next.value() instanceof String string ? string : "";
+        if (!value.equals(shown) || !text.hasFocus()) {
+            shown = value;
+            text.putClientProperty(FlatClientProperties.OUTLINE, null);
+            if (!text.getText().equals(value)) {
+                text.setText(value);
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package nephele.editor.panel.model;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import nephele.editor.record.FieldKind;
+import nephele.editor.record.Prototypes;
+import nephele.editor.record.RecordField;
+import nephele.editor.record.RecordKind;
+import nephele.editor.text.Words;
+import nephele.engine.level.Spatial;
+import nephele.engine.level.Written;
+import nephele.engine.math.Vec3;
+
+/**
+ * What the value of a component, or of an entry of a list or table, may be.
+ *
+ * @param field the component, also of an entry
+ * @param kind of the value or entry
+ * @param valueClass of the value or entry
+ */
+public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) {
+    private static final Pattern COLOUR =
+            Pattern.compile(".*(colour|emission|radiance|intensity|ambient|albedo|zenith|horizon|ground)");
+
+    /** Returns the type of a component's value. */
+    public static FieldType of(RecordField field) {
+        return new FieldType(field, field.kind(), field.valueClass());
+    }
+
+    /** Returns the type of an entry of a list or table. */
+    public static FieldType ofEntry(RecordField field) {
+        return new FieldType(field, field.elementKind(), field.elementClass());
+    }
+
+    private Written declaration() {
+        return field.declaration();
+    }
+
+    private boolean isEntry() {
+        return kind != field.kind();
+    }
+
+    /** Returns true if the value may be absent. */
+    public boolean isNullable() {
+        return !isEntry() && field.isNullable();
+    }
+
+    /** Returns true for a vector that is a linear RGB colour. */
+    public boolean isColour() {
+        return kind == FieldKind.VECTOR
+                && field.spatial() == Spatial.NONE
+                && COLOUR.matcher(field.name().toLowerCase(Locale.ROOT)).matches();
+    }
+
+    /** Returns the section whose ids the value is one of; empty for none. */
+    public String refersTo() {
+        return declaration().refersTo();
+    }
+
+    /** Returns the classes that a record may have. */
+    public List<RecordKind> kinds() {
+        return field.recordClasses().stream().map(RecordKind::of).toList();
+    }
+
+    /** Returns the constants of a choice. */
+    public List<Object> choices() {
+        return kind == FieldKind.CHOICE ? List.of((Object[]) valueClass.getEnumConstants()) : List.of();
+    }
+
+    /** Returns true if {@link #defaultValue} is one; a place or an id has none. */
+    public boolean hasDefault() {
+        return !isEntry() && (!field.isRequired() || field.written().prototype() != null);
+    }
+
+    /** Returns the value of an absent key, or of a new entity if the key is required; may be {@code null}. */
+    public Object defaultValue() {
+        return field.isRequired()
+                ? field.written().prototype()
+                : field.written().absent();
+    }
+
+    /** Returns a value for a place that had none. */
+    public Object freshValue() {
+        if (!isEntry() && field.written().prototype() != null) {
+            return field.written().prototype();
+        } else if (!isEntry() && field.written().absent() != null) {
+            return field.written().absent();
+        }
+        double number = Math.max(declaration().min(), Math.min(declaration().max(), 1));
+        return switch (kind) {
+            case NUMBER -> number;
+            case WHOLE -> whole(number);
+            case TRUTH -> true;
+            case TEXT, REFERENCE, ASSET -> "";
+            case CHOICE -> choices().get(0);
+            case VECTOR -> new Vec3(number, number, number);
+            case RECORD, VARIANT -> Prototypes.make(kinds().get(0), "new", Vec3.ZERO);
+            case LIST -> List.of();
+            case TABLE -> Map.of();
+        };
+    }
+
+    /** Returns a number as the value's class has it. */
+    public Object number(double value) {
+        return kind == FieldKind.WHOLE ? whole(value) : (Object) value;
+    }
+
+    private Object whole(double value) {
+        return valueClass == int.class || valueClass == Integer.class
+                ? (Object) (int) Math.round(value)
+                : (Object) Math.round(value);
+    }
+
+    /** Returns what is wrong with a value, and what would be right. */
+    public Optional<Words> problem(Object value) {
+        if (value instanceof Number number) {
+            return rangeProblem(number.doubleValue());
+        } else if (value instanceof Vec3 vector) {
+            return rangeProblem(vector.x()).or(() -> rangeProblem(vector.y())).or(() -> rangeProblem(vector.z()));
+        } else if (value instanceof String text) {
+            int least = declaration().text().shortest();
+            int most = declaration().text().longest();
+            boolean isFine = text.length() >= least && text.length() <= most;
+            return isFine ? Optional.empty() : Optional.of(PanelText.LENGTH.with(field.name(), least, most));
+        } else if (value instanceof List<?> list && list.size() > declaration().most()) {
+            return Optional.of(
+                    PanelText.TOO_MANY.with(field.name(), declaration().most()));
+        }
+        return Optional.empty();
+    }
+
+    private Optional<Words> rangeProblem(double value) {
+        double min = declaration().min();
+        double max = declaration().max();
+        boolean isFine = value >= min && value <= max;
+        return isFine
+                ? Optional.empty()
+                : Optional.of(PanelText.RANGE.with(
+                        field.name(), NumberExpression.text(min), NumberExpression.text(max), field.unit()));
+    }
+
+    /** Returns the range in words, such as {@code 0 … 1}; empty if it is only the size of the world. */
+    public String range() {
+        boolean isNumber = kind == FieldKind.NUMBER || kind == FieldKind.WHOLE || kind == FieldKind.VECTOR;
+        boolean isBounded = declaration().min() > -1e7 || declaration().max() < 1e7;
+        return isNumber && isBounded
+                ? NumberExpression.text(declaration().min()) + " … "
+                        + NumberExpression.text(declaration().max())
+                : "";
+    }
+}

@@ -1,0 +1,158 @@
+package nephele.editor.panel.model;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.FieldKind;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordKind;
+import nephele.editor.text.Words;
+
+/** The fields of the selected records, and the changes that an inspector makes; all return a new root record. */
+public final class InspectorModel {
+    /** The level itself, which is inspected if nothing is selected. */
+    public static final List<EntityRef> ROOT = List.of(EntityRef.single(""));
+
+    private final LevelStructure structure;
+    private final Entities entities;
+
+    public InspectorModel(LevelStructure structure) {
+        this.structure = structure;
+        entities = new Entities(structure);
+    }
+
+    /** Returns the union of the fields of some records, in the order of the file. */
+    public List<InspectorField> fields(Record root, List<EntityRef> refs) {
+        List<Record> owners =
+                refs.stream().flatMap(ref -> entities.find(root, ref).stream()).toList();
+        return new FieldUnion(refs, structure).fields(owners);
+    }
+
+    /** Returns what is wrong with a value for a field. */
+    public Optional<Words> problem(Record root, List<EntityRef> refs, InspectorField field, Object value) {
+        boolean isTaken = field.isId()
+                && !value.equals(field.value())
+                && entities.find(root, new EntityRef(refs.get(0).section(), (String) value))
+                        .isPresent();
+        return isTaken
+                ? Optional.of(PanelText.ID_TAKEN.with(value))
+                : field.type().problem(value);
+    }
+
+    /** Returns the root with a field of some records changed, each from its own value. */
+    public Record changed(Record root, Collection<EntityRef> refs, InspectorField field, UnaryOperator<Object> change) {
+        return entities.changed(root, refs, owner -> field.path().changed(owner, change));
+    }
+
+    /** Returns the root with a value in a field of some records; the id also changes where it is referred to. */
+    public Record set(Record root, List<EntityRef> refs, InspectorField field, Object value) {
+        return field.isId()
+                ? entities.renamed(root, refs.get(0), (String) value)
+                : changed(root, refs, field, old -> value);
+    }
+
+    /** Returns the root with the default value in a field. */
+    public Record reset(Record root, List<EntityRef> refs, InspectorField field) {
+        return set(root, refs, field, field.type().defaultValue());
+    }
+
+    /** Returns the root with another kind of record in a field; components of the same name and class stay. */
+    public Record withKind(Record root, List<EntityRef> refs, InspectorField field, RecordKind kind) {
+        return changed(root, refs, field, old -> converted(old, kind));
+    }
+
+    private static Object converted(Object old, RecordKind kind) {
+        Record made = nephele.editor.record.Prototypes.make(kind, "new", nephele.engine.math.Vec3.ZERO);
+        if (!(old instanceof Record before)) {
+            return made;
+        }
+        RecordKind oldKind = RecordKind.of(before);
+        if (oldKind == kind) {
+            return old;
+        }
+        Record result = made;
+        for (var field : kind.fields()) {
+            var same = oldKind.field(field.name())
+                    .filter(other -> other.valueClass() == field.valueClass())
+                    .map(other -> oldKind.get(before, other));
+            if (same.isPresent()) {
+                result = kind.with(result, field, same.get());
+            }
+        }
+        return result;
+    }
+
+    /** Returns the root with an entry at the end of a list, or with a key in a table. */
+    public Record added(Record root, List<EntityRef> refs, InspectorField field, Object key) {
+        FieldType type = FieldType.ofEntry(field.type().field());
+        return changed(root, refs, field, old -> {
+            if (field.type().kind() == FieldKind.LIST) {
+                List<Object> entries = new ArrayList<>(old == null ? List.of() : (List<?>) old);
+                entries.add(entries.isEmpty() ? type.freshValue() : entries.get(entries.size() - 1));
+                return List.copyOf(entries);
+            }
+            Map<Object, Object> entries = new LinkedHashMap<>(old == null ? Map.of() : (Map<?, ?>) old);
+            entries.putIfAbsent(key, type.freshValue());
+            return Collections.unmodifiableMap(entries);
+        });
+    }
+
+    /** Returns the root without an entry of a list or table. */
+    public Record removed(Record root, List<EntityRef> refs, InspectorField entry) {
+        Object key = entry.path().last().entry();
+        RecordPath owner = entry.path().owner();
+        UnaryOperator<Object> change = old -> {
+            if (old instanceof List<?> list && key instanceof Integer index && index < list.size()) {
+                List<Object> left = new ArrayList<>(list);
+                left.remove((int) index);
+                return List.copyOf(left);
+            } else if (old instanceof Map<?, ?> table) {
+                Map<Object, Object> left = new LinkedHashMap<>(table);
+                left.remove(key);
+                return Collections.unmodifiableMap(left);
+            }
+            return old;
+        };
+        return entities.changed(root, refs, record -> owner.changed(record, change));
+    }
+
+    /** Returns the ids that a reference may have. */
+    public List<String> ids(Record root, String section) {
+        return structure.list(section).stream()
+                .flatMap(list -> list.entities(root).stream())
+                .map(RecordKind::id)
+                .toList();
+    }
+
+    /** Returns the keys that a table has not; of a table with texts as keys, none are known. */
+    public static List<Object> missingKeys(InspectorField table) {
+        var type = (java.lang.reflect.ParameterizedType)
+                table.type().field().written().type();
+        Class<?> keyClass = (Class<?>) type.getActualTypeArguments()[0];
+        List<Object> keys = new ArrayList<>();
+        if (keyClass.isEnum()) {
+            keys.addAll(List.of(keyClass.getEnumConstants()));
+            new LinkedHashSet<>(table.values()).forEach(value -> {
+                if (value instanceof Map<?, ?> present && !table.isMixed()) {
+                    keys.removeAll(present.keySet());
+                }
+            });
+        }
+        return keys;
+    }
+
+    /** Returns true if the keys of a table are any texts. */
+    public static boolean hasTextKeys(InspectorField table) {
+        var type = (java.lang.reflect.ParameterizedType)
+                table.type().field().written().type();
+        return type.getActualTypeArguments()[0] == String.class;
+    }
+}

@@ -1,0 +1,46 @@
+package nephele.editor.panel.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.editor.record.EntitySection;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordKind;
+import nephele.editor.record.SingleSection;
+
+/** The entities that the palette offers: all kinds of all lists, and the single records that a level may be without. */
+public final class PaletteModel {
+    private PaletteModel() {}
+
+    /**
+     * A kind of entity.
+     *
+     * @param section path of its list or single record
+     * @param kind its word in files
+     */
+    public record Entry(String section, String kind) {
+        /** Returns what a button shows: kind, and section where that says more. */
+        public String title() {
+            String last = section.substring(section.lastIndexOf('.') + 1);
+            boolean isSaid = last.equalsIgnoreCase(kind) || last.equalsIgnoreCase(kind + "s");
+            return isSaid ? kind : kind + " – " + last;
+        }
+    }
+
+    /** Returns the entries in the order of the file. */
+    public static List<Entry> entries(LevelStructure structure) {
+        List<Entry> entries = new ArrayList<>();
+        for (SingleSection single : structure.singles()) {
+            if (single.isOptional()) {
+                add(entries, single.path(), single.kinds());
+            }
+        }
+        for (EntitySection section : structure.lists()) {
+            add(entries, section.path(), section.kinds());
+        }
+        return List.copyOf(entries);
+    }
+
+    private static void add(List<Entry> entries, String section, List<RecordKind> kinds) {
+        kinds.forEach(kind -> entries.add(new Entry(section, kind.name())));
+    }
+}

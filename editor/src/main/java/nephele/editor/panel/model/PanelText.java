@@ -1,0 +1,108 @@
+package nephele.editor.panel.model;
+
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+
+/** A text of the panels in English, Brazilian and European Portuguese. */
+public enum PanelText {
+    OUTLINER("Outliner", "Estrutura", "Estrutura"),
+    SEARCH(
+            "Search: name, type:light, size>4",
+            "Buscar: nome, type:light, size>4",
+            "Procurar: nome, type:light, size>4"),
+    GROUPS("groups", "grupos", "grupos"),
+    SHOWN("shown", "visível", "visível"),
+    HIDDEN("hidden", "oculto", "oculto"),
+    UNLOCKED("not locked", "não bloqueado", "não bloqueado"),
+    LOCKED("locked", "bloqueado", "bloqueado"),
+    NAME("name", "nome", "nome"),
+    VISIBILITY("visibility", "visibilidade", "visibilidade"),
+    LOCK("lock", "bloqueio", "bloqueio"),
+    SHOW_OR_HIDE("Show or hide %s", "Mostrar ou ocultar %s", "Mostrar ou ocultar %s"),
+    LOCK_OR_UNLOCK("Lock or unlock %s", "Bloquear ou desbloquear %s", "Bloquear ou desbloquear %s"),
+    RENAME("Rename", "Renomear", "Mudar o nome"),
+    RENAME_TO("Rename to %s", "Renomear para %s", "Mudar o nome para %s"),
+    DELETE("Delete", "Excluir", "Eliminar"),
+    DELETE_MANY("Delete %s", "Excluir %s", "Eliminar %s"),
+    FIND_USAGES("Find usages", "Encontrar usos", "Encontrar utilizações"),
+    NO_USAGES("Nothing uses %s", "Nada usa %s", "Nada utiliza %s"),
+    USAGES("%s entities use %s", "%s entidades usam %s", "%s entidades utilizam %s"),
+    FOCUS("Look at it", "Olhar para ele", "Olhar para ele"),
+    QUERY_NO_VALUE("%s: write a value after it", "%s: escreva um valor em seguida", "%s: escreve um valor a seguir"),
+    QUERY_NO_NUMBER(
+            "%s compares with a number, not with \"%s\"",
+            "%s compara com um número, não com \"%s\"", "%s compara com um número, não com \"%s\""),
+    QUERY_NO_TRUTH("%s: write true or false", "%s: escreva true ou false", "%s: escreve true ou false"),
+    QUERY_NO_COMPONENT(
+            "no entity has a component \"%s\"",
+            "nenhuma entidade tem um campo \"%s\"", "nenhuma entidade tem um campo \"%s\""),
+    INSPECTOR("Inspector", "Inspetor", "Inspetor"),
+    THE_LEVEL("Level", "Fase", "Nível"),
+    MANY_SELECTED("%s selected", "%s selecionados", "%s selecionados"),
+    MIXED("mixed", "vários", "vários"),
+    NOT_SET("not set", "não definido", "não definido"),
+    SET_FIELD("Set %s", "Definir %s", "Definir %s"),
+    UNSET_FIELD("Unset %s", "Não definir %s", "Não definir %s"),
+    RESET_FIELD("Reset %s", "Restaurar %s", "Repor %s"),
+    RESET("Reset to default", "Restaurar o padrão", "Repor a predefinição"),
+    ADD_TO("Add to %s", "Adicionar a %s", "Adicionar a %s"),
+    REMOVE_FROM("Remove from %s", "Remover de %s", "Remover de %s"),
+    KEY_TO_ADD("Name of the new entry", "Nome da nova entrada", "Nome da nova entrada"),
+    ENTRIES("%s entries", "%s entradas", "%s entradas"),
+    MENU_OF("Menu of %s", "Menu de %s", "Menu de %s"),
+    CHOOSE_FILE("Choose a file for %s", "Escolher um arquivo para %s", "Escolher um ficheiro para %s"),
+    CHOOSE_COLOUR("Choose %s", "Escolher %s", "Escolher %s"),
+    RANGE("%s must be from %s to %s %s", "%s deve ficar de %s a %s %s", "%s tem de ficar de %s a %s %s"),
+    LENGTH(
+            "%s must have %s to %s characters",
+            "%s deve ter de %s a %s caracteres", "%s tem de ter de %s a %s caracteres"),
+    TOO_MANY("%s has at most %s entries", "%s tem no máximo %s entradas", "%s tem no máximo %s entradas"),
+    ID_TAKEN("the name %s is in use", "o nome %s já está em uso", "o nome %s já está em uso"),
+    NO_NUMBER(
+            "\"%s\" is no number; write one, or a sum such as 128/3",
+            "\"%s\" não é um número; escreva um, ou uma conta como 128/3",
+            "\"%s\" não é um número; escreve um, ou uma conta como 128/3"),
+    HISTORY("History", "Histórico", "Histórico"),
+    START("Start", "Início", "Início"),
+    PALETTE("Palette", "Paleta", "Paleta"),
+    SHAPES("Brushes", "Blocos", "Blocos"),
+    ENTITIES("Entities", "Entidades", "Entidades"),
+    MATERIALS("Materials", "Materiais", "Materiais"),
+    GREY("default grey", "cinza padrão", "cinzento predefinido"),
+    BOX("Box", "Caixa", "Caixa"),
+    WEDGE("Wedge", "Cunha", "Cunha"),
+    STAIRS("Stairs", "Escada", "Escada"),
+    ARCH("Arch", "Arco", "Arco"),
+    CYLINDER("Cylinder", "Cilindro", "Cilindro"),
+    ROOM("Room", "Sala", "Sala"),
+    PROBLEMS("Problems", "Problemas", "Problemas"),
+    NO_PROBLEMS("No problems", "Nenhum problema", "Nenhum problema"),
+    SEARCHING("Searching", "Procurando", "A procurar"),
+    FIX("Fix", "Corrigir", "Corrigir"),
+    HIDE("Hide", "Ocultar", "Ocultar"),
+    HIDE_PROBLEM("Hide a problem", "Ocultar um problema", "Ocultar um problema"),
+    ERROR("Error", "Erro", "Erro"),
+    WARNING("Warning", "Aviso", "Aviso"),
+    HINT("Hint", "Dica", "Sugestão");
+
+    private final Words words;
+
+    PanelText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
+    }
+
+    /** Returns the text in all languages. */
+    public Words words() {
+        return words;
+    }
+
+    /** Returns the text with its {@code %s} replaced, in order. */
+    public Words with(Object... arguments) {
+        return words.with(arguments);
+    }
+
+    /** Returns the text in a language. */
+    public String in(Language language) {
+        return words.in(language);
+    }
+}
