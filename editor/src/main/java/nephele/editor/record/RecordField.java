@@ -6,7 +6,6 @@ import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.WrittenField;
-import nephele.engine.math.Vec3;
 
 /** A component of a record: its name, kind, limits and defaults. */
 public record RecordField(int index, WrittenField written, FieldKind kind) {
@@ -59,7 +58,7 @@ public record RecordField(int index, WrittenField written, FieldKind kind) {
     /** Returns the record classes that the value, or an element of it, may have; empty if it is no record. */
     public List<Class<?>> recordClasses() {
         Class<?> type = kind == FieldKind.LIST || kind == FieldKind.TABLE ? elementClass() : valueClass();
-        return type == Vec3.class ? List.of() : RecordKind.classesOf(type);
+        return RecordKind.classesOf(type);
     }
 
     /** Returns the name in words, without the unit: {@code radius} of {@code radiusMetres}. */

@@ -59,7 +59,7 @@ class PaintToolTest {
         ToolTrial trial = hall();
         Level before = trial.level();
         trial.click(FLOOR);
-        assertEquals(Map.of("+y", new Solid.Face("brick", null)), SolidFaces.said(solid(trial, 0)));
+        assertEquals(Map.of("+y", new Solid.Face("brick", null, null)), SolidFaces.said(solid(trial, 0)));
         trial.assertOneSoundStep(before);
         Level painted = trial.level();
         trial.click(FLOOR);

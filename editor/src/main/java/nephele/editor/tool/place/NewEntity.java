@@ -81,7 +81,8 @@ record NewEntity(String section, Record entity) {
     private static Record cube(Solid.Planes none, Vec3 at) {
         Vec3 centre = at.plus(new Vec3(0, HALF_METRES, 0));
         List<Solid.PlaneFace> planes = List.of(BoxFace.values()).stream()
-                .map(side -> new Solid.PlaneFace(side.normal(), side.normal().dot(centre) + HALF_METRES, null, null))
+                .map(side ->
+                        new Solid.PlaneFace(side.normal(), side.normal().dot(centre) + HALF_METRES, null, null, null))
                 .toList();
         return new Solid.Planes(none.id(), none.material(), none.portalable(), none.textureMapping(), planes);
     }
