@@ -43,6 +43,9 @@ class EditorKeysTest {
         "[, [",
         "pageup, PageUp",
         "alt+f5, Alt+F5",
+        "Ctrl+Minus, Ctrl+-",
+        "OpenBracket, [",
+        "escape, Esc",
         "7, 7"
     })
     void aTextIsReadAndPrinted(String text, String printed) {

@@ -22,6 +22,25 @@ import javax.swing.KeyStroke;
 public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key) {
     private static final Map<String, Integer> NAMED = named();
 
+    /** Words for keys that have a shorter name, in lower case. */
+    private static final Map<String, String> OTHER_NAMES = Map.of(
+            "escape",
+            "Esc",
+            "openbracket",
+            "[",
+            "closebracket",
+            "]",
+            "minus",
+            "-",
+            "plus",
+            "+",
+            "comma",
+            ",",
+            "period",
+            ".",
+            "slash",
+            "/");
+
     private static Map<String, Integer> named() {
         Map<String, Integer> codes = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         codes.put("Enter", KeyEvent.VK_ENTER);
@@ -68,8 +87,9 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
         if (text.length() == 1 && !Character.isWhitespace(text.charAt(0))) {
             return Optional.of(text.toUpperCase(Locale.ROOT));
         }
-        if (text.equalsIgnoreCase("Escape")) {
-            return Optional.of("Esc");
+        Optional<String> other = Optional.ofNullable(OTHER_NAMES.get(text.toLowerCase(Locale.ROOT)));
+        if (other.isPresent()) {
+            return other;
         }
         return NAMED.keySet().stream().filter(text::equalsIgnoreCase).findFirst();
     }
