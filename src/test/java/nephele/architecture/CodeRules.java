@@ -184,7 +184,8 @@ final class CodeRules {
                 long booleans = method.getRawParameterTypes().stream()
                         .filter(type -> type.getName().equals("boolean"))
                         .count();
-                boolean written = !method.getName().contains("$");
+                // The signatures of Swing's cell renderers are not ours.
+                boolean written = !method.getName().matches(".*\\$.*|get(List|Table|Tree)CellRendererComponent");
                 events.add(new SimpleConditionEvent(
                         method, !written || booleans < 2, method.getFullName() + " takes " + booleans + " booleans"));
             }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.editor.document.Document;
 import nephele.editor.record.EntityRef;
+import nephele.editor.session.NewDocument;
 import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -66,7 +67,7 @@ class RandomCommandsTest {
             document.undo();
             forwards.add(0, session.json());
         }
-        assertEquals(LevelJson.write(FileActions.emptyLevel()), session.json());
+        assertEquals(LevelJson.write(NewDocument.opened().level()), session.json());
         for (String expected : forwards) {
             assertEquals(expected, session.json());
             document.redo();

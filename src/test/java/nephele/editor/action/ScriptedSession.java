@@ -3,6 +3,7 @@ package nephele.editor.action;
 import java.nio.file.Path;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorSettings;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
@@ -12,7 +13,7 @@ import nephele.engine.level.json.LevelJson;
 public record ScriptedSession(EditorSession session, ScriptRunner script) {
     /** Returns a session of an empty level. */
     public static ScriptedSession empty() {
-        return of(FileActions.emptyLevel());
+        return of(NewDocument.opened().level());
     }
 
     public static ScriptedSession of(Level level) {

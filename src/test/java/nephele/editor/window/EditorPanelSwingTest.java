@@ -281,9 +281,9 @@ class EditorPanelSwingTest {
         PaneView looked = session.panes().views().get(0);
         assertEquals(before.perspective().eye(), looked.perspective().eye());
         assertTrue(looked.perspective().yawDegrees() < before.perspective().yawDegrees());
-        assertTrue(panel.key(key(KeyEvent.VK_W)), "flight");
+        assertTrue(panel.key(key(KeyEvent.VK_A)), "flight");
         mouse(MouseEvent.MOUSE_RELEASED, MouseEvent.BUTTON3, 70, 30);
-        assertFalse(panel.key(key(KeyEvent.VK_W)), "no flight any more");
+        assertFalse(panel.key(key(KeyEvent.VK_A)), "no flight any more");
         PaneRectangle top = place(TOP_PANE);
         drag(MouseEvent.BUTTON3, top.x() + 50, top.y() + 50, 20, 0);
         mouse(MouseEvent.MOUSE_RELEASED, MouseEvent.BUTTON3, top.x() + 70, top.y() + 50);

@@ -19,7 +19,7 @@ public final class Commands {
             new CommandEntry("bench", "Measure a level's frames", () -> new BenchCommand()),
             new CommandEntry(
                     "prove", "Run the proofs at full count and write docs/proofs.md", () -> new ProveCommand()),
-            new CommandEntry("edit", "Edit a level: edit [LEVEL] (not built yet)", () -> new UnimplementedCommand()),
+            new CommandEntry("edit", "Edit a level: edit [LEVEL], or run a script of edits", () -> new EditCommand()),
             new CommandEntry(
                     "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", () -> new TradeCommand()),
             new CommandEntry(

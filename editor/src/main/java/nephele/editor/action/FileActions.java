@@ -15,16 +15,12 @@ import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.SaveMessage;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.LevelAssets;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Language;
-import nephele.engine.level.Level;
-import nephele.engine.level.ToneCurve;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.math.Vec3;
 import nephele.engine.userfile.UserFolders;
 
 /** Opening, saving, pictures and leaving. */
@@ -74,21 +70,14 @@ final class FileActions {
 
     private FileActions() {}
 
-    /** Returns the level of a new document: nothing but an even light. */
-    static Level emptyLevel() {
-        Vec3 light = new Vec3(0.5, 0.5, 0.5);
-        return Level.of(
-                "Untitled", "", new Environment(null, null, light, 0, ToneCurve.CLIP, null, List.of()), List.of());
-    }
-
     private static boolean mayLeave(ActionCall call) {
         return !call.session().document().isModified() || call.desk().isAgreed(LOSES);
     }
 
     private static void newLevel(ActionCall call) {
         if (mayLeave(call)) {
-            Path beside = Path.of("untitled.json");
-            call.session().open(DocumentFile.UNTITLED, emptyLevel(), LevelAssets.beside(beside));
+            DocumentFile.Opened fresh = NewDocument.opened();
+            call.session().open(fresh.file(), fresh.level(), fresh.assets());
         }
     }
 

@@ -1,0 +1,108 @@
+package nephele.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import nephele.app.window.SystemDisplay;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.NewDocument;
+import nephele.editor.settings.EditorFiles;
+import nephele.editor.settings.EditorSetting;
+import nephele.editor.settings.EditorSettings;
+import nephele.editor.start.ScriptedEditing;
+import nephele.editor.start.WindowedEditing;
+import nephele.editor.surface.SurfaceMode;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
+import nephele.engine.userfile.UserFolders;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Opens the level editor, or runs a script of its actions without a display. */
+@picocli.CommandLine.Command
+final class EditCommand implements Command {
+    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file (default: a new level).")
+    private String level;
+
+    @Option(
+            names = "--script",
+            paramLabel = "F",
+            description =
+                    "Run the lines ACTION key=value … of a file and leave; docs/editor-keys.md lists the actions.")
+    private Path script;
+
+    @Option(
+            names = "--viewport",
+            paramLabel = "auto|awt|offscreen",
+            converter = SurfaceConverter.class,
+            description = "How the viewport reaches the screen (default: the settings', else auto).")
+    private SurfaceMode viewport;
+
+    /** Reads the words of {@code --viewport}. */
+    static final class SurfaceConverter implements picocli.CommandLine.ITypeConverter<SurfaceMode> {
+        @Override
+        public SurfaceMode convert(String word) {
+            return switch (word.toLowerCase(Locale.ROOT)) {
+                case "auto" -> SurfaceMode.AUTO;
+                case "awt" -> SurfaceMode.AWT;
+                case "offscreen" -> SurfaceMode.OFFSCREEN;
+                default ->
+                    throw new picocli.CommandLine.TypeConversionException(
+                            "must be auto, awt or offscreen, not '" + word + "'");
+            };
+        }
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) throws InterruptedException {
+        EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
+        EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;
+        DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
+        opened.notice().ifPresent(terminal.err()::println);
+        EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
+        if (script != null) {
+            return runScript(session, terminal);
+        }
+        if (!SystemDisplay.isPresent()) {
+            throw CommandFailure.environment("the editor needs a display; without one, run its actions from a file"
+                    + " with --script F (docs/editor-keys.md)");
+        }
+        CountDownLatch ended = new CountDownLatch(1);
+        new WindowedEditing(
+                        session,
+                        files,
+                        () -> WaitingGameLine.words(session.file().path().orElse(null)),
+                        terminal.err()::println)
+                .open(surface(settings), ended::countDown);
+        ended.await();
+        return ExitCode.DONE;
+    }
+
+    private SurfaceMode surface(EditorSettings settings) {
+        return viewport != null
+                ? viewport
+                : SurfaceMode.valueOf(settings.get(EditorSetting.VIEWPORT).name());
+    }
+
+    private ExitCode runScript(EditorSession session, Terminal terminal) {
+        System.setProperty("java.awt.headless", "true");
+        Optional<String> failed = new ScriptedEditing(session).run(lines());
+        failed.ifPresent(line -> terminal.err().println(script + ":" + line));
+        return failed.isPresent() ? ExitCode.INPUT : ExitCode.DONE;
+    }
+
+    private List<String> lines() {
+        try {
+            return Files.readAllLines(script);
+        } catch (IOException problem) {
+            throw CommandFailure.input(script + ": can't be read: " + AtomicFile.reason(problem));
+        }
+    }
+}

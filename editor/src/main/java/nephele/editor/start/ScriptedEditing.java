@@ -1,0 +1,47 @@
+package nephele.editor.start;
+
+import java.awt.Dimension;
+import java.util.List;
+import java.util.Optional;
+import nephele.editor.action.ActionFailure;
+import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptRunner;
+import nephele.editor.session.EditorSession;
+import nephele.editor.surface.SurfaceMode;
+import nephele.editor.window.EditorPanel;
+import nephele.editor.window.PanelPicture;
+import nephele.editor.window.WindowLook;
+
+/** Runs a script on a level without a display. */
+public final class ScriptedEditing {
+    private static final Dimension SIZE = new Dimension(1280, 800);
+
+    private final EditorSession session;
+
+    public ScriptedEditing(EditorSession session) {
+        this.session = session;
+    }
+
+    /** Runs the lines in order; returns the first that failed, as {@code LINE: reason}, or empty if all succeeded. */
+    public Optional<String> run(List<String> lines) {
+        ScriptDesk desk = new ScriptDesk(this::picture);
+        ScriptRunner script = new ScriptRunner(session, desk);
+        for (int i = 0; i < lines.size(); i++) {
+            try {
+                script.run(lines.get(i));
+            } catch (ActionFailure failure) {
+                return Optional.of((i + 1) + ": " + failure.told().in(session.language()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Draws the whole editor as its window would show it. */
+    private java.awt.image.BufferedImage picture() {
+        WindowLook.apply(session.settings());
+        try (EditorPanel panel = EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN)) {
+            PanelPicture.layOut(panel, SIZE);
+            return PanelPicture.of(panel);
+        }
+    }
+}
