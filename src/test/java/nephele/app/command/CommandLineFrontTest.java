@@ -35,7 +35,7 @@ class CommandLineFrontTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"edit", "bake"})
+    @ValueSource(strings = {"bake"})
     void whatIsNotBuiltSaysSo(String name) {
         var answer = Captured.run(name, "anything", "--at-all");
         assertEquals(3, answer.exitCode());

@@ -134,4 +134,17 @@ class ScriptRunnerTest {
         session.run("screenshot file=\"" + folder.resolve("picture.png") + "\"");
         assertTrue(Files.size(folder.resolve("picture.png")) > 0);
     }
+
+    @Test
+    void focusKeepsTheKindsOfPanes() {
+        ScriptedSession session = ScriptedSession.empty().run("brush box min=0,0,0 max=9,9,9");
+        var before = session.session().panes();
+        session.run("focus", "camera at=1,2,3 yaw=90");
+        var after = session.session().panes();
+        for (int i = 0; i < before.views().size(); i++) {
+            assertEquals(before.views().get(i).kind(), after.views().get(i).kind());
+        }
+        assertEquals(new Vec3(1, 2, 3), after.views().get(0).perspective().eye());
+        assertEquals(90, after.views().get(0).perspective().yawDegrees());
+    }
 }

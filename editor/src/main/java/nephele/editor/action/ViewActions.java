@@ -139,8 +139,11 @@ final class ViewActions {
         PaneLayout result = panes;
         for (PaneLayout.PaneRectangle place : panes.rectangles(viewport, PaneLayout.GAP_PIXELS)) {
             PaneView view = result.views().get(place.index());
-            PaneView focused = view.with(PerspectiveNavigation.focus(view.perspective(), box, place.size()))
-                    .with(PlanNavigation.focus(view.plan(), box, place.size()));
+            PaneView focused = new PaneView(
+                    view.kind(),
+                    PerspectiveNavigation.focus(view.perspective(), box, place.size()),
+                    PlanNavigation.focus(view.plan(), box, place.size()),
+                    view.mode());
             result = result.with(place.index(), focused);
         }
         return result;
@@ -154,9 +157,11 @@ final class ViewActions {
         Vec3 eye = call.vector("at");
         double yaw = call.number("yaw", 0);
         double pitch = call.number("pitch", 0);
-        UnaryOperator<PaneView> change = view -> view.with(new PerspectiveCamera(
-                        eye, yaw, pitch, view.perspective().verticalFovDegrees()))
-                .with(PlanNavigation.at(view.plan(), eye));
+        UnaryOperator<PaneView> change = view -> new PaneView(
+                view.kind(),
+                new PerspectiveCamera(eye, yaw, pitch, view.perspective().verticalFovDegrees()),
+                PlanNavigation.at(view.plan(), eye),
+                view.mode());
         call.session().panes(panes -> {
             PaneLayout result = panes;
             for (int i = 0; i < panes.views().size(); i++) {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptDesk;
 import nephele.editor.action.ScriptRunner;
+import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.session.EditorSession;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.EditorPanel;
@@ -15,11 +16,14 @@ import nephele.editor.window.WindowLook;
 /** Runs a script on a level without a display. */
 public final class ScriptedEditing {
     private static final Dimension SIZE = new Dimension(1280, 800);
+    /** What the panels leave of a picture for the viewport. */
+    private static final PaneSize VIEWPORT = new PaneSize(770, 560);
 
     private final EditorSession session;
 
     public ScriptedEditing(EditorSession session) {
         this.session = session;
+        session.viewport(VIEWPORT);
     }
 
     /** Runs the lines in order; returns the first that failed, as {@code LINE: reason}, or empty if all succeeded. */
