@@ -22,7 +22,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** What tests ask of the shapes of solids. */
+/** Queries of tests on the shapes of solids. */
 final class SolidShape {
     private SolidShape() {}
 

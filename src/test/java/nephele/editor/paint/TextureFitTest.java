@@ -216,7 +216,7 @@ class TextureFitTest {
                 to.face().name());
     }
 
-    /** In the corner of a room, too. */
+    /** Continues a placement across the inner edge of a corner. */
     @Test
     void aPictureContinuesFromTheFloorUpAWall() {
         List<BrushFace> floor = box(new Vec3(0, -0.5, 0), new Vec3(4, 1, 4));

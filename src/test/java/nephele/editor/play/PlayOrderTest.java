@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the editor and the waiting game say to each other is the same after a line. */
+/** Round trip of orders and answers through their lines. */
 @Execution(ExecutionMode.CONCURRENT)
 class PlayOrderTest {
     private static final PlayerStart FROM = new PlayerStart(new Vec3(1.5, -2.25, 1.0 / 3), 190, -20);

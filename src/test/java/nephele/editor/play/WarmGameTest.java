@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
-/** What the editor does about the game's process, tried with shell scripts in place of the game. */
+/** Life cycle of the game's process, tested with shell scripts in place of the game. */
 @Execution(ExecutionMode.CONCURRENT)
 class WarmGameTest {
     private static final long LONGEST_SECONDS = 20;

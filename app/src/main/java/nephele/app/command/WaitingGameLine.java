@@ -8,7 +8,7 @@ import nephele.editor.play.GameMemory;
 
 /** The command line of the game that waits for the editor: the same Java and the same classes as this process. */
 final class WaitingGameLine {
-    /** By name: the main class uses this package. */
+    /** The main class, by name, because it uses this package. */
     private static final String MAIN_CLASS = "nephele.app.Main";
 
     private static final int FIRST_WITH_UNSAFE_WARNINGS = 23;

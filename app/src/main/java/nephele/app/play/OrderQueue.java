@@ -16,7 +16,7 @@ final class OrderQueue {
     private final LinkedBlockingDeque<Entry> waiting = new LinkedBlockingDeque<>(MOST_WAITING);
     private final Reader input;
 
-    /** What a line says. */
+    /** A line of the input, parsed. */
     sealed interface Entry {}
 
     /**

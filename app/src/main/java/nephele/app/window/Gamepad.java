@@ -19,7 +19,7 @@ public final class Gamepad {
     static final double REPEAT_SECONDS = 0.12;
     private static final double FASTEST_COUNTS_PER_SECOND = 2500;
 
-    /** What the buttons do: most have another control in menus. */
+    /** Maps buttons of the pad to controls; most have another control in menus. */
     public enum Use {
         PLAY,
         MENU

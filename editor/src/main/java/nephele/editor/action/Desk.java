@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import nephele.editor.text.Words;
 
-/** What an action asks of its surroundings: a window with dialogues, or a script that has no user. */
+/** The services that an action requests: a window answers with dialogues, a script without a user. */
 public interface Desk {
     /** Asks for a level file to open; empty if the user cancels. */
     Optional<Path> fileToOpen();

@@ -42,7 +42,7 @@ public record EditorAction(
         }
     }
 
-    /** What an action does. */
+    /** The effect of an action. */
     @FunctionalInterface
     public interface Effect {
         /**

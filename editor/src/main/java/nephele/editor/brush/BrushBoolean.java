@@ -13,7 +13,7 @@ public final class BrushBoolean {
     /** Share of the volume that may be missing from a union that counts as convex. */
     private static final double SAME_VOLUME = 1e-9;
 
-    /** What the faces show that a cut adds. */
+    /** The material source of the faces that a cut adds. */
     public enum CutLook {
         /** The solid's default material and portalability. */
         OF_SOLID,

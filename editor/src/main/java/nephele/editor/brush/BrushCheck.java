@@ -8,7 +8,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
-/** Whether a solid is one that a level may hold. Every result of this package is. */
+/** Checks that a level may contain a solid. Every result of this package passes. */
 public final class BrushCheck {
     /** The least extent of a brush perpendicular to a face, and the least size that a level file admits. */
     public static final double LEAST_THICKNESS_METRES = 1e-4;

@@ -3,7 +3,7 @@ package nephele.editor.brush;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 
-/** Why an edit of brushes is refused, in English, Brazilian and European Portuguese. */
+/** A reason for refusing an edit of brushes, in English, Brazilian and European Portuguese. */
 public enum BrushText {
     NOTHING_LEFT("Nothing would be left of the brush", "Não sobraria nada do bloco", "Não sobrava nada do bloco"),
     TOO_THIN(

@@ -10,7 +10,7 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.SolidFaces;
 import nephele.engine.math.Vec3;
 
-/** What a prism says of its faces after its sides have changed places. */
+/** Renames the face entries of a prism after a quarter turn or a reflection. */
 final class PrismFaces {
     /** The two ends come before the sides among a prism's faces. */
     private static final int FIRST_SIDE = 2;

@@ -1,6 +1,6 @@
 package nephele.editor.brush;
 
-/** What the pictures on a solid's faces do when it moves or turns. */
+/** The anchor of the textures of a solid that moves or turns. */
 public enum TextureLock {
     /** They go with the faces. */
     LOCKED,

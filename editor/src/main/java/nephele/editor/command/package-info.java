@@ -1,2 +1,2 @@
-/** Everything that a user can start by name or key, tools included: commands, keys and their text, and search. */
+/** Commands, tools included, with their key bindings and the search over them. */
 package nephele.editor.command;

@@ -25,7 +25,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
     private static final double LABEL_ASIDE_POINTS = 9;
     private static final double PLATE_MARGIN_POINTS = 4;
 
-    /** Whether lines have outlines: on plain backgrounds their shades suffice. */
+    /** Selects outlines of lines, which plain backgrounds do not need. */
     enum Outline {
         DARK,
         NONE

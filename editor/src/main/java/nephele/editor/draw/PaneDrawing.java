@@ -45,7 +45,7 @@ final class PaneDrawing implements AutoCloseable {
         texts = new OverlayCanvas(lettering);
     }
 
-    /** What a pane shows of the level. */
+    /** The level's picture in a pane. */
     sealed interface Shown {
         /** Surfaces in a view mode. */
         record Surfaces(LevelPicture picture) implements Shown {}

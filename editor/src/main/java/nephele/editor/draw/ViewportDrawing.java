@@ -42,7 +42,7 @@ public final class ViewportDrawing implements AutoCloseable {
     /** A pane's picture and what it shows. */
     private record Held(RenderTarget picture, Content content) {}
 
-    /** Everything on which the picture of a pane depends. */
+    /** The inputs of a pane's picture; equal inputs give the same picture. */
     private record Content(Level level, Pane pane, List<Mark> marks, Look look, SkyVisibility light) {
         /** Levels are compared by identity: an edit makes a new one. */
         boolean isSame(Content other) {

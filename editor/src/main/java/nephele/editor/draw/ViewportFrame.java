@@ -38,7 +38,7 @@ public record ViewportFrame(
      */
     public record Look(Background background, double gridMetres, FloorGrid floorGrid, double pixelsPerPoint) {}
 
-    /** Whether perspective panes show the grid on the plane y = 0. */
+    /** Selects whether perspective panes show the grid on the plane y = 0. */
     public enum FloorGrid {
         SHOWN,
         HIDDEN

@@ -38,7 +38,7 @@ public final class PlacementHeatMap {
 
     private static final int CHUNK_CELLS = 500;
 
-    /** So often at most the cells are made coarser; what then is too much is left out. */
+    /** The greatest number of doublings of the cells' size; the remaining excess is left out. */
     private static final int MOST_DOUBLINGS = 20;
 
     private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);

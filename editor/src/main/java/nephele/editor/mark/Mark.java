@@ -5,7 +5,7 @@ import nephele.engine.math.Vec3;
 
 /** Something that the editor draws over the engine's picture; positions are in world metres. */
 public sealed interface Mark {
-    /** Whether surfaces of the level hide a mark that is behind them. */
+    /** Selects whether surfaces of the level hide a mark behind them. */
     enum Visibility {
         HIDDEN_BY_SURFACES,
         ALWAYS

@@ -11,7 +11,7 @@ public enum MarkColour {
     EDGE,
     SELECTED,
     HOVERED,
-    /** What a drag would make. */
+    /** The result of the drag in progress. */
     PREVIEW,
     /** Guides, measures and links between entities. */
     GUIDE,

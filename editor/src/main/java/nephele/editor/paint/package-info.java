@@ -1,2 +1,2 @@
-/** Where pictures lie on the faces of solids: fitting, aligning, keeping and continuing them. */
+/** Texture placement on the faces of solids: fitting, aligning, locking and continuing. */
 package nephele.editor.paint;

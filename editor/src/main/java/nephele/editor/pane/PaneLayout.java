@@ -26,7 +26,7 @@ public record PaneLayout(
     private static final int PANES = 4;
     private static final double LEAST_SHARE = 0.1;
 
-    /** How many panes there are. */
+    /** The number and order of panes. */
     public enum Arrangement {
         ONE(1),
         /** Side by side. */
@@ -41,7 +41,7 @@ public record PaneLayout(
         }
     }
 
-    /** What separates panes and can be dragged. */
+    /** A divider between panes, which the pointer can drag. */
     public enum Splitter {
         COLUMNS,
         ROWS,

@@ -1,6 +1,6 @@
 package nephele.editor.pane;
 
-/** What a perspective pane shows of the level. */
+/** The shading of a perspective pane. */
 public enum ViewMode {
     /** The game's picture: sun, sky, lamps and shadows. */
     LIT,
@@ -8,7 +8,7 @@ public enum ViewMode {
     UNLIT,
     /** Faces that take portals apart from those that do not. */
     PORTALABLE,
-    /** What the player collides with. */
+    /** Shapes that the player collides with. */
     COLLISION,
     /** Edges only. */
     WIREFRAME

@@ -142,7 +142,7 @@ public final class Picker {
         return found;
     }
 
-    /** Which entities a region selects. */
+    /** The test by which a region selects entities. */
     public enum Containment {
         TOUCHING,
         INSIDE;

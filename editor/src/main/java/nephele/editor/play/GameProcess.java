@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
-/** One process of the waiting game, with the threads that read what it writes. */
+/** A process of the waiting game and the threads that read its output. */
 final class GameProcess implements AutoCloseable {
     private static final int MOST_COMPLAINTS = 8;
     private static final int LONGEST_COMPLAINT = 300;

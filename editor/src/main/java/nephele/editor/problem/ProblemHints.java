@@ -9,7 +9,7 @@ import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
-/** What a level that is being made still lacks; no problems of {@code check}. */
+/** Hints about an unfinished level, such as a missing start; {@code check} does not report them. */
 final class ProblemHints {
     private static final Vec3 BESIDE_START = new Vec3(0, 0, -4);
 

@@ -1,6 +1,6 @@
 package nephele.editor.problem;
 
-/** How much a problem matters; a HINT is no problem of {@code check}. */
+/** The severity of a problem; {@code check} does not report a HINT. */
 public enum ProblemSeverity {
     ERROR,
     WARNING,

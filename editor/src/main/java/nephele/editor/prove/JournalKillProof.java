@@ -41,7 +41,7 @@ public final class JournalKillProof implements Proof {
                 25);
     }
 
-    /** When each edit was made, and what was on disk for certain, as the killed process printed it. */
+    /** The time of each edit and the last edit synced to disk, as the killed process printed them. */
     private static final class Printed {
         private final TreeMap<Long, Long> nanosByEdit = new TreeMap<>();
         private long synced;

@@ -2,7 +2,7 @@ package nephele.editor.save;
 
 import java.util.List;
 
-/** What has become of a save; the document in memory is unchanged in every case. */
+/** The result of a save; the document in memory is unchanged in every case. */
 public sealed interface SaveResult {
     /**
      * The level is on disk.

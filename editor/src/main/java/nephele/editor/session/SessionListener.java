@@ -3,7 +3,7 @@ package nephele.editor.session;
 /** Called when something of the session has changed that a window shows. */
 @FunctionalInterface
 public interface SessionListener {
-    /** What has changed. */
+    /** A kind of change. */
     enum Change {
         /** Level, selection or history. */
         DOCUMENT,

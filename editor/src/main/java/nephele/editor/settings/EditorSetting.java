@@ -14,7 +14,7 @@ public final class EditorSetting<T> {
         DARK
     }
 
-    /** How the 3-D views get into the window. */
+    /** The surface of the viewport. */
     public enum Viewport {
         /** AWT where that works, else offscreen. */
         AUTO,

@@ -16,7 +16,7 @@ import nephele.editor.window.WindowLook;
 /** Runs a script on a level without a display. */
 public final class ScriptedEditing {
     private static final Dimension SIZE = new Dimension(1280, 800);
-    /** What the panels leave of a picture for the viewport. */
+    /** The size of the viewport in a picture of the whole editor. */
     private static final PaneSize VIEWPORT = new PaneSize(770, 560);
 
     private final EditorSession session;

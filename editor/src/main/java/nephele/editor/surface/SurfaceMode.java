@@ -1,6 +1,6 @@
 package nephele.editor.surface;
 
-/** Which surface the user wants: {@code --viewport auto|awt|offscreen}. */
+/** The requested surface: {@code --viewport auto|awt|offscreen}. */
 public enum SurfaceMode {
     /** A canvas where it works, otherwise an offscreen picture. */
     AUTO,

@@ -3,7 +3,7 @@ package nephele.editor.surface;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
-/** What draws on a surface. All methods are called on the surface's thread while its context is current. */
+/** Draws on a surface. All methods are called on the surface's thread while its context is current. */
 public interface SurfacePainter {
     /** Called when there is a context, and again with a new one if the window system has taken the last one. */
     void opened(GlContext gl);

@@ -6,7 +6,7 @@ import nephele.engine.math.Vec3;
 
 /** Distances in the picture, in pixels; infinite to what is behind the camera. */
 public final class ScreenDistance {
-    /** How near the pointer must be to a handle or a line to take it, in pixels. */
+    /** The greatest distance of the pointer from a handle or line that it picks, in pixels. */
     public static final double REACH_PIXELS = 8;
 
     private ScreenDistance() {}

@@ -12,7 +12,7 @@ import nephele.editor.text.Words;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 
-/** What a tool works on: the document, its shapes, the grid and the options. */
+/** The context of a tool: the document, its shapes, the grid and the options. */
 public final class ToolContext {
     private final Document document;
     private final ToolOptions options;

@@ -5,9 +5,9 @@ import java.util.Set;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.brush.TextureLock;
 
-/** What the tools use next: shape, material, kind of entity, snapping. Belongs to the session, changed by its thread. */
+/** The options of the tools: shape, material, kind of entity, snapping. Owned by the session and changed by its thread. */
 public final class ToolOptions {
-    /** What places snap to; without any, to nothing. */
+    /** A target of snapping; if none is set, places do not snap. */
     public enum Snapping {
         GRID,
         VERTEX,

@@ -5,7 +5,7 @@ import nephele.engine.level.Language;
 /** Asks what happens to unsaved changes. */
 @FunctionalInterface
 public interface CloseQuestion {
-    /** What the user wants. */
+    /** The user's choice. */
     enum Choice {
         SAVE,
         DISCARD,

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 
-/** What a solid says of its faces, by the names of {@link Brush.BrushFace}, for every kind of solid. */
+/** Reads and writes the face entries of every kind of solid, by the names of {@link Brush.BrushFace}. */
 public final class SolidFaces {
     private SolidFaces() {}
 

@@ -65,7 +65,7 @@ class FaceTextureTest {
         assertPlace(face("+x", TextureMapping.WORLD, moved), -2, -1.125, new Vec3(5, 2.5, 3.5));
     }
 
-    /** Its middle is the pivot, and its sides are the size of a repeat. */
+    /** With FACE mapping, the middle of the face is the pivot and its sides are the size of a repeat. */
     @Test
     void aPictureOnceOverAFaceIsTurnedAboutItsMiddle() {
         BrushFace halved = face("+z", TextureMapping.FACE, new TexturePlacement(0, 0, 0, 0.5, 0.5));

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
-/** What is marked portalable and has no place for the gun's portals, of 1.2 m × 2.1 m, is reported. */
+/** Reports of portalable surfaces without room for the gun's portals, 1.2 m × 2.1 m. */
 @Execution(ExecutionMode.CONCURRENT)
 class RoomRulesTest {
     private static final String GUN = ", \"portalGun\": {}";

@@ -8,7 +8,7 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 
-/** What the player collides with, in one colour for each kind: solids, models, movable bodies. */
+/** A level coloured by collision: one colour each for solids, models and movable bodies. */
 final class CollisionLevel implements LevelDerivation {
     private static final String SOLID = "solid";
     private static final String MODEL = "model";

@@ -18,7 +18,7 @@ import nephele.engine.level.EditorNotes;
 
 /** The lines of the outliner: groups, single records, and a section for each list of entities that the structure has. */
 public final class OutlinerModel {
-    /** What the lines of a section follow from; while it stays the same, its lines do. */
+    /** The inputs of a section's rows; equal inputs give equal rows. */
     private record Source(List<Record> entities, EntityStatus status, EntityQuery query, boolean isOpen) {
         boolean isSame(Source other) {
             return other != null

@@ -12,7 +12,7 @@ import nephele.editor.record.EntityRef;
  * @param state icons of the line
  */
 public record OutlinerRow(Kind kind, String key, int depth, String title, List<EntityRef> members, State state) {
-    /** What a line stands for. */
+    /** The kind of a row. */
     public enum Kind {
         /** The heading of all groups. */
         GROUPS,
@@ -21,7 +21,7 @@ public record OutlinerRow(Kind kind, String key, int depth, String title, List<E
         ENTITY
     }
 
-    /** What a line's icons tell; of a group or section, whether all its members are so. */
+    /** The state of a row's icons; that of a group or section holds if it holds for all members. */
     public record State(boolean isOpen, boolean isHidden, boolean isLocked) {}
 
     /** Returns true if the line can be folded. */

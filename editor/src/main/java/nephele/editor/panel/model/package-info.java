@@ -1,2 +1,2 @@
-/** What the panels of the editor show and change, without a window: queries, rows, fields, and entries of the palette. */
+/** The models of the editor's panels, without Swing: queries, rows, fields, and entries of the palette. */
 package nephele.editor.panel.model;

@@ -54,7 +54,7 @@ public final class DrawBrushTool implements Tool {
     private final ToolContext context;
     /** The box in progress; {@code null} without a drag. */
     private DrawnBox box;
-    /** Of the last brush that was drawn. */
+    /** The bounds of the last brush that was drawn; in a plan they give the depth of the next one. */
     private Aabb last = Aabb.EMPTY;
 
     private Vec3 corner;

@@ -42,7 +42,7 @@ public final class PlaceTool implements Tool {
             "Não há nada do tipo %s em %s: escolha outro tipo", "Não há nada do tipo %s em %s: escolhe outro tipo");
 
     private final ToolContext context;
-    /** What a click would place; {@code null} while the pointer is over nothing. */
+    /** The entity that a click would place; {@code null} while the pointer is over nothing. */
     private NewEntity ghost;
 
     private boolean isPressed;

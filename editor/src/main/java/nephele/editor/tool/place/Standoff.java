@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
 
 /** The distance of an entity's place from the surface on which it stands. */
 final class Standoff {
-    /** So far a lamp or a camera is off the surface, so that the surface does not hide it. */
+    /** The distance of a lamp or camera from the surface, so that the surface does not hide it. */
     private static final double SYMBOL_METRES = 0.3;
 
     private Standoff() {}

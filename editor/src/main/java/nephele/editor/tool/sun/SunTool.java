@@ -34,7 +34,7 @@ public final class SunTool implements Tool {
 
     private final ToolContext context;
     private boolean isPressed;
-    /** Where the sun appears, a few metres before the eye; {@code null} without a drag. */
+    /** The sun's apparent place, a few metres before the eye; {@code null} without a drag. */
     private Vec3 sunMark;
 
     public SunTool(ToolContext context) {

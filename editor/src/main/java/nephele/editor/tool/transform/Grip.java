@@ -37,7 +37,7 @@ record Grip(String name, Vec3 at, List<Vec3> line, MarkColour colour, Constraint
         }
     }
 
-    /** What a grip does. */
+    /** The transform that a grip makes. */
     enum Kind {
         MOVE_ALONG,
         MOVE_IN_PLANE,

@@ -11,7 +11,7 @@ import nephele.editor.tool.WorldAxis;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.math.Vec3;
 
-/** What the pointer does to entities while it drags a grip. */
+/** Maps the drag of a grip to a transform of entities. */
 record GripDrag(ToolContext context, Grip.Constraint constraint, Pointer start) {
     private static final double TURN_DEGREES = 15;
     private static final double FINE_TURN_DEGREES = 5;

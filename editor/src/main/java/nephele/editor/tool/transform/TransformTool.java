@@ -56,7 +56,7 @@ public final class TransformTool implements Tool {
     private final ToolContext context;
     private final Gizmo gizmo;
     private final Tool select;
-    /** Where the pointer was last; the gizmo has the size of that pane. */
+    /** The last pointer event; the gizmo has the size of its pane. */
     private Pointer last;
 
     private String hovered = "";

@@ -55,7 +55,7 @@ public final class VertexTool implements Tool {
     private VertexGrip taken;
 
     private Pointer start;
-    /** What the drag shows. */
+    /** The displacement by the drag in progress, metres. */
     private Vec3 by = Vec3.ZERO;
 
     public VertexTool(ToolContext context) {

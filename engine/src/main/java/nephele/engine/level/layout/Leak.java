@@ -30,7 +30,7 @@ public final class Leak {
     /** Greatest number of shapes that are searched. */
     private static final int MOST_SHAPES = 20_000;
 
-    /** How far a straightened line may graze a shape. */
+    /** The greatest depth to which a straightened line may enter a shape, in metres. */
     private static final double GRAZE_METRES = 2e-3;
 
     /** Number of parts into which each step of a way is divided before it is straightened. */

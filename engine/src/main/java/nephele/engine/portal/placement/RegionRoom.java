@@ -5,7 +5,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 
-/** Whether a region has a place for an aperture anywhere, with any heading on floors and ceilings. */
+/** Decides whether a region has a place for an aperture, with any heading on floors and ceilings. */
 final class RegionRoom {
     /** Greatest number of obstacles of a search; a region with more is taken for large. */
     private static final int MOST_LIMITS = 150;
