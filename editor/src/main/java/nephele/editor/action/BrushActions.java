@@ -18,6 +18,7 @@ import nephele.editor.document.Document;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
@@ -26,7 +27,6 @@ import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
-import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -43,7 +43,7 @@ final class BrushActions {
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("brush", DRAW, Menu.BRUSH, List.of(), BrushActions::draw)
-                    .taking("shape", "min", "max", "id", "wall", "steps"),
+                    .taking("shape", "min", "max", "id", "wall", "steps", "material"),
             EditorAction.of("hollow", HOLLOW, Menu.BRUSH, List.of("Ctrl+Alt+H"), BrushActions::hollow)
                     .taking("wall")
                     .when(BrushActions::hasSolids),
@@ -88,14 +88,18 @@ final class BrushActions {
         Document document = session.document();
         ShapeOptions shape = shape(call);
         String wish = call.text("id").orElse(call.text("shape").orElse("box"));
-        boolean isMaterialKnown = document.level().materials().stream()
-                .anyMatch(material -> material.id().equals(session.options().material()));
-        BrushStyle style = new BrushStyle(
-                isMaterialKnown ? session.options().material() : null,
-                session.options().isPortalable(),
-                TextureMapping.WORLD);
+        String material = call.text("material").orElse(session.options().material());
+        session.options().material(material);
+        BrushStyle style = session.options().style(document.level());
         List<Solid> made = done(BrushShapes.drawn(Aabb.of(List.of(min, max)), shape, style, freshIds(document, wish)));
-        document.edit(DRAW, null, before -> with(document, before, List.of(), made));
+        document.edit(
+                DRAW,
+                null,
+                before -> with(
+                        document,
+                        before.with(MaterialLibrary.STANDARD.including(before.level(), material)),
+                        List.of(),
+                        made));
     }
 
     private static ShapeOptions shape(ActionCall call) throws ActionFailure {

@@ -2,39 +2,59 @@ package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Font;
+import java.awt.GridLayout;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.Icon;
-import javax.swing.JButton;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.paint.MaterialLibrary;
+import nephele.editor.panel.model.EntityWords;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
+import nephele.engine.level.Language;
 import nephele.engine.level.Material;
 import net.miginfocom.swing.MigLayout;
 
-/** Buttons for brush shapes, kinds of entities and materials; they set what the tools make next. */
+/**
+ * Buttons for brush shapes, materials and kinds of entities. They set what the tools make next, and show it. Materials
+ * of the level come before those of the library.
+ */
 public final class PalettePanel extends JPanel {
+    private static final long serialVersionUID = 1;
+
+    private static final Words GREY = Words.of("grey", "cinza", "cinzento");
+
     private final transient EditorSession session;
     private final JPanel content =
-            new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 2", "[grow, fill, sg][grow, fill, sg]"));
+            new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 6", "[grow, fill, sg]"));
+    private final transient List<Choice> choices = new ArrayList<>();
+    private final transient Thumbnails thumbnails = new Thumbnails(content::repaint);
     private transient List<Material> shown = List.of();
+
+    private record Choice(AbstractButton button, BooleanSupplier isChosen) {}
 
     public PalettePanel(EditorSession session) {
         super(new MigLayout("insets 4, fill", "[grow, fill]", "[grow, fill]"));
         this.session = session;
         add(new JScrollPane(content));
         session.listen(change -> {
-            boolean isOther = session.document().level().materials() != shown;
-            if (change == Change.SETTINGS || (change == Change.DOCUMENT || change == Change.FILE) && isOther) {
+            if (change == Change.SETTINGS || session.document().level().materials() != shown) {
                 refresh();
+            } else if (change == Change.VIEW) {
+                showChosen();
             }
         });
         refresh();
@@ -42,63 +62,105 @@ public final class PalettePanel extends JPanel {
 
     private void refresh() {
         shown = session.document().level().materials();
-        getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(session.language()));
+        Language language = session.language();
+        thumbnails.of(session.assets());
+        getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
-        heading(PanelText.SHAPES);
+        choices.clear();
+        heading(PanelText.SHAPES.in(language));
+        shape(PanelText.ROOM, new ShapeOptions.Room(0.5));
         shape(PanelText.BOX, new ShapeOptions.Box());
         shape(PanelText.WEDGE, new ShapeOptions.Wedge(null));
         shape(PanelText.STAIRS, new ShapeOptions.Stairs(null, 8));
         shape(PanelText.ARCH, new ShapeOptions.Arch(12, 0.5));
         shape(PanelText.CYLINDER, new ShapeOptions.Cylinder(16));
-        shape(PanelText.ROOM, new ShapeOptions.Room(0.5));
-        heading(PanelText.ENTITIES);
-        for (PaletteModel.Entry entry : PaletteModel.entries(LevelStructure.LEVEL)) {
-            button(entry.title(), null, () -> {
-                session.options().entity(entry.section(), entry.kind());
-                take("place");
-            });
+        heading(PanelText.MATERIALS.in(language));
+        content.add(materials(), "span 6");
+        var groups = PaletteModel.entries(LevelStructure.LEVEL).stream()
+                .collect(Collectors.groupingBy(PaletteModel.Entry::group));
+        for (EntityWords.Group group : EntityWords.Group.values()) {
+            if (groups.containsKey(group)) {
+                heading(group.words().in(language));
+                groups.get(group).forEach(this::entity);
+            }
         }
-        heading(PanelText.MATERIALS);
-        List<Material> materials = new ArrayList<>(List.of(Material.DEFAULT_GREY));
-        materials.addAll(shown);
-        for (Material material : materials) {
-            boolean isGrey = material == Material.DEFAULT_GREY;
-            button(
-                    isGrey ? PanelText.GREY.in(session.language()) : material.id(),
-                    PanelIcon.swatch(LinearColour.shown(material.baseColour())),
-                    () -> {
-                        session.options().material(isGrey ? null : material.id());
-                        session.tell(Change.VIEW);
-                    });
-        }
+        showChosen();
         content.revalidate();
         content.repaint();
     }
 
-    private void heading(PanelText text) {
-        JLabel label = new JLabel(text.in(session.language()));
+    private void heading(String text) {
+        JLabel label = new JLabel(text);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
-        content.add(label, "newline, span 2, wrap, gaptop 4");
+        content.add(label, "newline, span 6, wrap, gaptop 6");
     }
 
     private void shape(PanelText text, ShapeOptions shape) {
-        button(text.in(session.language()), null, () -> {
+        add(new JToggleButton(text.in(session.language())), () -> isUsed("brush", shape), () -> {
             session.options().shape(shape);
             take("brush");
         });
     }
 
+    private boolean isUsed(String tool, ShapeOptions shape) {
+        return session.toolEntry().id().equals(tool)
+                && session.options().shape().equals(shape);
+    }
+
+    private void entity(PaletteModel.Entry entry) {
+        var button = new JToggleButton(entry.words().in(session.language()));
+        BooleanSupplier isChosen = () -> session.toolEntry().id().equals("place")
+                && session.options().section().equals(entry.section())
+                && session.options().kind().equals(entry.kind());
+        add(button, isChosen, () -> {
+            session.options().entity(entry.section(), entry.kind());
+            take("place");
+        });
+    }
+
+    private JPanel materials() {
+        JPanel grid = new JPanel(new GridLayout(0, 3));
+        grid.setOpaque(false);
+        material(grid, Material.DEFAULT_GREY, null, GREY.in(session.language()));
+        shown.forEach(material -> material(grid, material, material.id(), material.id()));
+        MaterialLibrary.STANDARD
+                .missingIn(session.document().level())
+                .forEach(material -> material(grid, material, material.id(), material.id()));
+        return grid;
+    }
+
+    private void material(JPanel grid, Material material, String chosen, String name) {
+        BooleanSupplier isChosen = () -> Objects.equals(session.options().material(), chosen);
+        var button = new MaterialButton(material, name, thumbnails);
+        prepare(button, isChosen, () -> {
+            session.options().material(chosen);
+            session.tell(Change.VIEW);
+        });
+        grid.add(button);
+    }
+
+    private void add(AbstractButton button, BooleanSupplier isChosen, Runnable action) {
+        button.setHorizontalAlignment(SwingConstants.LEADING);
+        button.setToolTipText(button.getText());
+        prepare(button, isChosen, action);
+        content.add(button, "span 3, wmin 30");
+    }
+
+    private void prepare(AbstractButton button, BooleanSupplier isChosen, Runnable action) {
+        button.putClientProperty(FlatClientProperties.MINIMUM_WIDTH, 40);
+        button.addActionListener(event -> {
+            action.run();
+            showChosen();
+        });
+        choices.add(new Choice(button, isChosen));
+    }
+
+    private void showChosen() {
+        choices.forEach(choice -> choice.button().setSelected(choice.isChosen().getAsBoolean()));
+    }
+
     private void take(String tool) {
         Tools.named(tool).ifPresent(session::use);
         session.tell(Change.VIEW);
-    }
-
-    private void button(String text, Icon icon, Runnable action) {
-        JButton button = new JButton(text, icon);
-        button.putClientProperty(FlatClientProperties.MINIMUM_WIDTH, 40);
-        button.setHorizontalAlignment(SwingConstants.LEADING);
-        button.setToolTipText(text);
-        button.addActionListener(event -> action.run());
-        content.add(button, "wmin 40");
     }
 }

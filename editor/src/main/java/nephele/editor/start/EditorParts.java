@@ -7,6 +7,7 @@ import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
+import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.HistoryPanel;
 import nephele.editor.panel.InspectorPanel;
 import nephele.editor.panel.OutlinerPanel;
@@ -33,6 +34,7 @@ final class EditorParts {
     private EditorParts() {}
 
     static EditorPanel panel(EditorSession session, Desk desk, SurfaceMode surface) {
+        session.options().material(MaterialLibrary.FIRST);
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
         JTabbedPane left = new JTabbedPane();
         left.addTab("", new OutlinerPanel(session, ref -> focus(commands, session, ref)));

@@ -2,8 +2,12 @@ package nephele.editor.tool;
 
 import java.util.EnumSet;
 import java.util.Set;
+import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.brush.TextureLock;
+import nephele.editor.paint.MaterialLibrary;
+import nephele.engine.level.Level;
+import nephele.engine.level.TextureMapping;
 
 /** The options of the tools: shape, material, kind of entity, snapping. Owned by the session and changed by its thread. */
 public final class ToolOptions {
@@ -42,6 +46,12 @@ public final class ToolOptions {
 
     public void material(String id) {
         material = id;
+    }
+
+    /** Returns the style of new brushes in a level; a material that nobody knows any more is grey. */
+    public BrushStyle style(Level level) {
+        boolean isKnown = MaterialLibrary.STANDARD.find(level, material).isPresent();
+        return new BrushStyle(isKnown ? material : null, portalable, TextureMapping.WORLD);
     }
 
     /** Returns true if new brushes take portals and the portalable tool sets, not clears. */

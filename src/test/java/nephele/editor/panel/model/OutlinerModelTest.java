@@ -79,7 +79,10 @@ class OutlinerModelTest {
         var kinds = PaletteModel.entries(LevelStructure.LEVEL);
         assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
         assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
-        assertEquals("spot – lights", new PaletteModel.Entry("lights", "spot").title());
-        assertEquals("material", new PaletteModel.Entry("materials", "material").title());
+        assertEquals("Spot lamp", EntityWords.ofKind("lights", "spot").english());
+        assertEquals("Beacon", EntityWords.ofKind("beacons", "beacon").english());
+        for (PaletteModel.Entry kind : kinds) {
+            assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
+        }
     }
 }

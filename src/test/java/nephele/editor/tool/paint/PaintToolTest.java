@@ -153,6 +153,6 @@ class PaintToolTest {
         ToolTrial trial = hall();
         trial.options().material("marble");
         trial.click(FLOOR);
-        assertEquals(List.of("The level has no material marble: choose another one"), trial.messages());
+        assertEquals(List.of("There is no material marble: choose another one"), trial.messages());
     }
 }

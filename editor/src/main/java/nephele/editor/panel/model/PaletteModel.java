@@ -6,6 +6,7 @@ import nephele.editor.record.EntitySection;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
+import nephele.editor.text.Words;
 
 /** The entities that the palette offers: all kinds of all lists, and the single records that a level may be without. */
 public final class PaletteModel {
@@ -18,11 +19,14 @@ public final class PaletteModel {
      * @param kind its word in files
      */
     public record Entry(String section, String kind) {
-        /** Returns what a button shows: kind, and section where that says more. */
-        public String title() {
-            String last = section.substring(section.lastIndexOf('.') + 1);
-            boolean isSaid = last.equalsIgnoreCase(kind) || last.equalsIgnoreCase(kind + "s");
-            return isSaid ? kind : kind + " – " + last;
+        /** Returns the name that a button shows. */
+        public Words words() {
+            return EntityWords.ofKind(section, kind);
+        }
+
+        /** Returns the heading above the button. */
+        public EntityWords.Group group() {
+            return EntityWords.group(section, kind);
         }
     }
 

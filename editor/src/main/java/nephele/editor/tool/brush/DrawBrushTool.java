@@ -13,6 +13,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
+import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.pick.Pick;
 import nephele.editor.pick.Picker;
@@ -28,7 +29,6 @@ import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.WorldAxis;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
-import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -178,10 +178,7 @@ public final class DrawBrushTool implements Tool {
     }
 
     private BrushEdit<List<Solid>> solids(Level level, Aabb bounds) {
-        String material = context.options().material();
-        boolean exists = level.materials().stream().anyMatch(known -> known.id().equals(material));
-        BrushStyle style =
-                new BrushStyle(exists ? material : null, context.options().isPortalable(), TextureMapping.WORLD);
+        BrushStyle style = context.options().style(level);
         String wish = context.options().shape().getClass().getSimpleName().toLowerCase(Locale.ROOT);
         Set<String> taken = new HashSet<>();
         return BrushShapes.drawn(bounds, context.options().shape(), style, () -> {
@@ -192,7 +189,8 @@ public final class DrawBrushTool implements Tool {
     }
 
     private Snapshot with(Snapshot before, List<Solid> solids) {
-        Record level = before.level();
+        Record level = MaterialLibrary.STANDARD.including(
+                before.level(), context.options().material());
         List<EntityRef> made = new ArrayList<>();
         for (Solid solid : solids) {
             level = context.document().entities().added(level, Picker.SOLIDS, (Record) solid);

@@ -8,6 +8,7 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.mark.MarkOutline;
+import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
 import nephele.editor.text.Words;
@@ -43,8 +44,8 @@ public final class PaintTool implements Tool {
     private static final Words TAKEN = Words.of("Material: %s", "Material: %s", "Material: %s");
     private static final Words GREY = Words.of("grey", "cinza", "cinzento");
     private static final Words UNKNOWN = Words.of(
-            "The level has no material %s: choose another one",
-            "A fase não tem o material %s: escolha outro", "O nível não tem o material %s: escolhe outro");
+            "There is no material %s: choose another one",
+            "Não há o material %s: escolha outro", "Não há o material %s: escolhe outro");
 
     private final ToolContext context;
     private final Set<FaceRef> touched = new HashSet<>();
@@ -82,7 +83,8 @@ public final class PaintTool implements Tool {
     }
 
     private void begin(Pointer pointer) {
-        painted = context.document().level();
+        painted = MaterialLibrary.STANDARD.including(
+                context.document().level(), context.options().material());
         touched.clear();
         lastBefore = last;
         previous = pointer;
@@ -106,9 +108,7 @@ public final class PaintTool implements Tool {
     }
 
     private Optional<Material> material(String id) {
-        return context.document().level().materials().stream()
-                .filter(material -> material.id().equals(id))
-                .findFirst();
+        return MaterialLibrary.STANDARD.find(context.document().level(), id);
     }
 
     @Override

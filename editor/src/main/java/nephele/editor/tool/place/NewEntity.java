@@ -2,8 +2,10 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.brush.BrushStyle;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
@@ -89,10 +91,9 @@ record NewEntity(String section, Record entity) {
 
     private static Record painted(Record solid, ToolOptions options, Level level) {
         RecordKind kind = RecordKind.of(solid);
-        boolean isKnown =
-                level.materials().stream().anyMatch(known -> known.id().equals(options.material()));
-        Record painted = isKnown ? kind.with(solid, kind.field("material").orElseThrow(), options.material()) : solid;
-        return kind.with(painted, kind.field("portalable").orElseThrow(), options.isPortalable());
+        BrushStyle style = options.style(level);
+        Record painted = kind.with(solid, kind.field("material").orElseThrow(), style.material());
+        return kind.with(painted, kind.field("portalable").orElseThrow(), style.portalable());
     }
 
     /** Returns a record whose kind in the file is that of a member, such as a cloud's extent, with the kind wanted. */
@@ -134,7 +135,10 @@ record NewEntity(String section, Record entity) {
 
     /** Returns the snapshot with the entity in the level and selected. */
     Snapshot addedTo(Snapshot before, Entities entities) {
-        Level level = (Level) entities.added(before.level(), section, entity);
+        Level base = entity instanceof Solid solid
+                ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
+                : before.level();
+        Level level = (Level) entities.added(base, section, entity);
         if (entity instanceof PortalSpec portal && !portal.linkedTo().equals(portal.id())) {
             level = (Level) entities.changed(
                     level,
