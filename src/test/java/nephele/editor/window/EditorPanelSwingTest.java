@@ -116,6 +116,7 @@ class EditorPanelSwingTest {
         bottom.addTab("Problems", new JLabel("–"));
         bottom.addTab("History", new JLabel("–"));
         EditorSlots slots = new EditorSlots(
+                null,
                 new JLabel("outliner"),
                 new JLabel("inspector"),
                 bottom,

@@ -14,7 +14,8 @@ public final class Actions {
                     BrushActions.ALL,
                     ViewActions.ALL,
                     ToolActions.ALL,
-                    PlayActions.ALL)
+                    PlayActions.ALL,
+                    HelpActions.ALL)
             .flatMap(List::stream)
             .toList();
 

@@ -8,6 +8,7 @@ import nephele.editor.action.Desk;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
 import nephele.editor.paint.MaterialLibrary;
+import nephele.editor.panel.GuideBar;
 import nephele.editor.panel.HistoryPanel;
 import nephele.editor.panel.InspectorPanel;
 import nephele.editor.panel.OutlinerPanel;
@@ -52,8 +53,12 @@ final class EditorParts {
                 titles.run();
             }
         });
-        EditorSlots slots =
-                new EditorSlots(left, new InspectorPanel(session, current -> Optional.empty()), bottom, MAIN_ACTIONS);
+        EditorSlots slots = new EditorSlots(
+                new GuideBar(session),
+                left,
+                new InspectorPanel(session, current -> Optional.empty()),
+                bottom,
+                MAIN_ACTIONS);
         return new EditorPanel(session, commands, surface, slots);
     }
 

@@ -6,6 +6,7 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.Map;
 import java.util.Optional;
+import javax.swing.JComponent;
 import javax.swing.JMenuBar;
 import javax.swing.JPanel;
 import nephele.editor.command.EditorCommands;
@@ -45,7 +46,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         status = new StatusBar(session);
         viewport =
                 new ViewportPanel(session, mode, new Told(status::pointed, line -> session.status(Words.same(line))));
-        middle = new SlotLayout(viewport, slots, session.settings().get(EditorSetting.SPLITTERS));
+        middle = new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);
         top.add(toolbar, BorderLayout.CENTER);
@@ -61,6 +62,16 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         });
         fill();
         session.listen(this::follow);
+    }
+
+    private JComponent under(JComponent top) {
+        if (top == null) {
+            return viewport;
+        }
+        JPanel both = new JPanel(new BorderLayout());
+        both.add(top, BorderLayout.PAGE_START);
+        both.add(viewport, BorderLayout.CENTER);
+        return both;
     }
 
     private void follow(Change change) {

@@ -9,6 +9,7 @@ import java.util.Set;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
+import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
@@ -50,6 +51,8 @@ public final class DrawBrushTool implements Tool {
 
     private static final Words DRAW = Words.of("Draw brush", "Desenhar bloco", "Desenhar bloco");
     private static final int HEIGHT_STEPS = 2;
+    /** The clear height of a room before Alt changes it. */
+    private static final double ROOM_METRES = 4;
 
     private final ToolContext context;
     /** The box in progress; {@code null} without a drag. */
@@ -82,7 +85,7 @@ public final class DrawBrushTool implements Tool {
         List<Pick> surfaces = context.picker().surfaces(pointer.ray());
         if (surfaces.isEmpty()) {
             Vec3 up = WorldAxis.Y.unit();
-            return PointerDrag.onPlane(pointer, Vec3.ZERO, up).map(at -> on(pointer, at, up, 0));
+            return PointerDrag.onPlane(pointer, Vec3.ZERO, up).map(at -> on(pointer, at, up, -wall()));
         }
         Pick surface = surfaces.get(0);
         WorldAxis axis = WorldAxis.nearest(surface.normal());
@@ -113,8 +116,8 @@ public final class DrawBrushTool implements Tool {
         Vec3 forward = pointer.camera().forward();
         WorldAxis axis = WorldAxis.nearest(forward);
         Aabb depth = depth();
-        double from = depth.isEmpty() ? 0 : axis.least(depth);
-        double metres = depth.isEmpty() ? context.grid().stepMetres() : axis.most(depth) - from;
+        double from = depth.isEmpty() ? -wall() : axis.least(depth);
+        double metres = depth.isEmpty() ? planDepth() : axis.most(depth) - from;
         return PointerDrag.onPlane(pointer, axis.with(Vec3.ZERO, from), forward).map(at -> {
             Vec3 first = axis.with(Snap.place(context, pointer, at), from);
             return new DrawnBox(
@@ -138,8 +141,19 @@ public final class DrawBrushTool implements Tool {
         return around;
     }
 
+    private double planDepth() {
+        return wall() > 0 ? defaultHeight() : context.grid().stepMetres();
+    }
+
     private double defaultHeight() {
-        return HEIGHT_STEPS * context.grid().stepMetres();
+        return wall() > 0
+                ? ROOM_METRES + 2 * wall()
+                : HEIGHT_STEPS * context.grid().stepMetres();
+    }
+
+    /** Returns the thickness of the walls of a room, whose floor is then at a height of zero; zero for other shapes. */
+    private double wall() {
+        return context.options().shape() instanceof ShapeOptions.Room room ? room.wallMetres() : 0;
     }
 
     @Override
