@@ -1,9 +1,7 @@
 package nephele.editor.draw.derived;
 
 import java.util.List;
-import java.util.Map;
 import nephele.engine.level.Body;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -51,21 +49,7 @@ public final class EvenLight {
 
     /** Returns a level of surfaces alone: without lights, portals, mirrors, exits and player. */
     static Level level(Surfaces shown, Vec3 background) {
-        return new Level(
-                "",
-                "",
-                environment(new Vec3(0, 1, 0), new Sky.Constant(background)),
-                null,
-                List.of(),
-                shown.materials,
-                shown.solids,
-                List.of(),
-                List.of(),
-                shown.models,
-                shown.bodies,
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("", "", environment(new Vec3(0, 1, 0), new Sky.Constant(background)), List.of())
+                .with(shown.materials, shown.solids, shown.bodies, shown.models);
     }
 }
