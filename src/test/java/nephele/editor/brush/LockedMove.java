@@ -15,6 +15,6 @@ record LockedMove(RigidMove move) {
     }
 
     Vec3 point(Vec3 p) {
-        return Vec3.of(move.point(p.toVector()));
+        return move.point(p);
     }
 }

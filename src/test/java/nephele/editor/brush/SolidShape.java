@@ -20,6 +20,7 @@ import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
+import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
 /** Queries of tests on the shapes of solids. */
@@ -27,7 +28,7 @@ final class SolidShape {
     private SolidShape() {}
 
     static double volume(Solid solid) {
-        return BrushMeasure.volumeCubicMetres(Brush.of(solid).shape());
+        return PolyhedronMeasure.volumeCubicMetres(Brush.of(solid).shape());
     }
 
     static double volume(List<Solid> solids) {

@@ -137,7 +137,7 @@ class TextureFitTest {
             PaintedFace there = moved(face, move);
             PaintedFace after = there.with(TextureFit.locked(face, there, move));
             for (Vec3 corner : face.face().polygon()) {
-                Vec3 now = Vec3.of(move.point(corner.toVector()));
+                Vec3 now = move.point(corner);
                 assertSamePicture(TextureFit.uvAt(face, corner), TextureFit.uvAt(after, now), move.toString());
             }
             assertEquals(face.placement().scaleU() < 0, after.placement().scaleU() < 0, "stays mirrored as it was");
@@ -158,10 +158,9 @@ class TextureFitTest {
 
     private static PaintedFace moved(PaintedFace painted, RigidMove move) {
         BrushFace face = painted.face();
-        List<Vec3> polygon = face.polygon().stream()
-                .map(corner -> Vec3.of(move.point(corner.toVector())))
-                .toList();
-        Vec3 normal = Vec3.of(move.direction(face.plane().normal().toVector()));
+        List<Vec3> polygon =
+                face.polygon().stream().map(corner -> move.point(corner)).toList();
+        Vec3 normal = move.direction(face.plane().normal());
         return new PaintedFace(
                 new BrushFace(
                         face.name(),

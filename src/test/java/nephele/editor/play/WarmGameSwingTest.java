@@ -2,7 +2,7 @@ package nephele.editor.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,7 +17,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import nephele.app.Main;
 import nephele.app.VirtualDisplay;
@@ -39,7 +38,7 @@ class WarmGameSwingTest {
     @TempDir
     Path folder;
 
-    private final LinkedBlockingQueue<Object> told = new LinkedBlockingQueue<>();
+    private final GameNotes notes = new GameNotes();
     private VirtualDisplay display;
     private Process robot;
     private PrintStream commands;
@@ -56,8 +55,7 @@ class WarmGameSwingTest {
         commands = new PrintStream(robot.getOutputStream(), true, StandardCharsets.UTF_8);
         answers = new BufferedReader(new InputStreamReader(robot.getInputStream(), StandardCharsets.UTF_8));
         game = new WarmGame(
-                () -> java(Main.class.getName(), "play", "--warm", "--size", "320x180", "--quality", "low"),
-                new Told());
+                () -> java(Main.class.getName(), "play", "--warm", "--size", "320x180", "--quality", "low"), notes);
     }
 
     @AfterEach
@@ -83,37 +81,13 @@ class WarmGameSwingTest {
         return all;
     }
 
-    /** Notes all that the game tells. */
-    private final class Told implements WarmGame.Listener {
-        @Override
-        public void ready() {
-            told.add("ready");
-        }
-
-        @Override
-        public void playing(long millis) {
-            told.add("playing");
-        }
-
-        @Override
-        public void baking(int percent) {
-            assertTrue(percent > 0);
-        }
-
-        @Override
-        public void ended(PlayEnd end) {
-            told.add(end);
-        }
-
-        @Override
-        public void failed(String message) {
-            told.add("failed " + message);
-        }
-    }
-
+    /** Returns the next note that is not of progress. */
     private Object next() throws InterruptedException {
-        Object next = told.poll(LONGEST_SECONDS, TimeUnit.SECONDS);
-        assertNotNull(next, "the game says nothing");
+        Object next = notes.next();
+        while (next.toString().startsWith("baking ")) {
+            assertNotEquals("baking 0", next);
+            next = notes.next();
+        }
         return next;
     }
 
@@ -167,7 +141,7 @@ class WarmGameSwingTest {
 
         game.play(new WarmGame.Request(exit, file, null, "gigantic", null));
         Object failed = next();
-        assertTrue(failed.toString().startsWith("failed --quality is"), failed.toString());
+        assertTrue(failed.toString().startsWith("failed: --quality is"), failed.toString());
         assertEquals(process, game.processId().orElseThrow());
         game.close();
         assertTrue(ProcessHandle.of(process)
@@ -176,7 +150,7 @@ class WarmGameSwingTest {
                         exited.orTimeout(LONGEST_SECONDS, TimeUnit.SECONDS).join())
                 .map(ended -> !ended.isAlive())
                 .orElse(true));
-        assertEquals(List.of(), new ArrayList<>(told));
+        assertEquals(List.of(), notes.rest());
         try (var left = Files.list(folder)) {
             assertTrue(left.noneMatch(path -> path.toString().endsWith("unsaved.json")));
         }

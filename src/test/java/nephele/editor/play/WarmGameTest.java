@@ -3,14 +3,10 @@ package nephele.editor.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -20,38 +16,11 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** Life cycle of the game's process, tested with shell scripts in place of the game. */
 @Execution(ExecutionMode.CONCURRENT)
 class WarmGameTest {
-    private static final long LONGEST_SECONDS = 20;
-
-    private final LinkedBlockingQueue<String> told = new LinkedBlockingQueue<>();
+    private final GameNotes notes = new GameNotes();
     private WarmGame game;
 
     private WarmGame game(String... words) {
-        game = new WarmGame(() -> List.of(words), new WarmGame.Listener() {
-            @Override
-            public void ready() {
-                told.add("ready");
-            }
-
-            @Override
-            public void playing(long millis) {
-                told.add("playing");
-            }
-
-            @Override
-            public void baking(int percent) {
-                told.add("baking " + percent);
-            }
-
-            @Override
-            public void ended(PlayEnd end) {
-                told.add("ended");
-            }
-
-            @Override
-            public void failed(String message) {
-                told.add(message);
-            }
-        });
+        game = new WarmGame(() -> List.of(words), notes);
         return game;
     }
 
@@ -61,9 +30,7 @@ class WarmGameTest {
     }
 
     private void expect(String line) throws InterruptedException {
-        String next = told.poll(LONGEST_SECONDS, TimeUnit.SECONDS);
-        assertNotNull(next, "nothing instead of " + line);
-        assertEquals(line, next);
+        assertEquals(line, notes.next());
     }
 
     private static WarmGame.Request request() {
@@ -80,7 +47,7 @@ class WarmGameTest {
         expect("playing");
         expect("baking 30");
         game.close();
-        expect("over");
+        expect("failed: over");
     }
 
     @Test
@@ -89,7 +56,7 @@ class WarmGameTest {
         expect("ready");
         long first = game.processId().orElseThrow();
         game.play(request());
-        expect("the game ended (exit code 7): out of luck");
+        expect("failed: the game ended (exit code 7): out of luck");
         expect("ready");
         assertNotEquals(first, game.processId().orElseThrow());
     }
@@ -97,23 +64,23 @@ class WarmGameTest {
     @Test
     void aProcessThatNeverBecomesReadyIsNotStartedForEver() throws Exception {
         game("sh", "-c", "echo no display >&2; exit 3").warm();
-        expect("the game ended (exit code 3): no display");
-        assertNull(told.poll());
+        expect("failed: the game ended (exit code 3): no display");
+        assertEquals(List.of(), notes.rest());
         assertFalse(game.isReady());
     }
 
     @Test
     void aMissingProgramIsReported() {
         game("/nonexistent/java").play(request());
-        assertEquals(1, told.size());
-        assertEquals(0, told.poll().indexOf("the game can't be started: "));
+        assertEquals(1, notes.rest().size());
+        assertEquals(0, notes.rest().get(0).toString().indexOf("failed: the game can't be started: "));
     }
 
     @Test
     void afterItsEndNothingIsPlayed() {
         game("sh", "-c", "echo ready; cat").close();
         game.play(request());
-        assertEquals(0, told.size());
+        assertEquals(List.of(), notes.rest());
         assertEquals(false, game.processId().isPresent());
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import nephele.editor.mark.Mark;
@@ -48,22 +47,19 @@ class EntityMarksTest {
                 "in", "out", new Vec3(0, 1, -50), new Vec3(0, 0, 1), UP, 1.2, 2.1, PortalShape.RECTANGLE);
         PortalSpec out = new PortalSpec(
                 "out", "in", new Vec3(9, 1, -50), new Vec3(0, 0, 1), UP, 1.2, 2.1, PortalShape.RECTANGLE);
-        return new Level(
-                "",
-                "",
-                new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of(cloud)),
-                new PlayerStart(new Vec3(0, 0, 0), 90, 0),
-                List.of(new Camera("c", new Vec3(150, 0, 0), new Vec3(150, 0, -5), UP, 90, 0, 0.1, 100, List.of())),
-                List.of(),
-                List.of(),
-                List.of(spot),
-                List.of(in, out),
-                List.of(),
-                List.of(new Body.Sphere("ball", new Vec3(200, 1, 0), 0.5, 1, null, 0.6, 0)),
-                null,
-                List.of(new Exit("exit", new Vec3(-50, 0, 0), 1.5, 3)),
-                Map.of(),
-                notes);
+        Environment environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of(cloud));
+        return Level.of(
+                        "",
+                        "",
+                        environment,
+                        List.of(new Camera(
+                                "c", new Vec3(150, 0, 0), new Vec3(150, 0, -5), UP, 90, 0, 0.1, 100, List.of())))
+                .with(List.of(), List.of(), List.of(new Body.Sphere("ball", new Vec3(200, 1, 0), 0.5, 1, null, 0.6, 0)))
+                .with(new PlayerStart(new Vec3(0, 0, 0), 90, 0), null)
+                .with(environment, List.of(spot))
+                .withPortals(List.of(in, out))
+                .withExits(List.of(new Exit("exit", new Vec3(-50, 0, 0), 1.5, 3)))
+                .with(notes);
     }
 
     private static List<Mark> marks(String... selected) {

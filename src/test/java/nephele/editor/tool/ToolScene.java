@@ -1,5 +1,7 @@
 package nephele.editor.tool;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Set;
@@ -99,6 +101,13 @@ public final class ToolScene {
                 .filter(solid -> solid.id().equals(id))
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /** Asserts where a box of what is shown is. */
+    public void assertBox(String id, Vec3 centre, Vec3 size) {
+        Solid.Box box = (Solid.Box) solid(id);
+        assertEquals(centre, box.centre());
+        assertEquals(size, box.size());
     }
 
     /** Returns true if a solid of what is shown has vertices at these places, but for rounding. */

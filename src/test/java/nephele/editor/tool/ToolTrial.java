@@ -28,6 +28,12 @@ import nephele.engine.math.Vec3;
 
 /** A tool in use on a level, aimed at points of the world. */
 public final class ToolTrial {
+    /** A point of the floor of {@link nephele.engine.level.RoomLevel#hall}. */
+    public static final Vec3 FLOOR = new Vec3(0, 0, -4);
+
+    /** A point of the wall ahead there. */
+    public static final Vec3 WALL = new Vec3(0, 2, -8);
+
     private static final PaneSize SIZE = new PaneSize(800, 600);
 
     private final List<String> messages = new ArrayList<>();
@@ -113,6 +119,14 @@ public final class ToolTrial {
         document.undo();
         assertSame(before, level());
         document.redo();
+    }
+
+    /** Asserts that Esc in the middle of a drag gives the same level back and that no step was made. */
+    public void assertCancelledDrag(Vec3 from, Vec3 to) {
+        Level before = level();
+        press(from);
+        tool.dragged(over(to));
+        assertCancelled(before);
     }
 
     /** Asserts that Esc gives the same level back and that no step was made. */

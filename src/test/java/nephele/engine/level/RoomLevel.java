@@ -76,21 +76,9 @@ public final class RoomLevel {
 
     public Level level() {
         var environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of());
-        return new Level(
-                "room",
-                "",
-                environment,
-                start,
-                List.of(),
-                List.of(),
-                List.copyOf(solids),
-                List.of(),
-                List.copyOf(portals),
-                List.of(),
-                List.copyOf(bodies),
-                gun,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("room", "", environment, List.of())
+                .with(start, gun)
+                .with(List.of(), List.copyOf(solids), List.copyOf(bodies))
+                .withPortals(List.copyOf(portals));
     }
 }

@@ -131,22 +131,11 @@ public final class TestLevel {
 
     public Level level() {
         Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of());
-        return new Level(
-                "test",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.copyOf(materials),
-                List.copyOf(solids),
-                List.copyOf(lights),
-                List.copyOf(portals),
-                List.copyOf(models),
-                List.copyOf(bodies),
-                null,
-                List.copyOf(exits),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("test", "", environment, List.of())
+                .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
+                .with(environment, List.copyOf(lights))
+                .withPortals(List.copyOf(portals))
+                .withExits(List.copyOf(exits));
     }
 
     public static Vec3 grey(double value) {

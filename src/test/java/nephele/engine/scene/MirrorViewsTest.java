@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Map;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
@@ -19,22 +17,7 @@ class MirrorViewsTest {
     private static final Vec3 SILVER = new Vec3(0.9, 0.8, 0.5);
 
     private static FrameState nothing() {
-        return FrameState.atStart(new Level(
-                "",
-                "",
-                null,
-                null,
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE));
+        return FrameState.atStart(Level.of("", "", null, List.of()));
     }
 
     /** Returns a mirror of 2 m by 2 m in a plane of constant z, facing +z or −z. */

@@ -6,9 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Vec3;
@@ -37,22 +35,7 @@ class ViewTreeTest {
         for (int i = 0; i < portals.length; i++) {
             partners.add(i ^ 1);
         }
-        FrameState frameState = FrameState.atStart(new Level(
-                "",
-                "",
-                null,
-                null,
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE));
+        FrameState frameState = FrameState.atStart(Level.of("", "", null, List.of()));
         frameState.portals(new Portals(List.of(portals), partners));
         return frameState;
     }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
+import nephele.engine.math.PolyhedronMeasure;
 
 /** Boolean operations on convex solids (constructive solid geometry). */
 public final class BrushBoolean {
@@ -75,7 +76,7 @@ public final class BrushBoolean {
             lost -= volume(piece);
         }
         double slivers = BrushCheck.LEAST_THICKNESS_METRES
-                * BrushMeasure.surfaceSquareMetres(Brush.of(solid).shape());
+                * PolyhedronMeasure.surfaceSquareMetres(Brush.of(solid).shape());
         return Math.abs(lost) <= slivers ? BrushEdit.done(pieces) : BrushEdit.refused(BrushText.NOT_SOLID);
     }
 
@@ -137,6 +138,6 @@ public final class BrushBoolean {
     }
 
     private static double volume(Solid solid) {
-        return BrushMeasure.volumeCubicMetres(Brush.of(solid).shape());
+        return PolyhedronMeasure.volumeCubicMetres(Brush.of(solid).shape());
     }
 }

@@ -6,6 +6,7 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
 /** Checks that a level may contain a solid. Every result of this package passes. */
@@ -67,7 +68,7 @@ public final class BrushCheck {
                 && Math.min(prism.radiusMetres(), prism.heightMetres()) < LEAST_THICKNESS_METRES) {
             return false;
         }
-        return BrushMeasure.thicknessMetres(shape) >= LEAST_THICKNESS_METRES * (1 - ROUNDING);
+        return PolyhedronMeasure.thicknessMetres(shape) >= LEAST_THICKNESS_METRES * (1 - ROUNDING);
     }
 
     private static boolean isThick(Vec3 size) {

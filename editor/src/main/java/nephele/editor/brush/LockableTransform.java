@@ -63,12 +63,8 @@ public record LockableTransform(TextureLock lock, Function<String, Material> mat
         Vec3 normal = after.plane().normal();
         return old.stream()
                 .min(Comparator.comparingDouble(face ->
-                        turned(face.plane().normal(), move).minus(normal).length()))
+                        move.direction(face.plane().normal()).minus(normal).length()))
                 .orElseThrow();
-    }
-
-    private static Vec3 turned(Vec3 normal, RigidMove move) {
-        return Vec3.of(move.direction(normal.toVector()));
     }
 
     /** Plain faces get no placement, so that a level of theirs is not longer after each move. */

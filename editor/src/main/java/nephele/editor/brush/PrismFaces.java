@@ -17,19 +17,6 @@ final class PrismFaces {
 
     private PrismFaces() {}
 
-    static Solid.Prism with(Solid.Prism p, Map<String, Solid.Face> faces) {
-        return new Solid.Prism(
-                p.id(),
-                p.material(),
-                p.portalable(),
-                p.textureMapping(),
-                p.centre(),
-                p.radiusMetres(),
-                p.heightMetres(),
-                p.sides(),
-                faces);
-    }
-
     /** Turns the sides by quarters about +y; their number times the quarters is a multiple of 4. */
     static Solid.Prism turned(Solid.Prism prism, int quarters) {
         // Sides are counted from +x towards +z, turns go from +x towards -z.
@@ -63,6 +50,6 @@ final class PrismFaces {
             int side = Math.floorMod(sides.applyAsInt(at - FIRST_SIDE), prism.sides());
             faces.put(isSide ? names.get(FIRST_SIDE + side) : ends.apply(name), said);
         });
-        return with(prism, Collections.unmodifiableMap(faces));
+        return prism.withFaces(Collections.unmodifiableMap(faces));
     }
 }

@@ -230,6 +230,6 @@ public final class Simplified {
                     .flatMap(Simplified::said)
                     .ifPresent(said -> faces.put(face.name(), said));
         }
-        return PrismFaces.with(prism, Collections.unmodifiableMap(faces));
+        return prism.withFaces(Collections.unmodifiableMap(faces));
     }
 }

@@ -87,12 +87,11 @@ public final class SolidTransform {
         if (turn.turns() == 0) {
             return solid;
         } else if (solid instanceof Solid.Box box) {
-            Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
-            box.faces().forEach((side, face) -> faces.put(turn.side(side), face));
-            return placed(withFaces(box, faces), turn.point(box.centre(), pivot), turn.size(box.size()));
+            return placed(withFaces(box, turn::side), turn.point(box.centre(), pivot), turn.size(box.size()));
         } else if (solid instanceof Solid.Wedge wedge && turn.axis() == 1) {
-            Solid.Wedge turned = withFaces(wedge, turn.side(wedge.rising()), turn::side);
-            return placed(turned, turn.point(wedge.centre(), pivot), turn.size(wedge.size()));
+            Solid.Wedge turned = withFaces(wedge, turn::side);
+            BoxFace rising = turn.side(wedge.rising());
+            return placed(turned, rising, turn.point(wedge.centre(), pivot), turn.size(wedge.size()));
         } else if (solid instanceof Solid.Prism prism && turn.axis() == 1 && prism.sides() * turn.turns() % 4 == 0) {
             Solid.Prism turned = PrismFaces.turned(prism, turn.turns());
             return placed(turned, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
@@ -128,12 +127,12 @@ public final class SolidTransform {
             return BrushEdit.refused(BrushText.FLAT);
         }
         if (solid instanceof Solid.Box box) {
-            Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
-            box.faces().forEach((side, face) -> faces.put(scale.side(side), face));
-            return BrushCheck.checked(placed(withFaces(box, faces), scale.point(box.centre()), scale.size(box.size())));
+            return BrushCheck.checked(
+                    placed(withFaces(box, scale::side), scale.point(box.centre()), scale.size(box.size())));
         } else if (solid instanceof Solid.Wedge wedge && f.y() > 0) {
-            Solid.Wedge turned = withFaces(wedge, scale.side(wedge.rising()), scale::side);
-            return BrushCheck.checked(placed(turned, scale.point(wedge.centre()), scale.size(wedge.size())));
+            Solid.Wedge turned = withFaces(wedge, scale::side);
+            BoxFace rising = scale.side(wedge.rising());
+            return BrushCheck.checked(placed(turned, rising, scale.point(wedge.centre()), scale.size(wedge.size())));
         } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, f)) {
             Vec3 size = scale.size(new Vec3(prism.radiusMetres(), prism.heightMetres(), 0));
             Solid.Prism mirrored = PrismFaces.mirrored(prism, f);
@@ -153,36 +152,25 @@ public final class SolidTransform {
         return PlaneForm.with(solid, solid.id(), faces);
     }
 
-    private static Solid.Box withFaces(Solid.Box b, Map<BoxFace, Solid.Face> faces) {
-        return new Solid.Box(
-                b.id(),
-                b.material(),
-                b.portalable(),
-                b.textureMapping(),
-                b.centre(),
-                b.size(),
-                Collections.unmodifiableMap(faces));
-    }
-
-    private static Solid.Wedge withFaces(Solid.Wedge w, BoxFace rising, UnaryOperator<BoxFace> turn) {
+    /** Returns the wedge with what it says of its sides said of the sides that they have turned to. */
+    private static Solid.Wedge withFaces(Solid.Wedge wedge, UnaryOperator<BoxFace> turn) {
         Map<String, Solid.Face> faces = new LinkedHashMap<>();
         for (BoxFace side : BoxFace.values()) {
-            if (w.faces().containsKey(side.text())) {
-                faces.put(turn.apply(side).text(), w.faces().get(side.text()));
+            if (wedge.faces().containsKey(side.text())) {
+                faces.put(turn.apply(side).text(), wedge.faces().get(side.text()));
             }
         }
-        if (w.faces().containsKey("slope")) {
-            faces.put("slope", w.faces().get("slope"));
+        if (wedge.faces().containsKey("slope")) {
+            faces.put("slope", wedge.faces().get("slope"));
         }
-        return new Solid.Wedge(
-                w.id(),
-                w.material(),
-                w.portalable(),
-                w.textureMapping(),
-                w.centre(),
-                w.size(),
-                rising,
-                Collections.unmodifiableMap(faces));
+        return wedge.withFaces(Collections.unmodifiableMap(faces));
+    }
+
+    /** Returns the box with what it says of its sides said of the sides that they have turned to. */
+    private static Solid.Box withFaces(Solid.Box box, UnaryOperator<BoxFace> turn) {
+        Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
+        box.faces().forEach((side, face) -> faces.put(turn.apply(side), face));
+        return box.withFaces(Collections.unmodifiableMap(faces));
     }
 
     static Solid.Box placed(Solid.Box b, Vec3 centre, Vec3 size) {
@@ -190,8 +178,12 @@ public final class SolidTransform {
     }
 
     static Solid.Wedge placed(Solid.Wedge w, Vec3 centre, Vec3 size) {
+        return placed(w, w.rising(), centre, size);
+    }
+
+    private static Solid.Wedge placed(Solid.Wedge w, BoxFace rising, Vec3 centre, Vec3 size) {
         return new Solid.Wedge(
-                w.id(), w.material(), w.portalable(), w.textureMapping(), centre, size, w.rising(), w.faces());
+                w.id(), w.material(), w.portalable(), w.textureMapping(), centre, size, rising, w.faces());
     }
 
     static Solid.Prism placed(Solid.Prism p, Vec3 centre, double radius, double height) {

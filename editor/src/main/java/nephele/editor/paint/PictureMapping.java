@@ -47,12 +47,7 @@ record PictureMapping(Vec3 at, TextureCoordinates atPoint, Vec3 across, Vec3 up,
     /** Returns the picture after a move of everything. */
     PictureMapping moved(Isometry move) {
         return new PictureMapping(
-                Vec3.of(move.point(at.toVector())),
-                atPoint,
-                Vec3.of(move.direction(across.toVector())),
-                Vec3.of(move.direction(up.toVector())),
-                uMetres,
-                vMetres);
+                move.point(at), atPoint, move.direction(across), move.direction(up), uMetres, vMetres);
     }
 
     /**

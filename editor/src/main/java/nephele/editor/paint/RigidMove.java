@@ -28,9 +28,4 @@ public record RigidMove(Quaterniondc rotation, Vec3 about, Vec3 by) implements I
     public Vector3d direction(Vector3d v) {
         return rotation.transform(v);
     }
-
-    @Override
-    public boolean isReflection() {
-        return false;
-    }
 }

@@ -4,8 +4,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
-import java.awt.event.KeyListener;
-import java.awt.event.MouseAdapter;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
@@ -128,21 +126,6 @@ public final class AwtGlSurface implements ViewportSurface {
     @Override
     public Component component() {
         return canvas;
-    }
-
-    @Override
-    public void listen(MouseAdapter mouse, KeyListener keys) {
-        Listening.add(canvas, mouse, keys);
-    }
-
-    @Override
-    public void requestFocus() {
-        canvas.requestFocusInWindow();
-    }
-
-    @Override
-    public SurfaceSize size() {
-        return SurfaceSize.of(canvas);
     }
 
     @Override

@@ -4,8 +4,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.KeyListener;
-import java.awt.event.MouseAdapter;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
@@ -63,21 +61,6 @@ public final class OffscreenSurface implements ViewportSurface {
     @Override
     public Component component() {
         return view;
-    }
-
-    @Override
-    public void listen(MouseAdapter mouse, KeyListener keys) {
-        Listening.add(view, mouse, keys);
-    }
-
-    @Override
-    public void requestFocus() {
-        view.requestFocusInWindow();
-    }
-
-    @Override
-    public SurfaceSize size() {
-        return SurfaceSize.of(view);
     }
 
     @Override

@@ -11,13 +11,19 @@ public interface ViewportSurface extends AutoCloseable {
     Component component();
 
     /** Sends the user's input to listeners; positions are in points of the picture. */
-    void listen(MouseAdapter mouse, KeyListener keys);
+    default void listen(MouseAdapter mouse, KeyListener keys) {
+        Listening.add(component(), mouse, keys);
+    }
 
     /** Asks for the keyboard's focus. */
-    void requestFocus();
+    default void requestFocus() {
+        component().requestFocusInWindow();
+    }
 
     /** Returns the present size. */
-    SurfaceSize size();
+    default SurfaceSize size() {
+        return SurfaceSize.of(component());
+    }
 
     /** Draws soon; several calls before that are one. May be called on every thread. */
     void repaintSoon();

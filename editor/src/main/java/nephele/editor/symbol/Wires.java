@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.Mark.Visibility;
 import nephele.editor.mark.MarkColour;
+import nephele.editor.mark.MarkOutline;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -24,9 +25,7 @@ record Wires(List<Mark> marks, MarkColour colour, Visibility visibility) {
 
     /** Adds a closed polygon. */
     void outline(List<Vec3> corners) {
-        for (int i = 0; i < corners.size(); i++) {
-            line(corners.get(i), corners.get((i + 1) % corners.size()));
-        }
+        marks.addAll(MarkOutline.polygon(corners, colour, visibility));
     }
 
     /** Adds a circle; both axes have the radius as length. */
@@ -80,16 +79,7 @@ record Wires(List<Mark> marks, MarkColour colour, Visibility visibility) {
 
     /** Adds the edges of a box. */
     void box(Aabb box) {
-        double[] x = {box.minX(), box.maxX()};
-        double[] y = {box.minY(), box.maxY()};
-        double[] z = {box.minZ(), box.maxZ()};
-        for (int i = 0; i < 4; i++) {
-            int a = i & 1;
-            int b = i >> 1;
-            line(new Vec3(x[0], y[a], z[b]), new Vec3(x[1], y[a], z[b]));
-            line(new Vec3(x[a], y[0], z[b]), new Vec3(x[a], y[1], z[b]));
-            line(new Vec3(x[a], y[b], z[0]), new Vec3(x[a], y[b], z[1]));
-        }
+        marks.addAll(MarkOutline.box(box, colour, visibility));
     }
 
     /** Adds an arrow; {@code aside} has unit length and is perpendicular to it. */

@@ -7,49 +7,54 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import javax.swing.Icon;
 
 /** The symbols of tools and actions, drawn from lines: no picture files, sharp at every scale, in every theme. */
 final class ToolIcons {
     /**
-     * Drawings by name. Each part is an outline, or an area if it begins with {@code *}: points {@code x,y} on a square of
-     * 24 units, {@code z} closes, {@code o x,y,r} is a circle.
+     * Drawings, one a line: its name, then its parts. Each part is an outline, or an area if it begins with {@code *}:
+     * points {@code x,y} on a square of 24 units, {@code z} closes, {@code o x,y,r} is a circle and {@code o x,y,rx,ry}
+     * an ellipse.
      */
-    private static final Map<String, String> DRAWINGS = Map.ofEntries(
-            Map.entry("select", "*5,3 5,19 9.2,15.4 12,21.5 14.6,20.3 11.9,14.4 17.5,14 z"),
-            Map.entry("brush", "4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20"),
-            Map.entry("extrude", "4,14 12,10 20,14 12,18 z|12,13 12,3|8.5,6.5 12,3 15.5,6.5"),
-            Map.entry("face", "*4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20"),
-            Map.entry("vertex", "5,18 12,5 19,18 z|*o 5,18,2.6|*o 12,5,2.6|*o 19,18,2.6"),
-            Map.entry("edge", "6,5 18,19|*o 6,5,2.4|*o 18,19,2.4"),
-            Map.entry("clip", "4,7 4,20 17,20 17,16|4,7 9,7|3,22 21,3|*o 14,10.4,2"),
-            Map.entry(
-                    "rotate",
-                    "19,8 16,5 12,4 8,5.2 5,8.5 4,12.5 5.5,17 9,19.6 13,20 17,18 19.6,14.5|19.6,3 19,8 14,8.4"),
-            Map.entry("scale", "4,13 4,20 11,20 11,13 z|11,13 20,4|14,4 20,4 20,10"),
-            Map.entry(
-                    "move",
-                    "12,3 12,21|3,12 21,12|9.5,5.5 12,3 14.5,5.5|9.5,18.5 12,21 14.5,18.5|5.5,9.5 3,12"
-                            + " 5.5,14.5|18.5,9.5 21,12 18.5,14.5"),
-            Map.entry(
-                    "paint", "5,4 17,4 17,9 5,9 z|17,6.5 20,6.5 20,12 12,13 12,15|*10.5,15 13.5,15 13.5,21 10.5,21 z"),
-            Map.entry("texture", "4,4 20,4 20,20 4,20 z|*4,4 12,4 12,12 4,12 z|*12,12 20,12 20,20 12,20 z"),
-            Map.entry(
-                    "portal",
-                    "12,3 15.5,5 17.5,9 18,12 17.5,15 15.5,19 12,21 8.5,19 6.5,15 6,12 6.5,9 8.5,5 z|*12,8 13.5,10"
-                            + " 14,12 13.5,14 12,16 10.5,14 10,12 10.5,10 z"),
-            Map.entry("place", "12,21 6.5,13 6,9 8,5 12,3.4 16,5 18,9 17.5,13 z|*o 12,9.5,2.4"),
-            Map.entry("measure", "3,16 16,3 21,8 8,21 z|7,12 9,14|10,9 13,12|13,6 15,8"),
-            Map.entry("camera", "3,7 15,7 15,17 3,17 z|15,11 21,7.5 21,16.5 15,13"),
-            Map.entry("light", "o 12,10,5|9.5,15.5 9.5,18 14.5,18 14.5,15.5|10.5,21 13.5,21"),
-            Map.entry("undo", "9,4.5 4,9.5 9,14.5|4,9.5 15,9.5 18.5,11 20,14 19,17.5 15.5,19.5 11,19.5"),
-            Map.entry("redo", "15,4.5 20,9.5 15,14.5|20,9.5 9,9.5 5.5,11 4,14 5,17.5 8.5,19.5 13,19.5"),
-            Map.entry("save", "4,4 17,4 20,7 20,20 4,20 z|8,4 8,9 15,9 15,4|7,20 7,13 17,13 17,20"),
-            Map.entry("open", "3,19 3,5 9,5 11,8 20,8 20,11|3,19 7,11 22,11 18,19 z"),
-            Map.entry("new", "6,3 14,3 19,8 19,21 6,21 z|14,3 14,8 19,8"),
-            Map.entry("play", "*7,4 20,12 7,20 z"),
-            Map.entry("delete", "5,7 19,7|7,7 8,20 16,20 17,7|10,7 10,4 14,4 14,7"),
-            Map.entry("duplicate", "4,4 15,4 15,15 4,15 z|9,15 9,20 20,20 20,9 15,9"));
+    private static final Map<String, String> DRAWINGS = table(
+            """
+            select     *5,3 5,19 9.2,15.4 12,21.5 14.6,20.3 11.9,14.4 17.5,14 z
+            brush      4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20
+            extrude    4,14 12,10 20,14 12,18 z|12,13 12,3|8.5,6.5 12,3 15.5,6.5
+            face       *4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20
+            vertex     5,18 12,5 19,18 z|*o 5,18,2.6|*o 12,5,2.6|*o 19,18,2.6
+            edge       6,5 18,19|*o 6,5,2.4|*o 18,19,2.4
+            clip       4,7 4,20 17,20 17,16|4,7 9,7|3,22 21,3|*o 14,10.4,2
+            rotate     19,8 16,5 12,4 8,5.2 5,8.5 4,12.5 5.5,17 9,19.6 13,20 17,18 19.6,14.5|19.6,3 19,8 14,8.4
+            scale      4,13 4,20 11,20 11,13 z|11,13 20,4|14,4 20,4 20,10
+            move       12,3 12,21|3,12 21,12|9.5,5.5 12,3 14.5,5.5|9.5,18.5 12,21 14.5,18.5|5.5,9.5 3,12 \
+            5.5,14.5|18.5,9.5 21,12 18.5,14.5
+            paint      5,4 17,4 17,9 5,9 z|17,6.5 20,6.5 20,12 12,13 12,15|*10.5,15 13.5,15 13.5,21 10.5,21 z
+            texture    4,4 20,4 20,20 4,20 z|*4,4 12,4 12,12 4,12 z|*12,12 20,12 20,20 12,20 z
+            portal     o 12,12,6,9|*o 12,12,2,4
+            portalable 3.5,3.5 20.5,3.5 20.5,20.5 3.5,20.5 z|o 12,12,4,6.2
+            place      12,21 6.5,13 6,9 8,5 12,3.4 16,5 18,9 17.5,13 z|*o 12,9.5,2.4
+            measure    3,16 16,3 21,8 8,21 z|7,12 9,14|10,9 13,12|13,6 15,8
+            camera     3,7 15,7 15,17 3,17 z|15,11 21,7.5 21,16.5 15,13
+            light      o 12,10,5|9.5,15.5 9.5,18 14.5,18 14.5,15.5|10.5,21 13.5,21
+            sun        *o 12,12,3.6|12,2.5 12,5|12,19 12,21.5|2.5,12 5,12|19,12 21.5,12|5.3,5.3 7,7|17,17 \
+            18.7,18.7|5.3,18.7 7,17|17,7 18.7,5.3
+            undo       9,4.5 4,9.5 9,14.5|4,9.5 15,9.5 18.5,11 20,14 19,17.5 15.5,19.5 11,19.5
+            redo       15,4.5 20,9.5 15,14.5|20,9.5 9,9.5 5.5,11 4,14 5,17.5 8.5,19.5 13,19.5
+            save       4,4 17,4 20,7 20,20 4,20 z|8,4 8,9 15,9 15,4|7,20 7,13 17,13 17,20
+            open       3,19 3,5 9,5 11,8 20,8 20,11|3,19 7,11 22,11 18,19 z
+            new        6,3 14,3 19,8 19,21 6,21 z|14,3 14,8 19,8
+            play       *7,4 20,12 7,20 z
+            delete     5,7 19,7|7,7 8,20 16,20 17,7|10,7 10,4 14,4 14,7
+            duplicate  4,4 15,4 15,15 4,15 z|9,15 9,20 20,20 20,9 15,9
+            """);
+
+    private static Map<String, String> table(String lines) {
+        return lines.lines()
+                .map(line -> line.split("\\s+", 2))
+                .collect(Collectors.toUnmodifiableMap(row -> row[0], row -> row[1]));
+    }
 
     private ToolIcons() {}
 
@@ -76,11 +81,11 @@ final class ToolIcons {
 
     private static Shape shape(String part) {
         Path2D path = new Path2D.Double();
-        boolean isCircle = part.startsWith("o ");
-        for (String word : (isCircle ? part.substring(2) : part).split(" ")) {
+        boolean isEllipse = part.startsWith("o ");
+        for (String word : (isEllipse ? part.substring(2) : part).split(" ")) {
             String[] numbers = word.split(",");
-            if (isCircle) {
-                return circle(numbers);
+            if (isEllipse) {
+                return ellipse(numbers);
             } else if (word.equals("z")) {
                 path.closePath();
             } else if (path.getCurrentPoint() == null) {
@@ -92,12 +97,13 @@ final class ToolIcons {
         return path;
     }
 
-    private static Shape circle(String... numbers) {
-        double radius = Double.parseDouble(numbers[2]);
+    private static Shape ellipse(String... numbers) {
+        double radiusX = Double.parseDouble(numbers[2]);
+        double radiusY = Double.parseDouble(numbers[numbers.length - 1]);
         return new Ellipse2D.Double(
-                Double.parseDouble(numbers[0]) - radius,
-                Double.parseDouble(numbers[1]) - radius,
-                2 * radius,
-                2 * radius);
+                Double.parseDouble(numbers[0]) - radiusX,
+                Double.parseDouble(numbers[1]) - radiusY,
+                2 * radiusX,
+                2 * radiusY);
     }
 }

@@ -49,7 +49,7 @@ public final class IdLevel {
         for (var body : level.bodies()) {
             var material = flat("id-" + materials.size(), colour(materials.size()));
             materials.add(material);
-            bodies.add(painted(body, material.id()));
+            bodies.add(body.withMaterial(material.id()));
         }
         var models = new ArrayList<ModelPlacement>();
         for (var model : level.models()) {
@@ -87,73 +87,26 @@ public final class IdLevel {
         return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
     }
 
-    private static Body painted(Body body, String material) {
-        double mass = body.massKilograms();
-        double friction = body.friction();
-        double bounce = body.restitution();
-        if (body instanceof Body.Box box) {
-            return new Body.Box(box.id(), box.centre(), box.size(), mass, material, friction, bounce);
-        }
-        if (body instanceof Body.Sphere sphere) {
-            return new Body.Sphere(
-                    sphere.id(), sphere.centre(), sphere.radiusMetres(), mass, material, friction, bounce);
-        }
-        var capsule = (Body.Capsule) body;
-        return new Body.Capsule(
-                capsule.id(),
-                capsule.centre(),
-                capsule.radiusMetres(),
-                capsule.heightMetres(),
-                mass,
-                material,
-                friction,
-                bounce);
-    }
-
     private static Solid painted(Solid solid, String material, Set<String> mirrors) {
-        if (solid instanceof Solid.Box box) {
-            return new Solid.Box(
-                    box.id(),
-                    material,
-                    false,
-                    box.textureMapping(),
-                    box.centre(),
-                    box.size(),
-                    mirrors(List.of(BoxFace.values()), box.faces(), box.material(), mirrors));
+        Solid painted = solid.with(solid.id(), material, false, solid.textureMapping());
+        if (painted instanceof Solid.Box box) {
+            return box.withFaces(mirrors(List.of(BoxFace.values()), box.faces(), solid.material(), mirrors));
         }
-        if (solid instanceof Solid.Wedge wedge) {
-            return new Solid.Wedge(
-                    wedge.id(),
-                    material,
-                    false,
-                    wedge.textureMapping(),
-                    wedge.centre(),
-                    wedge.size(),
-                    wedge.rising(),
-                    mirrors(SolidFaces.names(wedge), wedge.faces(), wedge.material(), mirrors));
+        if (painted instanceof Solid.Wedge wedge) {
+            return wedge.withFaces(mirrors(SolidFaces.names(wedge), wedge.faces(), solid.material(), mirrors));
         }
-        if (solid instanceof Solid.Prism prism) {
-            return new Solid.Prism(
-                    prism.id(),
-                    material,
-                    false,
-                    prism.textureMapping(),
-                    prism.centre(),
-                    prism.radiusMetres(),
-                    prism.heightMetres(),
-                    prism.sides(),
-                    mirrors(SolidFaces.names(prism), prism.faces(), prism.material(), mirrors));
+        if (painted instanceof Solid.Prism prism) {
+            return prism.withFaces(mirrors(SolidFaces.names(prism), prism.faces(), solid.material(), mirrors));
         }
-        var planes = (Solid.Planes) solid;
-        var bare = planes.planes().stream()
+        var planes = (Solid.Planes) painted;
+        return planes.withPlanes(planes.planes().stream()
                 .map(plane -> new Solid.PlaneFace(
                         plane.normal(),
                         plane.distanceMetres(),
-                        isMirror(plane.material(), planes.material(), mirrors) ? MIRROR : null,
+                        isMirror(plane.material(), solid.material(), mirrors) ? MIRROR : null,
                         null,
                         null))
-                .collect(Collectors.toList());
-        return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
+                .collect(Collectors.toList()));
     }
 
     /** Returns the faces of a solid that are mirrors. */

@@ -25,6 +25,9 @@ public sealed interface Body {
     /** Returns the coefficient of restitution: the ratio of separating to approaching speed. */
     double restitution();
 
+    /** Returns this body with another material. */
+    Body withMaterial(String other);
+
     /** {@code "kind": "box"}. */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
@@ -34,7 +37,12 @@ public sealed interface Body {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
-            implements Body {}
+            implements Body {
+        @Override
+        public Body withMaterial(String other) {
+            return new Box(id, centre, size, massKilograms, other, friction, restitution);
+        }
+    }
 
     /** {@code "kind": "sphere"}. */
     record Sphere(
@@ -45,7 +53,12 @@ public sealed interface Body {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
-            implements Body {}
+            implements Body {
+        @Override
+        public Body withMaterial(String other) {
+            return new Sphere(id, centre, radiusMetres, massKilograms, other, friction, restitution);
+        }
+    }
 
     /** {@code "kind": "capsule"}: its axis stands upright at the start; {@code heightMetres} includes both caps. */
     record Capsule(
@@ -57,5 +70,10 @@ public sealed interface Body {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
-            implements Body {}
+            implements Body {
+        @Override
+        public Body withMaterial(String other) {
+            return new Capsule(id, centre, radiusMetres, heightMetres, massKilograms, other, friction, restitution);
+        }
+    }
 }

@@ -2,6 +2,7 @@ package nephele.engine.level;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
@@ -46,44 +47,25 @@ public record Level(
                 EditorNotes.NONE);
     }
 
+    /** Returns this level with another start of the player and another portal gun; either can be {@code null}. */
+    public Level with(PlayerStart otherStart, PortalGun otherGun) {
+        return with(draft -> {
+            draft.player = otherStart;
+            draft.portalGun = otherGun;
+        });
+    }
+
     /** Returns this level with other portals. */
     public Level withPortals(List<PortalSpec> otherPortals) {
-        return new Level(
-                name,
-                description,
-                environment,
-                player,
-                cameras,
-                materials,
-                solids,
-                lights,
-                otherPortals,
-                models,
-                bodies,
-                portalGun,
-                exits,
-                aim,
-                editor);
+        return with(draft -> draft.portals = otherPortals);
     }
 
     /** Returns this level with another environment and other lights. */
     public Level with(Environment changed, List<Light> otherLights) {
-        return new Level(
-                name,
-                description,
-                changed,
-                player,
-                cameras,
-                materials,
-                solids,
-                otherLights,
-                portals,
-                models,
-                bodies,
-                portalGun,
-                exits,
-                aim,
-                editor);
+        return with(draft -> {
+            draft.environment = changed;
+            draft.lights = otherLights;
+        });
     }
 
     /** Returns this level with other materials and solids. */
@@ -102,61 +84,77 @@ public record Level(
             List<Solid> otherSolids,
             List<Body> otherBodies,
             List<ModelPlacement> otherModels) {
-        return new Level(
-                name,
-                description,
-                environment,
-                player,
-                cameras,
-                otherMaterials,
-                otherSolids,
-                lights,
-                portals,
-                otherModels,
-                otherBodies,
-                portalGun,
-                exits,
-                aim,
-                editor);
+        return with(draft -> {
+            draft.materials = otherMaterials;
+            draft.solids = otherSolids;
+            draft.bodies = otherBodies;
+            draft.models = otherModels;
+        });
     }
 
     /** Returns this level with other exits. */
     public Level withExits(List<Exit> otherExits) {
-        return new Level(
-                name,
-                description,
-                environment,
-                player,
-                cameras,
-                materials,
-                solids,
-                lights,
-                portals,
-                models,
-                bodies,
-                portalGun,
-                otherExits,
-                aim,
-                editor);
+        return with(draft -> draft.exits = otherExits);
     }
 
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
-        return new Level(
-                name,
-                description,
-                environment,
-                player,
-                cameras,
-                materials,
-                solids,
-                lights,
-                portals,
-                models,
-                bodies,
-                portalGun,
-                exits,
-                aim,
-                notes);
+        return with(draft -> draft.editor = notes);
+    }
+
+    private Level with(Consumer<Draft> change) {
+        Draft draft = new Draft(this);
+        change.accept(draft);
+        return draft.level();
+    }
+
+    /** A level on the way from one value to another; what no with-method changes is not in it. */
+    private static final class Draft {
+        private final Level from;
+        private Environment environment;
+        private PlayerStart player;
+        private List<Material> materials;
+        private List<Solid> solids;
+        private List<Light> lights;
+        private List<PortalSpec> portals;
+        private List<ModelPlacement> models;
+        private List<Body> bodies;
+        private PortalGun portalGun;
+        private List<Exit> exits;
+        private EditorNotes editor;
+
+        Draft(Level from) {
+            this.from = from;
+            environment = from.environment;
+            player = from.player;
+            materials = from.materials;
+            solids = from.solids;
+            lights = from.lights;
+            portals = from.portals;
+            models = from.models;
+            bodies = from.bodies;
+            portalGun = from.portalGun;
+            exits = from.exits;
+            editor = from.editor;
+        }
+
+        Level level() {
+            return new Level(
+                    from.name,
+                    from.description,
+                    environment,
+                    player,
+                    from.cameras,
+                    materials,
+                    solids,
+                    lights,
+                    portals,
+                    models,
+                    bodies,
+                    portalGun,
+                    exits,
+                    from.aim,
+                    editor);
+        }
     }
 }

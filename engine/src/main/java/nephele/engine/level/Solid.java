@@ -18,6 +18,9 @@ public sealed interface Solid {
 
     TextureMapping textureMapping();
 
+    /** Returns this solid with another id and other defaults of its faces; what its faces say stays. */
+    Solid with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping);
+
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
@@ -27,7 +30,17 @@ public sealed interface Solid {
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
             @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
             @Written Map<BoxFace, Face> faces)
-            implements Solid {}
+            implements Solid {
+        @Override
+        public Box with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping) {
+            return new Box(newId, newMaterial, isPortalable, mapping, centre, size, faces);
+        }
+
+        /** Returns this solid with other entries of faces. */
+        public Box withFaces(Map<BoxFace, Face> others) {
+            return new Box(id, material, portalable, textureMapping, centre, size, others);
+        }
+    }
 
     /** {@code "kind": "planes"}: the intersection of half-spaces normal · p ≤ distanceMetres; bounded and not empty. */
     record Planes(
@@ -36,7 +49,17 @@ public sealed interface Solid {
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true, most = 64) List<PlaneFace> planes)
-            implements Solid {}
+            implements Solid {
+        @Override
+        public Planes with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping) {
+            return new Planes(newId, newMaterial, isPortalable, mapping, planes);
+        }
+
+        /** Returns this solid with other planes. */
+        public Planes withPlanes(List<PlaneFace> others) {
+            return new Planes(id, material, portalable, textureMapping, others);
+        }
+    }
 
     /**
      * {@code "kind": "wedge"}: half of a box, cut from its low edge to its high edge.
@@ -52,7 +75,17 @@ public sealed interface Solid {
             @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
             @Written(required = true, prototype = "\"+x\"") BoxFace rising,
             @Written Map<String, Face> faces)
-            implements Solid {}
+            implements Solid {
+        @Override
+        public Wedge with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping) {
+            return new Wedge(newId, newMaterial, isPortalable, mapping, centre, size, rising, faces);
+        }
+
+        /** Returns this solid with other entries of faces. */
+        public Wedge withFaces(Map<String, Face> others) {
+            return new Wedge(id, material, portalable, textureMapping, centre, size, rising, others);
+        }
+    }
 
     /**
      * {@code "kind": "prism"}: a regular upright prism.
@@ -70,7 +103,19 @@ public sealed interface Solid {
             @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double heightMetres,
             @Written(absent = "16", min = 3, max = 62) int sides,
             @Written Map<String, Face> faces)
-            implements Solid {}
+            implements Solid {
+        @Override
+        public Prism with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping) {
+            return new Prism(
+                    newId, newMaterial, isPortalable, mapping, centre, radiusMetres, heightMetres, sides, faces);
+        }
+
+        /** Returns this solid with other entries of faces. */
+        public Prism withFaces(Map<String, Face> others) {
+            return new Prism(
+                    id, material, portalable, textureMapping, centre, radiusMetres, heightMetres, sides, others);
+        }
+    }
 
     /**
      * The properties of a face that differ from its solid's; {@code null} members inherit.

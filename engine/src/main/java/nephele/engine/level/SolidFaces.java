@@ -82,37 +82,13 @@ public final class SolidFaces {
     }
 
     private static Solid withKnown(Solid solid, String face, Solid.Face said) {
-        if (solid instanceof Solid.Box b) {
+        if (solid instanceof Solid.Box box) {
             BoxFace side = BoxFace.values()[names(solid).indexOf(face)];
-            return new Solid.Box(
-                    b.id(),
-                    b.material(),
-                    b.portalable(),
-                    b.textureMapping(),
-                    b.centre(),
-                    b.size(),
-                    with(b.faces(), side, said));
-        } else if (solid instanceof Solid.Wedge w) {
-            return new Solid.Wedge(
-                    w.id(),
-                    w.material(),
-                    w.portalable(),
-                    w.textureMapping(),
-                    w.centre(),
-                    w.size(),
-                    w.rising(),
-                    with(w.faces(), face, said));
-        } else if (solid instanceof Solid.Prism p) {
-            return new Solid.Prism(
-                    p.id(),
-                    p.material(),
-                    p.portalable(),
-                    p.textureMapping(),
-                    p.centre(),
-                    p.radiusMetres(),
-                    p.heightMetres(),
-                    p.sides(),
-                    with(p.faces(), face, said));
+            return box.withFaces(with(box.faces(), side, said));
+        } else if (solid instanceof Solid.Wedge wedge) {
+            return wedge.withFaces(with(wedge.faces(), face, said));
+        } else if (solid instanceof Solid.Prism prism) {
+            return prism.withFaces(with(prism.faces(), face, said));
         }
         return with((Solid.Planes) solid, names(solid).indexOf(face), said);
     }
@@ -124,12 +100,7 @@ public final class SolidFaces {
                 index,
                 new Solid.PlaneFace(
                         plane.normal(), plane.distanceMetres(), said.material(), said.portalable(), said.texture()));
-        return new Solid.Planes(
-                solid.id(),
-                solid.material(),
-                solid.portalable(),
-                solid.textureMapping(),
-                Collections.unmodifiableList(planes));
+        return solid.withPlanes(Collections.unmodifiableList(planes));
     }
 
     private static <N> Map<N, Solid.Face> with(Map<N, Solid.Face> faces, N name, Solid.Face said) {

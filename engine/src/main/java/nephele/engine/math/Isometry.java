@@ -11,5 +11,17 @@ public interface Isometry {
     Vector3d direction(Vector3d v);
 
     /** Returns true if the map reverses handedness. */
-    boolean isReflection();
+    default boolean isReflection() {
+        return false;
+    }
+
+    /** Returns the mapped point. */
+    default Vec3 point(Vec3 p) {
+        return Vec3.of(point(p.toVector()));
+    }
+
+    /** Returns the mapped direction. */
+    default Vec3 direction(Vec3 v) {
+        return Vec3.of(direction(v.toVector()));
+    }
 }

@@ -66,23 +66,6 @@ public final class PortalTransform implements Isometry {
         return rotation.transform(v);
     }
 
-    @Override
-    public boolean isReflection() {
-        return false;
-    }
-
-    /** Returns the mapped point. */
-    public Vec3 point(Vec3 p) {
-        Vector3d moved = point(p.toVector());
-        return new Vec3(moved.x, moved.y, moved.z);
-    }
-
-    /** Returns the rotated direction. */
-    public Vec3 direction(Vec3 v) {
-        Vector3d turned = direction(v.toVector());
-        return new Vec3(turned.x, turned.y, turned.z);
-    }
-
     /** Returns a convex solid before the entry as the congruent solid before the exit. */
     public ConvexPolyhedron polyhedron(ConvexPolyhedron solid) {
         List<ConvexPolyhedron.Face> faces = new ArrayList<>();

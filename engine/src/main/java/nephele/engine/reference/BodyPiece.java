@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
+import nephele.engine.math.RayClip;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.BodyShape.Span;
 import org.joml.Matrix3d;
@@ -34,20 +35,9 @@ record BodyPiece(int body, BodyShape form, Vec3 centre, Matrix3d worldFromBody, 
     @Override
     public boolean intersects(Ray ray, double limit) {
         Span inside = span(ray);
-        double enter = Math.max(inside.enter(), 0);
-        double leave = Math.min(inside.leave(), limit);
-        for (Plane cut : cuts) {
-            double front = cut.signedDistance(ray.originX(), ray.originY(), ray.originZ());
-            double rate = cut.nx() * ray.directionX() + cut.ny() * ray.directionY() + cut.nz() * ray.directionZ();
-            if (rate > 0) {
-                enter = Math.max(enter, -front / rate);
-            } else if (rate < 0) {
-                leave = Math.min(leave, -front / rate);
-            } else if (front < 0) {
-                return false;
-            }
-        }
-        return enter <= leave;
+        RayClip clip = new RayClip(ray, Math.max(inside.enter(), 0), Math.min(inside.leave(), limit));
+        cuts.forEach(clip::keepInFront);
+        return clip.enter() <= clip.leave();
     }
 
     @Override

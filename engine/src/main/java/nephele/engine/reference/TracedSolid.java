@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Ray;
+import nephele.engine.math.RayClip;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
@@ -26,12 +27,14 @@ final class TracedSolid implements TracedShape {
 
     @Override
     public double entry(Ray ray, double least) {
-        return entry(ray, planes, least);
+        RayClip inside = clip(ray, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        return inside.enter() < inside.leave() && inside.enter() >= least ? inside.enter() : Double.POSITIVE_INFINITY;
     }
 
     @Override
     public boolean intersects(Ray ray, double limit) {
-        return meets(ray, planes, limit);
+        RayClip inside = clip(ray, 0, limit);
+        return inside.enter() <= inside.leave();
     }
 
     @Override
@@ -64,40 +67,14 @@ final class TracedSolid implements TracedShape {
         return entered;
     }
 
-    /** Returns the parameter at which the ray enters; infinity if that is before {@code least}, or never. */
-    private static double entry(Ray ray, double[] p, double least) {
-        double enter = Double.NEGATIVE_INFINITY;
-        double leave = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < p.length && enter <= leave; i += 4) {
-            double rate = rate(ray, p, i);
-            double front = inFront(ray, p, i);
-            if (rate < 0) {
-                enter = Math.max(enter, -front / rate);
-            } else if (rate > 0) {
-                leave = Math.min(leave, -front / rate);
-            } else if (front > 0) {
-                return Double.POSITIVE_INFINITY;
-            }
+    /** Clips the ray by every plane; once nothing is left, the rest is not looked at. */
+    private RayClip clip(Ray ray, double enter, double leave) {
+        double[] p = planes;
+        RayClip clip = new RayClip(ray, enter, leave);
+        for (int i = 0; i < p.length && clip.enter() <= clip.leave(); i += 4) {
+            clip.keepBehind(rate(ray, p, i), inFront(ray, p, i));
         }
-        return enter < leave && enter >= least ? enter : Double.POSITIVE_INFINITY;
-    }
-
-    /** Clips the ray from 0 to {@code limit} by every plane (Cyrus and Beck 1978): the rest is inside. */
-    private static boolean meets(Ray ray, double[] p, double limit) {
-        double enter = 0;
-        double leave = limit;
-        for (int i = 0; i < p.length && enter <= leave; i += 4) {
-            double rate = rate(ray, p, i);
-            double front = inFront(ray, p, i);
-            if (rate < 0) {
-                enter = Math.max(enter, -front / rate);
-            } else if (rate > 0) {
-                leave = Math.min(leave, -front / rate);
-            } else if (front > 0) {
-                return false;
-            }
-        }
-        return enter <= leave;
+        return clip;
     }
 
     private static double rate(Ray ray, double[] p, int plane) {

@@ -60,11 +60,8 @@ public final class Opening {
         this.isometry = isometry;
         this.exit = exit;
         this.tint = tint;
-        exitFrame = new Vec3[] {
-            Vec3.of(isometry.point(centre.toVector())),
-            Vec3.of(isometry.direction(frame.right().toVector())),
-            Vec3.of(isometry.direction(frame.up().toVector()))
-        };
+        exitFrame =
+                new Vec3[] {isometry.point(centre), isometry.direction(frame.right()), isometry.direction(frame.up())};
     }
 
     /**

@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import nephele.engine.level.EditorNotes;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
@@ -50,22 +49,15 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
         DraftPlacements placements = DraftPlacements.of(scene, parts, looks, warnings);
         DraftGround ground = DraftGround.around(boxes(posed, parts, placements), scene.eye());
         DraftLights lights = DraftLights.of(posed, ground, scene, warnings);
-        Level level = new Level(
-                printable(name),
-                "an XML scene at time 0",
-                lights.environment(looks.ambientShare()),
-                ground.player(),
-                List.of(ground.camera()),
-                looks.materials(ground.hasGround() ? BLACK : GREY),
-                List.of(ground.floor()),
-                lights.lights(),
-                List.of(),
-                placements.placed(),
-                List.of(),
-                new PortalGun(1.2, 2.1, PortalShape.ARCH, 500),
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        Environment environment = lights.environment(looks.ambientShare());
+        Level level = Level.of(printable(name), "an XML scene at time 0", environment, List.of(ground.camera()))
+                .with(ground.player(), new PortalGun(1.2, 2.1, PortalShape.ARCH, 500))
+                .with(
+                        looks.materials(ground.hasGround() ? BLACK : GREY),
+                        List.of(ground.floor()),
+                        List.of(),
+                        placements.placed())
+                .with(environment, lights.lights());
         warnings.sort(Comparator.comparingInt(XmlWarning::line));
         return new LevelDraft(level, List.copyOf(warnings));
     }

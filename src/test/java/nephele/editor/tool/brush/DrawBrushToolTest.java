@@ -25,18 +25,12 @@ class DrawBrushToolTest {
     private final ToolScene scene = ToolScene.withCube().using(DrawBrushTool.ENTRY);
     private final Level start = scene.level();
 
-    private void assertBox(String id, Vec3 centre, Vec3 size) {
-        Solid.Box box = (Solid.Box) scene.solid(id);
-        assertEquals(centre, box.centre());
-        assertEquals(size, box.size());
-    }
-
     @Test
     void drawsOnAFaceWithTheOptions() {
         scene.session().options().material("red");
         scene.session().options().portalable(false);
         scene.stroke(new Vec3(-0.52, 2, -0.51), new Vec3(0.48, 2, 0.97));
-        assertBox("box", new Vec3(0, 2.5, 0.25), new Vec3(1, 1, 1.5));
+        scene.assertBox("box", new Vec3(0, 2.5, 0.25), new Vec3(1, 1, 1.5));
         assertEquals("red", scene.solid("box").material());
         assertFalse(scene.solid("box").portalable());
         assertEquals(
@@ -49,14 +43,14 @@ class DrawBrushToolTest {
     void drawsOnTheFloorWhereNothingIs() {
         scene.session().options().material("missing");
         scene.stroke(new Vec3(2, 0, 1), new Vec3(3, 0, 2));
-        assertBox("box", new Vec3(2.5, 0.5, 1.5), new Vec3(1, 1, 1));
+        scene.assertBox("box", new Vec3(2.5, 0.5, 1.5), new Vec3(1, 1, 1));
         assertNull(scene.solid("box").material());
     }
 
     @Test
     void drawsOnASideOutwards() {
         scene.stroke(new Vec3(-0.5, 0.5, 1), new Vec3(0.5, 1.5, 1));
-        assertBox("box", new Vec3(0, 1, 1.5), new Vec3(1, 1, 1));
+        scene.assertBox("box", new Vec3(0, 1, 1.5), new Vec3(1, 1, 1));
     }
 
     @Test
@@ -65,17 +59,17 @@ class DrawBrushToolTest {
         scene.drag(new Vec3(4, 0, 2), Modifier.SHIFT);
         scene.drag(new Vec3(4, 2.9, 3), Modifier.ALT);
         scene.release(new Vec3(4, 2.9, 3));
-        assertBox("box", new Vec3(3, 1.5, 2), new Vec3(2, 3, 2));
+        scene.assertBox("box", new Vec3(3, 1.5, 2), new Vec3(2, 3, 2));
     }
 
     @Test
     void aPlanTakesTheDepthOfTheSelectionOrOneStep() {
         ToolScene plan = scene.plan(PaneKind.TOP);
         plan.stroke(new Vec3(2, 0, 0), new Vec3(3, 0, 1));
-        assertBox("box", new Vec3(2.5, 0.25, 0.5), new Vec3(1, 0.5, 1));
+        scene.assertBox("box", new Vec3(2.5, 0.25, 0.5), new Vec3(1, 0.5, 1));
         plan.selecting("cube").using(DrawBrushTool.ENTRY);
         plan.stroke(new Vec3(-2, 0, 0), new Vec3(-3, 0, 1));
-        assertBox("box-2", new Vec3(-2.5, 1, 0.5), new Vec3(1, 2, 1));
+        scene.assertBox("box-2", new Vec3(-2.5, 1, 0.5), new Vec3(1, 2, 1));
     }
 
     @Test

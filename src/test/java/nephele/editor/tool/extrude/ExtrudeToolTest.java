@@ -12,7 +12,6 @@ import nephele.editor.tool.EndedDrags;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.ToolScene;
 import nephele.engine.level.Level;
-import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -26,24 +25,18 @@ class ExtrudeToolTest {
     private final ToolScene scene = ToolScene.withCube().using(ExtrudeTool.ENTRY);
     private final Level start = scene.level();
 
-    private void assertBox(String id, Vec3 centre, Vec3 size) {
-        Solid.Box box = (Solid.Box) scene.solid(id);
-        assertEquals(centre, box.centre());
-        assertEquals(size, box.size());
-    }
-
     @Test
     void aFaceMovesBySteps() {
         scene.stroke(TOP, new Vec3(0, 3.1, 0));
-        assertBox("cube", new Vec3(0, 1.5, 0), new Vec3(2, 3, 2));
+        scene.assertBox("cube", new Vec3(0, 1.5, 0), new Vec3(2, 3, 2));
         EndedDrags.assertOneStep(start, scene);
     }
 
     @Test
     void controlMakesANewBrush() {
         scene.stroke(TOP, new Vec3(0, 3.1, 0), Modifier.CONTROL);
-        assertBox("cube", new Vec3(0, 1, 0), new Vec3(2, 2, 2));
-        assertBox("cube-2", new Vec3(0, 2.5, 0), new Vec3(2, 1, 2));
+        scene.assertBox("cube", new Vec3(0, 1, 0), new Vec3(2, 2, 2));
+        scene.assertBox("cube-2", new Vec3(0, 2.5, 0), new Vec3(2, 1, 2));
         EndedDrags.assertOneStep(start, scene);
     }
 
@@ -57,7 +50,7 @@ class ExtrudeToolTest {
     @Test
     void aPlanMovesTheSideNearestToThePointer() {
         scene.plan(PaneKind.TOP).stroke(new Vec3(0.9, 0, 0.2), new Vec3(1.5, 0, 0.7));
-        assertBox("cube", new Vec3(0.25, 1, 0), new Vec3(2.5, 2, 2));
+        scene.assertBox("cube", new Vec3(0.25, 1, 0), new Vec3(2.5, 2, 2));
     }
 
     @Test

@@ -1,5 +1,7 @@
 package nephele.editor.tool.paint;
 
+import static nephele.editor.tool.ToolTrial.FLOOR;
+import static nephele.editor.tool.ToolTrial.WALL;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -30,9 +32,6 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** The paint tool gives faces a material. */
 @Execution(ExecutionMode.CONCURRENT)
 class PaintToolTest {
-    private static final Vec3 FLOOR = new Vec3(0, 0, -4);
-    private static final Vec3 WALL = new Vec3(0, 2, -8);
-
     private static ToolTrial hall() {
         Level materials = DraftLevel.of("\"materials\": [{\"id\": \"brick\"}," + " {\"id\": \"stone\"}]");
         Level hall = RoomLevel.hall().level();
@@ -141,11 +140,7 @@ class PaintToolTest {
 
     @Test
     void escapeGivesTheLevelBack() {
-        ToolTrial trial = hall();
-        Level before = trial.level();
-        trial.press(FLOOR);
-        trial.tool().dragged(trial.over(WALL));
-        trial.assertCancelled(before);
+        hall().assertCancelledDrag(FLOOR, WALL);
     }
 
     @Test

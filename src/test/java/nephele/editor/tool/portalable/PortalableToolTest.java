@@ -1,5 +1,7 @@
 package nephele.editor.tool.portalable;
 
+import static nephele.editor.tool.ToolTrial.FLOOR;
+import static nephele.editor.tool.ToolTrial.WALL;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -21,9 +23,6 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** The portalable tool changes single faces. */
 @Execution(ExecutionMode.CONCURRENT)
 class PortalableToolTest {
-    private static final Vec3 FLOOR = new Vec3(0, 0, -4);
-    private static final Vec3 WALL = new Vec3(0, 2, -8);
-
     private static ToolTrial hall() {
         return new ToolTrial(RoomLevel.hall().level(), PortalableTool::new);
     }
@@ -81,11 +80,7 @@ class PortalableToolTest {
 
     @Test
     void escapeGivesTheLevelBack() {
-        ToolTrial trial = hall();
-        Level before = trial.level();
-        trial.press(FLOOR);
-        trial.tool().dragged(trial.over(WALL));
-        trial.assertCancelled(before);
+        hall().assertCancelledDrag(FLOOR, WALL);
     }
 
     @Test

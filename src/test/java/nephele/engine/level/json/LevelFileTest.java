@@ -10,9 +10,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.FaultyFiles;
 import nephele.engine.level.Level;
 import org.junit.jupiter.api.BeforeEach;
@@ -140,22 +137,7 @@ class LevelFileTest {
     void whatCannotBeReadBackIsNotWritten() throws IOException {
         LevelFile.save(file, OLD);
         byte[] before = Files.readAllBytes(file);
-        Level broken = new Level(
-                "\u0007",
-                "",
-                OLD.environment(),
-                null,
-                OLD.cameras(),
-                OLD.materials(),
-                OLD.solids(),
-                OLD.lights(),
-                OLD.portals(),
-                OLD.models(),
-                OLD.bodies(),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        Level broken = Level.of("\u0007", "", OLD.environment(), OLD.cameras());
         assertThrows(LevelFormatException.class, () -> LevelFile.save(file, broken));
         assertArrayEquals(before, Files.readAllBytes(file));
     }

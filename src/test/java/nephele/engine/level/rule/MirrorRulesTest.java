@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.MirrorFaces;
@@ -29,22 +28,7 @@ class MirrorRulesTest {
     }
 
     private static Level level(Material material, List<Solid> solids, List<Body> bodies) {
-        return new Level(
-                "",
-                "",
-                null,
-                null,
-                List.of(),
-                List.of(material),
-                solids,
-                List.of(),
-                List.of(),
-                List.of(),
-                bodies,
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("", "", null, List.of()).with(List.of(material), solids, bodies);
     }
 
     private static List<String> paths(Level level) {

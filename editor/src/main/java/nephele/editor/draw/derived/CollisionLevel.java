@@ -1,10 +1,8 @@
 package nephele.editor.draw.derived;
 
 import java.util.List;
-import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
-import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 
@@ -18,26 +16,15 @@ final class CollisionLevel implements LevelDerivation {
             Recoloured.material(MODEL, new Vec3(0.55, 0.75, 0.4)),
             Recoloured.material(BODY, new Vec3(0.9, 0.5, 0.15)));
 
-    private final Vec3 background;
+    private final RecolouredLevel recoloured;
     private final DerivedRecords<Solid, Solid> solids = new DerivedRecords<>(solid -> Recoloured.solid(solid, SOLID));
-    private final DerivedRecords<ModelPlacement, ModelPlacement> models =
-            new DerivedRecords<>(model -> Recoloured.model(model, MODEL));
-    private final DerivedRecords<Body, Body> bodies = new DerivedRecords<>(body -> Recoloured.body(body, BODY));
-    private EvenLight.Surfaces shown;
-    private Level derived;
 
     CollisionLevel(Vec3 background) {
-        this.background = background;
+        recoloured = new RecolouredLevel(MATERIALS, model -> Recoloured.model(model, MODEL), BODY, background);
     }
 
     @Override
     public Level of(Level level) {
-        EvenLight.Surfaces now = new EvenLight.Surfaces(
-                MATERIALS, solids.of(level.solids()), models.of(level.models()), bodies.of(level.bodies()));
-        if (!now.isSame(shown)) {
-            shown = now;
-            derived = EvenLight.level(now, background);
-        }
-        return derived;
+        return recoloured.of(level, solids.of(level.solids()));
     }
 }

@@ -1,15 +1,8 @@
 package nephele.editor.draw.derived;
 
 import java.util.List;
-import java.util.Map;
-import nephele.engine.level.Body;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Level;
-import nephele.engine.level.Material;
-import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Sky;
-import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
@@ -25,7 +18,7 @@ public final class EvenLight {
     private EvenLight() {}
 
     /**
-     * Returns the environment for a view, to draw a level of {@link #level} with: the sun is beside the eye, because
+     * Returns the environment for a view, to draw a {@link SurfacesLevel} with: the sun is beside the eye, because
      * faces that a fixed sun does not reach would all look the same.
      */
     public static Environment seenFrom(Environment base, Vec3 right, Vec3 up, Vec3 back) {
@@ -33,39 +26,13 @@ public final class EvenLight {
         return environment(towards, base.sky());
     }
 
+    /** Returns the environment while no view is known: the sun is above. */
+    static Environment before(Vec3 background) {
+        return environment(new Vec3(0, 1, 0), new Sky.Constant(background));
+    }
+
     private static Environment environment(Vec3 towardsSun, Sky sky) {
         return new Environment(
                 new Sun(towardsSun, IRRADIANCE, false), sky, AMBIENT, 0, ToneCurve.CLIP, null, List.of());
-    }
-
-    /** The parts of a level that have surfaces. */
-    record Surfaces(List<Material> materials, List<Solid> solids, List<ModelPlacement> models, List<Body> bodies) {
-        boolean isSame(Surfaces other) {
-            return other != null
-                    && materials == other.materials
-                    && solids == other.solids
-                    && models == other.models
-                    && bodies == other.bodies;
-        }
-    }
-
-    /** Returns a level of surfaces alone: without lights, portals, mirrors, exits and player. */
-    static Level level(Surfaces shown, Vec3 background) {
-        return new Level(
-                "",
-                "",
-                environment(new Vec3(0, 1, 0), new Sky.Constant(background)),
-                null,
-                List.of(),
-                shown.materials,
-                shown.solids,
-                List.of(),
-                List.of(),
-                shown.models,
-                shown.bodies,
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
     }
 }

@@ -2,11 +2,9 @@ package nephele.editor.draw.derived;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.MirrorFaces;
-import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 
@@ -20,17 +18,16 @@ final class PortalableLevel implements LevelDerivation {
             Recoloured.material(OTHERS, new Vec3(0.085, 0.07, 0.065)),
             Recoloured.material(BODY, new Vec3(0.2, 0.14, 0.09)));
 
-    private final Vec3 background;
-    private final DerivedRecords<ModelPlacement, ModelPlacement> models =
-            new DerivedRecords<>(model -> Recoloured.model(model, model.portalable() ? PORTALABLE : OTHERS));
-    private final DerivedRecords<Body, Body> bodies = new DerivedRecords<>(body -> Recoloured.body(body, BODY));
+    private final RecolouredLevel recoloured;
     private DerivedRecords<Solid, Solid> solids;
     private Set<String> mirrors;
-    private EvenLight.Surfaces shown;
-    private Level derived;
 
     PortalableLevel(Vec3 background) {
-        this.background = background;
+        recoloured = new RecolouredLevel(
+                MATERIALS,
+                model -> Recoloured.model(model, model.portalable() ? PORTALABLE : OTHERS),
+                BODY,
+                background);
     }
 
     @Override
@@ -41,12 +38,6 @@ final class PortalableLevel implements LevelDerivation {
             solids = new DerivedRecords<>(
                     solid -> Recoloured.byPortals(solid, nowMirrors::contains, PORTALABLE, OTHERS));
         }
-        EvenLight.Surfaces now = new EvenLight.Surfaces(
-                MATERIALS, solids.of(level.solids()), models.of(level.models()), bodies.of(level.bodies()));
-        if (!now.isSame(shown)) {
-            shown = now;
-            derived = EvenLight.level(now, background);
-        }
-        return derived;
+        return recoloured.of(level, solids.of(level.solids()));
     }
 }

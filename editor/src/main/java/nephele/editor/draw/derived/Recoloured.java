@@ -4,7 +4,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import nephele.engine.level.Body;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
@@ -41,38 +40,6 @@ final class Recoloured {
         return new ModelPlacement(said.id(), said.file(), said.parent(), said.transform(), material, said.portalable());
     }
 
-    static Body body(Body body, String material) {
-        if (body instanceof Body.Box box) {
-            return new Body.Box(
-                    box.id(),
-                    box.centre(),
-                    box.size(),
-                    box.massKilograms(),
-                    material,
-                    box.friction(),
-                    box.restitution());
-        } else if (body instanceof Body.Sphere sphere) {
-            return new Body.Sphere(
-                    sphere.id(),
-                    sphere.centre(),
-                    sphere.radiusMetres(),
-                    sphere.massKilograms(),
-                    material,
-                    sphere.friction(),
-                    sphere.restitution());
-        }
-        Body.Capsule capsule = (Body.Capsule) body;
-        return new Body.Capsule(
-                capsule.id(),
-                capsule.centre(),
-                capsule.radiusMetres(),
-                capsule.heightMetres(),
-                capsule.massKilograms(),
-                material,
-                capsule.friction(),
-                capsule.restitution());
-    }
-
     /** Chooses a face's material from its own one, {@code null} for grey, and from whether it takes portals. */
     @FunctionalInterface
     private interface Choice {
@@ -82,45 +49,16 @@ final class Recoloured {
     /** A solid whose faces get other materials, which are plain, so that no placement of pictures counts. */
     private record Faces(Solid solid, Choice choice) {
         Solid copy() {
-            String whole = chosen(null, null);
-            if (solid instanceof Solid.Box box) {
-                return new Solid.Box(
-                        box.id(),
-                        whole,
-                        box.portalable(),
-                        box.textureMapping(),
-                        box.centre(),
-                        box.size(),
-                        faces(box.faces()));
-            } else if (solid instanceof Solid.Wedge wedge) {
-                return new Solid.Wedge(
-                        wedge.id(),
-                        whole,
-                        wedge.portalable(),
-                        wedge.textureMapping(),
-                        wedge.centre(),
-                        wedge.size(),
-                        wedge.rising(),
-                        faces(wedge.faces()));
-            } else if (solid instanceof Solid.Planes planes) {
-                return new Solid.Planes(
-                        planes.id(),
-                        whole,
-                        planes.portalable(),
-                        planes.textureMapping(),
-                        planes.planes().stream().map(this::face).collect(Collectors.toList()));
+            Solid whole = solid.with(solid.id(), chosen(null, null), solid.portalable(), solid.textureMapping());
+            if (whole instanceof Solid.Box box) {
+                return box.withFaces(faces(box.faces()));
+            } else if (whole instanceof Solid.Wedge wedge) {
+                return wedge.withFaces(faces(wedge.faces()));
+            } else if (whole instanceof Solid.Prism prism) {
+                return prism.withFaces(faces(prism.faces()));
             }
-            Solid.Prism prism = (Solid.Prism) solid;
-            return new Solid.Prism(
-                    prism.id(),
-                    whole,
-                    prism.portalable(),
-                    prism.textureMapping(),
-                    prism.centre(),
-                    prism.radiusMetres(),
-                    prism.heightMetres(),
-                    prism.sides(),
-                    faces(prism.faces()));
+            Solid.Planes planes = (Solid.Planes) whole;
+            return planes.withPlanes(planes.planes().stream().map(this::face).collect(Collectors.toList()));
         }
 
         private Solid.PlaneFace face(Solid.PlaneFace said) {

@@ -6,13 +6,11 @@ import nephele.engine.math.Vec3;
 
 /** The level's own textures and colours under an even light. */
 final class UnlitLevel implements LevelDerivation {
-    private final Vec3 background;
+    private final SurfacesLevel shown;
     private final DerivedRecords<Material, Material> materials = new DerivedRecords<>(UnlitLevel::plain);
-    private EvenLight.Surfaces shown;
-    private Level derived;
 
     UnlitLevel(Vec3 background) {
-        this.background = background;
+        shown = new SurfacesLevel(EvenLight.before(background));
     }
 
     private static Material plain(Material said) {
@@ -30,12 +28,6 @@ final class UnlitLevel implements LevelDerivation {
 
     @Override
     public Level of(Level level) {
-        EvenLight.Surfaces now =
-                new EvenLight.Surfaces(materials.of(level.materials()), level.solids(), level.models(), level.bodies());
-        if (!now.isSame(shown)) {
-            shown = now;
-            derived = EvenLight.level(now, background);
-        }
-        return derived;
+        return shown.of(materials.of(level.materials()), level.solids(), level.models(), level.bodies());
     }
 }

@@ -189,7 +189,7 @@ public final class PaintTool implements Tool {
     public List<Mark> marks() {
         return Optional.ofNullable(hovered)
                 .flatMap(face -> FacesUnderPointer.shape(context.document().level(), face))
-                .map(face -> MarkOutline.polygon(face.polygon(), MarkColour.PREVIEW))
+                .map(face -> MarkOutline.polygon(face.polygon(), MarkColour.PREVIEW, Mark.Visibility.ALWAYS))
                 .orElse(List.of());
     }
 

@@ -107,7 +107,7 @@ public final class PlaceTool implements Tool {
     @Override
     public List<Mark> marks() {
         Aabb box = ghost == null ? Aabb.EMPTY : EntityBounds.of(ghost.entity());
-        return box.isEmpty() ? List.of() : MarkOutline.box(box, MarkColour.PREVIEW);
+        return box.isEmpty() ? List.of() : MarkOutline.box(box, MarkColour.PREVIEW, Mark.Visibility.ALWAYS);
     }
 
     @Override

@@ -23,7 +23,7 @@ record PortalAim(PlacementResult result) {
 
     /** Returns the border of a portal, with a line in the direction in which it faces. */
     static List<Mark> outline(Portal portal, MarkColour colour) {
-        List<Mark> marks = new ArrayList<>(MarkOutline.polygon(portal.corners(), colour));
+        List<Mark> marks = new ArrayList<>(MarkOutline.polygon(portal.corners(), colour, Mark.Visibility.ALWAYS));
         marks.add(new Mark.Line(portal.centre(), portal.world(0, 0, 0.3), colour, Mark.Visibility.ALWAYS));
         return marks;
     }

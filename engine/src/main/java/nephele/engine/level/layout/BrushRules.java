@@ -8,8 +8,8 @@ import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
+import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 
@@ -26,7 +26,8 @@ final class BrushRules {
     static final PlacedRule THICK = (level, statics, report) -> {
         Told told = new Told("solids", report);
         for (int i = 0; i < statics.solids().size() && !told.isFull(); i++) {
-            double thickness = thickness(statics.solids().get(i).shape());
+            double thickness =
+                    PolyhedronMeasure.thicknessMetres(statics.solids().get(i).shape());
             if (thickness < THINNEST_METRES) {
                 String message = "is only " + Math.round(thickness * 1e5) / 100.0
                         + " mm thick, and surfaces closer than 1 mm count as one: make it thicker or delete it";
@@ -53,18 +54,6 @@ final class BrushRules {
     };
 
     private BrushRules() {}
-
-    private static double thickness(ConvexPolyhedron shape) {
-        double least = Double.POSITIVE_INFINITY;
-        for (ConvexPolyhedron.Face face : shape.faces()) {
-            double extent = 0;
-            for (Vec3 corner : shape.vertices()) {
-                extent = Math.max(extent, -face.plane().signedDistance(corner));
-            }
-            least = Math.min(least, extent);
-        }
-        return least;
-    }
 
     /** Returns the first solid that holds another without showing anything of it; −1 for none. */
     private static int around(BrushIndex index, ItemList near, int solid, int solids) {

@@ -7,7 +7,6 @@ import java.util.SplittableRandom;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Camera;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
@@ -69,22 +68,15 @@ final class Town {
         double depth = PLOT_METRES * rows;
         Sun sun = new Sun(new Vec3(0.4, 0.8, 0.3), new Vec3(3, 3, 2.8), true);
         Sky sky = new Sky.Gradient(new Vec3(0.2, 0.4, 0.8), new Vec3(0.6, 0.7, 0.8), new Vec3(0.2, 0.2, 0.2));
-        return new Level(
-                "Town",
-                "",
-                new Environment(sun, sky, null, 0, ToneCurve.CLIP, null, List.of()),
-                null,
-                List.of(camera(width, depth)),
-                materials(),
-                List.copyOf(solids),
-                lights(width, depth),
-                portals(),
-                models(width, depth),
-                bodies(width, depth),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        Environment environment = new Environment(sun, sky, null, 0, ToneCurve.CLIP, null, List.of());
+        // Drawn from the random numbers in this order.
+        List<Light> lights = lights(width, depth);
+        List<ModelPlacement> models = models(width, depth);
+        List<Body> bodies = bodies(width, depth);
+        return Level.of("Town", "", environment, List.of(camera(width, depth)))
+                .with(materials(), List.copyOf(solids), bodies, models)
+                .with(environment, lights)
+                .withPortals(portals());
     }
 
     private static Camera camera(double width, double depth) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -84,22 +83,10 @@ public final class DoorwayRooms {
         var environment = new Environment(null, null, new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
         var size = new Vec3(CUBE, CUBE, CUBE);
         var cube = new Body.Box("cube", cubePlace.centre, size, 5, "paint-7", 0.6, 0);
-        return new Level(
-                "doorways",
-                "",
-                environment,
-                new PlayerStart(new Vec3(BESIDE_LINE, 0, BEHIND_DOOR), 0, 0),
-                List.of(),
-                paints(),
-                List.copyOf(rooms.solids),
-                List.of(),
-                List.copyOf(rooms.portals),
-                List.of(),
-                List.of(cube),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("doorways", "", environment, List.of())
+                .with(new PlayerStart(new Vec3(BESIDE_LINE, 0, BEHIND_DOOR), 0, 0), null)
+                .with(paints(), List.copyOf(rooms.solids), List.of(cube))
+                .withPortals(List.copyOf(rooms.portals));
     }
 
     private static List<Material> paints() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
@@ -54,24 +53,13 @@ final class RecordedTraversal {
         double aside = away * random.nextDouble(-0.8, 0.8);
         double yaw = Math.toDegrees(Math.atan2(aside - random.nextDouble(-0.25, 0.25), away));
         var start = new PlayerStart(new Vec3(aside, 0, away - h), yaw, random.nextDouble(-30, 20));
-        return new Level(
-                "traversal",
-                "",
-                new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of()),
-                start,
-                List.of(),
-                List.of(),
-                walls(),
-                List.of(),
-                List.of(
+        var environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of());
+        return Level.of("traversal", "", environment, List.of())
+                .with(start, null)
+                .with(List.of(), walls())
+                .withPortals(List.of(
                         portal("a", "b", new Vec3(0, 1.05, -h), new Vec3(0, 0, 1), new Vec3(0, 1, 0)),
-                        portal("b", "a", exit, normal, up)),
-                List.of(),
-                List.of(),
-                null,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+                        portal("b", "a", exit, normal, up)));
     }
 
     private static PortalSpec portal(String id, String to, Vec3 centre, Vec3 normal, Vec3 up) {

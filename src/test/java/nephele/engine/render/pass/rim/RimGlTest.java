@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
@@ -41,24 +40,13 @@ class RimGlTest {
     /** A pale wall at z = 0 and a floor. */
     private static Level wall() {
         var environment = new Environment(null, null, new Vec3(1.4, 1.4, 1.4), 0, ToneCurve.CLIP, null, List.of());
-        return new Level(
-                "wall",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.of(),
-                List.of(
-                        box("wall", new Vec3(0, 2, -0.5), new Vec3(12, 6, 1)),
-                        box("floor", new Vec3(0, -0.5, 4), new Vec3(12, 1, 10))),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                GUN,
-                List.of(),
-                Map.of(),
-                EditorNotes.NONE);
+        return Level.of("wall", "", environment, List.of())
+                .with(null, GUN)
+                .with(
+                        List.of(),
+                        List.of(
+                                box("wall", new Vec3(0, 2, -0.5), new Vec3(12, 6, 1)),
+                                box("floor", new Vec3(0, -0.5, 4), new Vec3(12, 1, 10))));
     }
 
     private static Solid box(String id, Vec3 centre, Vec3 size) {

@@ -1,12 +1,10 @@
-package nephele.editor.brush;
+package nephele.engine.math;
 
 import java.util.List;
-import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Vec3;
 
-/** Measures of convex shapes. */
-public final class BrushMeasure {
-    private BrushMeasure() {}
+/** Volume, thickness and areas of convex solids. */
+public final class PolyhedronMeasure {
+    private PolyhedronMeasure() {}
 
     /** Returns the volume in m³, as the sum of tetrahedra from one corner, so that the place does not matter. */
     public static double volumeCubicMetres(ConvexPolyhedron shape) {
