@@ -7,6 +7,8 @@ import nephele.editor.session.EditorSession;
 public final class Guide {
     private final EditorSession session;
     private int step = -1;
+    /** True if the user went back to a step that is done: the guide then waits for "next". */
+    private boolean waits;
 
     public Guide(EditorSession session) {
         this.session = session;
@@ -36,7 +38,8 @@ public final class Guide {
 
     /** Goes on if the step in progress is done; called after each change. Returns true if it went on. */
     public boolean follow() {
-        boolean isOver = !session.document().isDragging()
+        boolean isOver = !waits
+                && !session.document().isDragging()
                 && step().filter(current -> current.isDone(session)).isPresent();
         if (isOver) {
             next();
@@ -46,6 +49,7 @@ public final class Guide {
 
     /** Goes to the next step that is not done, past the present one. */
     public void next() {
+        waits = false;
         do {
             step++;
         } while (step().filter(current -> current.isDone(session)).isPresent());
@@ -55,6 +59,7 @@ public final class Guide {
     /** Goes back by a step, done or not. */
     public void back() {
         step = Math.max(0, step - 1);
+        waits = true;
         step().ifPresent(current -> current.prepare(session));
     }
 }
