@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingConstants;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.LevelStructure;
@@ -21,8 +22,9 @@ import nephele.engine.level.Material;
 import net.miginfocom.swing.MigLayout;
 
 /** Buttons for brush shapes, kinds of entities and materials; they set what the tools make next. */
-public final class PalettePanel extends JPanel {
+public final class PalettePanel extends JPanel implements AutoCloseable {
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final JPanel content =
             new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 2", "[grow, fill, sg][grow, fill, sg]"));
     private transient List<Material> shown = List.of();
@@ -31,7 +33,7 @@ public final class PalettePanel extends JPanel {
         super(new MigLayout("insets 4, fill", "[grow, fill]", "[grow, fill]"));
         this.session = session;
         add(new JScrollPane(content));
-        session.listen(change -> {
+        registration = session.listen(change -> {
             boolean isOther = session.document().level().materials() != shown;
             if (change == Change.SETTINGS || (change == Change.DOCUMENT || change == Change.FILE) && isOther) {
                 refresh();
@@ -100,5 +102,10 @@ public final class PalettePanel extends JPanel {
         button.setToolTipText(text);
         button.addActionListener(event -> action.run());
         content.add(button, "wmin 40");
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

@@ -12,6 +12,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.surface.SurfaceMode;
@@ -25,6 +26,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
 
     private final transient ViewportSurface surface;
     private final transient ViewportControl control;
+    private final transient Registration registration;
 
     /**
      * What the viewport tells its window.
@@ -50,7 +52,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         });
         surface.listen(control, new KeyAdapter() {});
         surface.listen(new FocusOnPress(), new KeyAdapter() {});
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change != Change.STATUS) {
                 surface.repaintSoon();
             }
@@ -89,6 +91,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
 
     @Override
     public void close() {
+        registration.close();
         surface.close();
     }
 }
