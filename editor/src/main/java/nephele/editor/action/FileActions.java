@@ -26,10 +26,6 @@ import nephele.engine.asset.AtomicFile;
 
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
-    private static final Words LOSES = Words.of(
-            "The level has changes that are not saved. Go on without them?",
-            "A fase tem mudanças que não foram salvas. Continuar sem elas?",
-            "O nível tem alterações por guardar. Continuar sem elas?");
     private static final Words SAVED = Words.of("Saved %s", "%s foi salvo", "%s foi guardado");
     private static final Words NO_FILE = Words.of(
             "'%s' is no file name: choose another",
@@ -77,7 +73,7 @@ final class FileActions {
 
     /** Returns true if the open level may be left: it has no changes, or the user agrees to lose them. */
     static boolean mayLeave(ActionCall call) {
-        return !call.session().document().isModified() || call.desk().isAgreed(LOSES);
+        return !call.session().document().isModified() || call.desk().isAgreed(FileText.LOSES.words());
     }
 
     private static void newLevel(ActionCall call) {
@@ -121,7 +117,7 @@ final class FileActions {
             saveAs(call);
         } else {
             Path path = session.file().path().get();
-            DocumentSaver saver = saver(session);
+            DocumentSaver saver = session.filing().saver();
             SaveResult result = saver.save(session.file(), session.document().level());
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
@@ -140,12 +136,12 @@ final class FileActions {
                 : call.desk().fileToSave();
         if (asked.isPresent()) {
             EditorSession session = call.session();
-            finish(call, saver(session).saveAs(asked.get(), session.document().level()));
+            finish(
+                    call,
+                    session.filing()
+                            .saver()
+                            .saveAs(asked.get(), session.document().level()));
         }
-    }
-
-    private static DocumentSaver saver(EditorSession session) {
-        return new DocumentSaver(session.filing().backups());
     }
 
     /** Tells of the result; a user whose level was not saved may choose another place at once. */

@@ -34,6 +34,11 @@ public final class DroppedFile {
             this.endings = List.of(endings);
         }
 
+        /** Returns the endings of file names, in lower case without the dot. */
+        public List<String> endings() {
+            return endings;
+        }
+
         /** Returns the kind of a file. */
         public static Kind of(Path file) throws FileRefusal {
             String name = file.getFileName() == null ? "" : file.getFileName().toString();

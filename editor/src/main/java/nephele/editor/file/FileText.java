@@ -54,6 +54,10 @@ public enum FileText {
                     + "A versão que você não escolher fica nas cópias de segurança.",
             "Outro programa alterou %s, e tens alterações por guardar.\n"
                     + "A versão que não escolheres fica nas cópias de segurança."),
+    LOSES(
+            "The level has changes that are not saved. Go on without them?",
+            "A fase tem mudanças que não foram salvas. Continuar sem elas?",
+            "O nível tem alterações por guardar. Continuar sem elas?"),
     KEEP_MINE("Keep Mine", "Manter a minha", "Manter a minha"),
     LOAD_THEIRS("Load Theirs", "Carregar a outra", "Carregar a outra"),
     DELETED(

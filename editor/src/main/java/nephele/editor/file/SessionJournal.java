@@ -111,6 +111,11 @@ public final class SessionJournal implements AutoCloseable {
         journal.picture(png);
     }
 
+    /** Writes everything at once and waits for it; returns false if that failed. */
+    boolean flush() {
+        return journal.flush();
+    }
+
     /** Ends the journal; what is unsaved stays on disk and is offered at the next start. */
     public void leave() {
         registrations.forEach(Registration::close);

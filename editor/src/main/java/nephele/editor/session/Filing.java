@@ -2,6 +2,7 @@ package nephele.editor.session;
 
 import java.time.Clock;
 import nephele.editor.save.Backups;
+import nephele.editor.save.DocumentSaver;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.engine.userfile.UserFolders;
@@ -10,9 +11,10 @@ import nephele.engine.userfile.UserFolders;
  * What files of a session need from its surroundings.
  *
  * @param backups of saved levels
+ * @param saver writes levels, and keeps those backups
  * @param scenes imports XML scenes
  */
-public record Filing(Backups backups, SceneImporter scenes) {
+public record Filing(Backups backups, DocumentSaver saver, SceneImporter scenes) {
     private static final Words NO_SCENES = Words.of(
             "%s can't be imported here: use 'nephele import'",
             "%s não pode ser importado aqui: use 'nephele import'",
@@ -26,12 +28,12 @@ public record Filing(Backups backups, SceneImporter scenes) {
     /** Returns the folders of a user, without an importer. */
     public static Filing of(EditorFiles files) {
         Backups backups = new Backups(files.backups(), Clock.systemUTC());
-        return new Filing(backups, (scene, level, complaints) -> {
+        return new Filing(backups, new DocumentSaver(backups), (scene, level, complaints) -> {
             throw new FileRefusal(NO_SCENES.with(scene));
         });
     }
 
     public Filing with(SceneImporter importer) {
-        return new Filing(backups, importer);
+        return new Filing(backups, saver, importer);
     }
 }

@@ -1,10 +1,12 @@
 package nephele.editor.window.file;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import nephele.editor.file.BackupList;
@@ -57,8 +59,8 @@ public final class BackupsPanel extends JPanel {
         buttons.add(restore);
         add(buttons);
         DialogueKeys.bind(this, "ESCAPE", answers.done());
-        DialogueKeys.bind(this, "ENTER", this::restore);
-        DoubleClick.on(list.list(), this::restore);
+        DialogueKeys.bind(list.rowList(), "ENTER", this::restore);
+        DoubleClick.on(list.rowList(), this::restore);
         list.show(backups.rows());
     }
 
@@ -67,6 +69,11 @@ public final class BackupsPanel extends JPanel {
         button.setName(text.name());
         button.addActionListener(event -> effect.run());
         return button;
+    }
+
+    /** Returns the list, which has the keyboard first. */
+    JComponent rows() {
+        return list.rowList();
     }
 
     /** Returns the button that is the dialogue's default. */
@@ -99,7 +106,9 @@ public final class BackupsPanel extends JPanel {
     private Optional<BufferedImage> picture(int index) {
         try {
             return Optional.of(PlanPicture.of(
-                    backups.level(index), PicturedList.PICTURE_WIDTH, PicturedList.PICTURE_HEIGHT));
+                    backups.level(index),
+                    UIScale.scale(PicturedList.PICTURE_WIDTH),
+                    UIScale.scale(PicturedList.PICTURE_HEIGHT)));
         } catch (FileRefusal unreadable) {
             return Optional.empty();
         }

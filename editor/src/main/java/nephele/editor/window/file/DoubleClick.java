@@ -21,7 +21,9 @@ final class DoubleClick extends MouseAdapter {
     @Override
     public void mouseClicked(MouseEvent event) {
         int row = list.locationToIndex(event.getPoint());
-        if (event.getClickCount() == 2 && row >= 0 && list.getCellBounds(row, row).contains(event.getPoint())) {
+        if (event.getClickCount() == 2
+                && row >= 0
+                && list.getCellBounds(row, row).contains(event.getPoint())) {
             effect.run();
         }
     }

@@ -1,8 +1,8 @@
 package nephele.editor.window.file;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.Image;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -44,14 +44,13 @@ final class PicturedList extends JPanel {
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer((all, row, index, isSelected, hasFocus) -> cell(row, isSelected));
         list.addListSelectionListener(event -> showSelected());
-        picture.setPreferredSize(new Dimension(PICTURE_WIDTH, PICTURE_HEIGHT));
         picture.setName("picture");
         place.setName("place");
         place.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
         JScrollPane scroll = new JScrollPane(list);
         scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        add(scroll, "grow, h " + PICTURE_HEIGHT + "!");
-        add(picture, "w " + PICTURE_WIDTH + "!, h " + PICTURE_HEIGHT + "!, wrap");
+        add(scroll, "grow, h " + PICTURE_HEIGHT + "lp!");
+        add(picture, "w " + PICTURE_WIDTH + "lp!, h " + PICTURE_HEIGHT + "lp!, wrap");
         add(place, "span, growx, wmin 0");
     }
 
@@ -68,7 +67,7 @@ final class PicturedList extends JPanel {
         return list.getSelectedIndex();
     }
 
-    JList<FileRow> list() {
+    JList<FileRow> rowList() {
         return list;
     }
 
@@ -85,17 +84,31 @@ final class PicturedList extends JPanel {
     }
 
     private static ImageIcon icon(BufferedImage image) {
-        double fit = Math.min((double) PICTURE_WIDTH / image.getWidth(), (double) PICTURE_HEIGHT / image.getHeight());
-        if (fit >= 1) {
-            return new ImageIcon(image);
-        }
+        double fit = Math.min(
+                (double) UIScale.scale(PICTURE_WIDTH) / image.getWidth(),
+                (double) UIScale.scale(PICTURE_HEIGHT) / image.getHeight());
         int width = (int) Math.max(1, fit * image.getWidth());
         int height = (int) Math.max(1, fit * image.getHeight());
         return new ImageIcon(image.getScaledInstance(width, height, Image.SCALE_SMOOTH));
     }
 
+    /** Lays itself out without a window, too, as for pictures of the dialogue. */
+    private static final class Cell extends JPanel {
+        private static final long serialVersionUID = 1;
+
+        Cell() {
+            super(new MigLayout("insets 5 8 5 8, fillx, wrap 1, gapy 1", "[0:pref:, grow]"));
+        }
+
+        @Override
+        public void validate() {
+            super.validate();
+            doLayout();
+        }
+    }
+
     private Component cell(FileRow row, boolean isSelected) {
-        JPanel cell = new JPanel(new MigLayout("insets 5 8 5 8, fillx, wrap 1, gapy 1", "[0:pref:, grow]"));
+        JPanel cell = new Cell();
         cell.setBackground(isSelected ? list.getSelectionBackground() : list.getBackground());
         JLabel title = new JLabel(row.title().in(language));
         title.putClientProperty(FlatClientProperties.STYLE, "font: bold");

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
@@ -30,21 +31,38 @@ final class PlanPicture {
     private static final Color PLAYER = new Color(0x6fcf7c);
     private static final double DOT = 7;
 
-    private final double minX;
-    private final double minZ;
+    /** True if the plan is turned by a quarter, because the level is deeper than wide. */
+    private final boolean isTurned;
+
+    private final double minAcross;
+    private final double minDown;
     private final double pixelsPerMetre;
     private final double left;
     private final double top;
 
     private PlanPicture(List<Vec3> points, int width, int height) {
-        minX = points.stream().mapToDouble(Vec3::x).min().orElse(0);
-        minZ = points.stream().mapToDouble(Vec3::z).min().orElse(0);
-        double across = points.stream().mapToDouble(Vec3::x).max().orElse(0) - minX;
-        double deep = points.stream().mapToDouble(Vec3::z).max().orElse(0) - minZ;
-        double fit = Math.min((width - 2 * MARGIN) / Math.max(across, 1), (height - 2 * MARGIN) / Math.max(deep, 1));
+        isTurned = extent(points, Vec3::z) > extent(points, Vec3::x);
+        minAcross = points.stream().mapToDouble(this::across).min().orElse(0);
+        minDown = points.stream().mapToDouble(this::down).min().orElse(0);
+        double wide = extent(points, this::across);
+        double deep = extent(points, this::down);
+        double fit = Math.min((width - 2 * MARGIN) / Math.max(wide, 1), (height - 2 * MARGIN) / Math.max(deep, 1));
         pixelsPerMetre = fit;
-        left = (width - fit * across) / 2;
+        left = (width - fit * wide) / 2;
         top = (height - fit * deep) / 2;
+    }
+
+    private static double extent(List<Vec3> points, ToDoubleFunction<Vec3> axis) {
+        double least = points.stream().mapToDouble(axis).min().orElse(0);
+        return points.stream().mapToDouble(axis).max().orElse(0) - least;
+    }
+
+    private double across(Vec3 point) {
+        return isTurned ? -point.z() : point.x();
+    }
+
+    private double down(Vec3 point) {
+        return isTurned ? point.x() : point.z();
     }
 
     static BufferedImage of(Level level, int width, int height) {
@@ -67,7 +85,10 @@ final class PlanPicture {
         faces.sort(Comparator.comparingDouble(face -> face.polygon().get(0).y()));
         List<Vec3> points = new ArrayList<>();
         faces.forEach(face -> points.addAll(face.polygon()));
-        level.lights().stream().map(PlanPicture::place).flatMap(Optional::stream).forEach(points::add);
+        level.lights().stream()
+                .map(PlanPicture::place)
+                .flatMap(Optional::stream)
+                .forEach(points::add);
         Optional.ofNullable(level.player()).ifPresent(player -> points.add(player.feet()));
         PlanPicture plan = new PlanPicture(points, width, height);
         graphics.setStroke(new BasicStroke(1));
@@ -132,10 +153,10 @@ final class PlanPicture {
     }
 
     private double x(Vec3 point) {
-        return left + pixelsPerMetre * (point.x() - minX);
+        return left + pixelsPerMetre * (across(point) - minAcross);
     }
 
     private double y(Vec3 point) {
-        return top + pixelsPerMetre * (point.z() - minZ);
+        return top + pixelsPerMetre * (down(point) - minDown);
     }
 }

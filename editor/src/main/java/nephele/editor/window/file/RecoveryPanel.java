@@ -1,12 +1,15 @@
 package nephele.editor.window.file;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import nephele.editor.file.FileRow;
@@ -36,7 +39,7 @@ public final class RecoveryPanel extends JPanel {
      * @param mayLeave false if the user wants to stay with the level that is open
      * @param done closes the dialogue
      */
-    public record Answers(Predicate<Words> isAgreed, java.util.function.BooleanSupplier mayLeave, Runnable done) {}
+    public record Answers(Predicate<Words> isAgreed, BooleanSupplier mayLeave, Runnable done) {}
 
     public RecoveryPanel(RecoveryList lost, Language language, Answers answers) {
         super(new MigLayout("insets 14, fill, wrap 1", "[grow, fill]", "[][grow, fill]14[]"));
@@ -55,9 +58,9 @@ public final class RecoveryPanel extends JPanel {
         buttons.add(recover);
         add(buttons);
         DialogueKeys.bind(this, "ESCAPE", answers.done());
-        DialogueKeys.bind(this, "DELETE", this::discard);
-        DialogueKeys.bind(this, "ENTER", this::recover);
-        DoubleClick.on(list.list(), this::recover);
+        DialogueKeys.bind(list.rowList(), "DELETE", this::discard);
+        DialogueKeys.bind(list.rowList(), "ENTER", this::recover);
+        DoubleClick.on(list.rowList(), this::recover);
         getAccessibleContext().setAccessibleName(FileDialogText.RECOVER_TITLE.in(language));
         list.show(lost.rows());
     }
@@ -69,14 +72,14 @@ public final class RecoveryPanel extends JPanel {
         return button;
     }
 
+    /** Returns the list, which has the keyboard first. */
+    JComponent rows() {
+        return list.rowList();
+    }
+
     /** Returns the button that is the dialogue's default. */
     JButton recoverButton() {
         return recover;
-    }
-
-    JPanel focus() {
-        list.list().requestFocusInWindow();
-        return list;
     }
 
     private void recover() {
@@ -93,7 +96,8 @@ public final class RecoveryPanel extends JPanel {
             return;
         }
         FileRow row = lost.rows().get(index);
-        Words question = FileDialogText.DISCARD_QUESTION.words().with(row.title().in(language));
+        Words question =
+                FileDialogText.DISCARD_QUESTION.words().with(row.title().in(language));
         if (answers.isAgreed().test(question)) {
             lost.discard(index);
             list.show(lost.rows());
@@ -107,8 +111,10 @@ public final class RecoveryPanel extends JPanel {
         RecoverableWork work = lost.works().get(index);
         return work.picture()
                 .flatMap(RecoveryPanel::read)
-                .or(() -> Optional.of(
-                        PlanPicture.of(work.level(), PicturedList.PICTURE_WIDTH, PicturedList.PICTURE_HEIGHT)));
+                .or(() -> Optional.of(PlanPicture.of(
+                        work.level(),
+                        UIScale.scale(PicturedList.PICTURE_WIDTH),
+                        UIScale.scale(PicturedList.PICTURE_HEIGHT))));
     }
 
     private static Optional<BufferedImage> read(Path file) {

@@ -2,6 +2,7 @@ package nephele.editor.window.viewport;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Point;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -18,6 +19,7 @@ import nephele.editor.session.SessionListener.Change;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.surface.ViewportSurface;
 import nephele.editor.surface.ViewportSurfaces;
+import nephele.editor.tool.Pointer;
 import nephele.engine.math.Vec3;
 
 /** The viewport of a session: its panes, drawn on a surface, and the mouse in them. It draws only after changes. */
@@ -77,6 +79,11 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     /** Takes a key of a flight or of the tool's drag; returns false for any other. */
     public boolean key(KeyEvent event) {
         return control.key(event);
+    }
+
+    /** Returns the pointer at a point of the surface's component; empty between panes and outside. */
+    public Optional<Pointer> pointer(Point point) {
+        return control.pointer(point, surface.component());
     }
 
     /** Returns the surface, whose component receives the mouse. */
