@@ -98,7 +98,7 @@ class PanelPictureSwingTest {
         EditorSession session = session();
         UIManager.put("defaultFont", new Font("SansSerif", Font.PLAIN, 12 * scale));
         UIManager.setLookAndFeel("com.formdev.flatlaf.Flat" + theme + "Laf");
-        var panels = List.of(
+        List<JPanel> panels = List.of(
                 new OutlinerPanel(session, ref -> {}),
                 new InspectorPanel(session, current -> Optional.empty()),
                 new HistoryPanel(session));

@@ -7,9 +7,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import nephele.app.scenes.SceneImport;
+import nephele.app.scenes.SceneName;
 import nephele.app.window.SystemDisplay;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileRefusal;
+import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
@@ -17,6 +22,7 @@ import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.ScriptedEditing;
 import nephele.editor.start.WindowedEditing;
 import nephele.editor.surface.SurfaceMode;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
@@ -67,6 +73,7 @@ final class EditCommand implements Command {
         DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
+        session.filing(Filing.of(files).with(EditCommand::importScene));
         if (script != null) {
             return runScript(session, terminal);
         }
@@ -83,6 +90,14 @@ final class EditCommand implements Command {
                 .open(surface(settings), ended::countDown);
         ended.await();
         return ExitCode.DONE;
+    }
+
+    private static void importScene(Path scene, Path level, Consumer<String> complaints) throws FileRefusal {
+        try {
+            SceneImport.save(new SceneName(scene.toString()), level, complaints);
+        } catch (CommandFailure failure) {
+            throw new FileRefusal(Words.same(failure.getMessage()));
+        }
     }
 
     private SurfaceMode surface(EditorSettings settings) {

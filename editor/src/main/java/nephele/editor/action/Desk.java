@@ -13,6 +13,21 @@ public interface Desk {
     /** Asks where to save; empty if the user cancels. */
     Optional<Path> fileToSave();
 
+    /** Asks where to write a package; empty if the user cancels. */
+    default Optional<Path> fileToExport() {
+        return Optional.empty();
+    }
+
+    /** Asks for a file to add to the level; empty if the user cancels. */
+    default Optional<Path> fileToAdd() {
+        return Optional.empty();
+    }
+
+    /** Tells of a problem and offers a remedy; false if the user declines. A script has nobody to tell. */
+    default boolean isRemedied(Words problem, Words remedy) {
+        return false;
+    }
+
     /** Asks a question with yes and no; a script's answer is yes. */
     boolean isAgreed(Words question);
 

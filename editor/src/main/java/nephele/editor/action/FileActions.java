@@ -6,29 +6,26 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.save.Backups;
+import nephele.editor.file.FileText;
+import nephele.editor.file.LevelOpening;
+import nephele.editor.file.SessionJournal;
 import nephele.editor.save.DocumentFile;
+import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.SaveMessage;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileRefusal;
 import nephele.editor.session.NewDocument;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.level.Language;
-import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.userfile.UserFolders;
 
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
-    private static final Words LOSES = Words.of(
-            "The level has changes that are not saved. Go on without them?",
-            "A fase tem mudanças que não foram salvas. Continuar sem elas?",
-            "O nível tem alterações por guardar. Continuar sem elas?");
     private static final Words SAVED = Words.of("Saved %s", "%s foi salvo", "%s foi guardado");
     private static final Words NO_FILE = Words.of(
             "'%s' is no file name: choose another",
@@ -58,6 +55,10 @@ final class FileActions {
                             List.of("Ctrl+Shift+S"),
                             FileActions::saveAs)
                     .taking("file"),
+            ExchangeActions.EXPORT,
+            ExchangeActions.DROP,
+            ExchangeActions.BACKUPS,
+            ExchangeActions.RECOVER,
             EditorAction.of(
                             "screenshot",
                             Words.of("Picture of the Editor…", "Imagem do editor…", "Imagem do editor…"),
@@ -70,8 +71,9 @@ final class FileActions {
 
     private FileActions() {}
 
-    private static boolean mayLeave(ActionCall call) {
-        return !call.session().document().isModified() || call.desk().isAgreed(LOSES);
+    /** Returns true if the open level may be left: it has no changes, or the user agrees to lose them. */
+    static boolean mayLeave(ActionCall call) {
+        return !call.session().document().isModified() || call.desk().isAgreed(FileText.LOSES.words());
     }
 
     private static void newLevel(ActionCall call) {
@@ -92,15 +94,13 @@ final class FileActions {
             return;
         }
         try {
-            DocumentFile.Opened opened = DocumentFile.open(asked.get().toString());
-            call.session().open(opened.file(), opened.level(), opened.assets());
-            opened.notice().ifPresent(notice -> call.session().status(Words.same(notice)));
-        } catch (LevelFormatException problem) {
-            throw new ActionFailure(Words.same(problem.getMessage()));
+            LevelOpening.open(call.session(), asked.get().toString());
+        } catch (FileRefusal refusal) {
+            throw new ActionFailure(refusal.told());
         }
     }
 
-    private static Path path(ActionCall call) throws ActionFailure {
+    static Path path(ActionCall call) throws ActionFailure {
         String typed = call.needed("file");
         try {
             return Path.of(typed);
@@ -116,18 +116,17 @@ final class FileActions {
         } else if (session.file().path().isEmpty()) {
             saveAs(call);
         } else {
-            SaveResult result = saver().save(session.file(), session.document().level());
+            Path path = session.file().path().get();
+            DocumentSaver saver = session.filing().saver();
+            SaveResult result = saver.save(session.file(), session.document().level());
             if (result instanceof SaveResult.ChangedOutside changed) {
-                if (call.desk().isAgreed(words(changed.question()))) {
-                    finish(
-                            session,
-                            saver().saveAs(
-                                            session.file().path().get(),
-                                            session.document().level()));
+                // A deleted file holds nothing that could be lost.
+                if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(words(changed.question()))) {
+                    return;
                 }
-                return;
+                result = saver.saveAs(path, session.document().level());
             }
-            finish(session, result);
+            finish(call, result);
         }
     }
 
@@ -136,20 +135,25 @@ final class FileActions {
                 ? Optional.of(path(call))
                 : call.desk().fileToSave();
         if (asked.isPresent()) {
+            EditorSession session = call.session();
             finish(
-                    call.session(),
-                    saver().saveAs(asked.get(), call.session().document().level()));
+                    call,
+                    session.filing()
+                            .saver()
+                            .saveAs(asked.get(), session.document().level()));
         }
     }
 
-    private static DocumentSaver saver() {
-        return new DocumentSaver(
-                new Backups(EditorFiles.in(UserFolders.ofThisUser()).backups(), java.time.Clock.systemUTC()));
-    }
-
-    private static void finish(EditorSession session, SaveResult result) throws ActionFailure {
+    /** Tells of the result; a user whose level was not saved may choose another place at once. */
+    private static void finish(ActionCall call, SaveResult result) throws ActionFailure {
+        EditorSession session = call.session();
         if (result instanceof SaveResult.Failed failed) {
-            throw new ActionFailure(words(failed.message()));
+            Words reason = words(failed.message());
+            if (!call.desk().isRemedied(reason, FileText.SAVE_AS.words())) {
+                throw new ActionFailure(reason);
+            }
+            session.status(reason);
+            saveAs(new ActionCall(session, call.desk(), Map.of()));
         } else if (result instanceof SaveResult.Saved saved) {
             session.saved(saved.file());
             session.status(
@@ -160,7 +164,7 @@ final class FileActions {
     }
 
     private static Words words(SaveMessage message) {
-        return Words.of(message.in(Language.EN), message.in(Language.PT_BR), message.in(Language.PT_PT));
+        return SessionJournal.words(message);
     }
 
     private static void screenshot(ActionCall call) throws ActionFailure {

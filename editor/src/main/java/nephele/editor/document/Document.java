@@ -32,9 +32,10 @@ public final class Document {
         history = new History(new Snapshot(level, Selection.NONE));
     }
 
-    /** Registers a listener for the life of the document. */
-    public void listen(Listener listener) {
+    /** Registers a listener until the registration is closed. */
+    public Registration listen(Listener listener) {
         listeners.add(listener);
+        return () -> listeners.remove(listener);
     }
 
     public Entities entities() {
@@ -170,6 +171,12 @@ public final class Document {
     /** Marks the current level as saved. */
     public void markSaved() {
         history.markSaved();
+        tell(now());
+    }
+
+    /** Notes that no state of the level is on disk any more, such as after its file was deleted. */
+    public void markUnsaved() {
+        history.markUnsaved();
         tell(now());
     }
 

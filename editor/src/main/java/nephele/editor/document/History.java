@@ -100,6 +100,11 @@ public final class History {
         saved = current;
     }
 
+    /** Notes that no snapshot is on disk any more. */
+    void markUnsaved() {
+        saved = -1;
+    }
+
     /** Returns true if the current level is not the saved one. */
     public boolean isModified() {
         return saved < 0 || steps.get(saved).snapshot.level() != current().level();

@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import nephele.editor.document.Registration;
 import nephele.editor.guide.Guide;
 import nephele.editor.guide.GuideStep;
 import nephele.editor.session.EditorSession;
@@ -19,7 +20,7 @@ import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 
 /** A bar above the viewport with the step of the first room that comes next. It can be left at any time. */
-public final class GuideBar extends JPanel {
+public final class GuideBar extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
     private static final Words NAME = Words.of("Your first room", "Sua primeira sala", "A tua primeira sala");
     private static final Words COUNT = Words.of("Step %s of %s", "Passo %s de %s", "Passo %s de %s");
@@ -36,6 +37,7 @@ public final class GuideBar extends JPanel {
 
     private final transient EditorSession session;
     private final transient Guide guide;
+    private final transient Registration registration;
     private final JLabel count = new JLabel();
     private final JLabel title = new JLabel();
     private final JTextArea text = new JTextArea();
@@ -63,7 +65,7 @@ public final class GuideBar extends JPanel {
         add(leave, "wrap");
         add(text, "span 6, growx, wmin 100");
         setVisible(false);
-        session.listen(this::follow);
+        registration = session.listen(this::follow);
     }
 
     private static JButton button(String name, Consumer<Object> action) {
@@ -127,5 +129,10 @@ public final class GuideBar extends JPanel {
         setBorder(BorderFactory.createMatteBorder(0, 4, 1, 0, accent == null ? Color.ORANGE : accent));
         revalidate();
         repaint();
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

@@ -6,6 +6,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
+import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
@@ -13,8 +14,9 @@ import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 
 /** The steps made so far; the selected one is the current state, and a click or an arrow key goes to another. */
-public final class HistoryPanel extends JPanel {
+public final class HistoryPanel extends JPanel implements AutoCloseable {
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final DefaultListModel<String> steps = new DefaultListModel<>();
     private final JList<String> list = new JList<>(steps);
     private boolean isUpdating;
@@ -29,7 +31,7 @@ public final class HistoryPanel extends JPanel {
             }
         });
         add(new JScrollPane(list));
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change == Change.DOCUMENT || change == Change.SETTINGS || change == Change.FILE) {
                 refresh();
             }
@@ -62,5 +64,10 @@ public final class HistoryPanel extends JPanel {
         } else if (!steps.get(index).equals(text)) {
             steps.set(index, text);
         }
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

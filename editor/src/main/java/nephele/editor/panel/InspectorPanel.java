@@ -6,6 +6,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import nephele.editor.document.Registration;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
@@ -17,8 +18,9 @@ import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
 /** The fields of what is selected, or of the level; lines are made again only if other fields are to be shown. */
-public final class InspectorPanel extends JPanel {
+public final class InspectorPanel extends JPanel implements AutoCloseable {
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final transient FieldChanges changes;
     private final transient AssetChooser chooser;
     private final JLabel heading = new JLabel();
@@ -41,7 +43,7 @@ public final class InspectorPanel extends JPanel {
         add(scroll);
         add(message);
         message.setVisible(false);
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change == Change.DOCUMENT || change == Change.SETTINGS || change == Change.FILE) {
                 refresh();
             }
@@ -98,5 +100,10 @@ public final class InspectorPanel extends JPanel {
         return refs.size() == 1
                 ? refs.get(0).text()
                 : PanelText.MANY_SELECTED.with(refs.size()).in(session.language());
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

@@ -19,6 +19,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.table.TableColumn;
+import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
 import nephele.editor.panel.model.EntityQuery;
 import nephele.editor.panel.model.EntityStatus;
@@ -35,8 +36,9 @@ import net.miginfocom.swing.MigLayout;
  * The list of everything in the level by section, with a search. Space folds or hides, L locks, F2 renames, Delete
  * deletes, Enter and a double click look at an entity.
  */
-public final class OutlinerPanel extends JPanel {
+public final class OutlinerPanel extends JPanel implements AutoCloseable {
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final transient OutlinerEdits edits;
     private final transient Consumer<EntityRef> focus;
     private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
@@ -62,7 +64,7 @@ public final class OutlinerPanel extends JPanel {
         search.getDocument().addDocumentListener(new TextListener(this::searched));
         table.getSelectionModel().addListSelectionListener(event -> selectInDocument());
         bindKeys();
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change == Change.SETTINGS) {
                 translate();
             } else if (change == Change.DOCUMENT || change == Change.FILE) {
@@ -270,5 +272,10 @@ public final class OutlinerPanel extends JPanel {
 
     private void item(JPopupMenu menu, PanelText text, Runnable action) {
         menu.add(text.in(session.language())).addActionListener(event -> action.run());
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

@@ -15,6 +15,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.document.Registration;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.model.EntityWords;
 import nephele.editor.panel.model.PaletteModel;
@@ -32,12 +33,13 @@ import net.miginfocom.swing.MigLayout;
  * Buttons for brush shapes, materials and kinds of entities. They set what the tools make next, and show it. Materials
  * of the level come before those of the library.
  */
-public final class PalettePanel extends JPanel {
+public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
 
     private static final Words GREY = Words.of("grey", "cinza", "cinzento");
 
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final JPanel content =
             new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 6", "[grow, fill, sg]"));
     private final transient List<Choice> choices = new ArrayList<>();
@@ -50,7 +52,7 @@ public final class PalettePanel extends JPanel {
         super(new MigLayout("insets 4, fill", "[grow, fill]", "[grow, fill]"));
         this.session = session;
         add(new JScrollPane(content));
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change == Change.SETTINGS || session.document().level().materials() != shown) {
                 refresh();
             } else if (change == Change.VIEW) {
@@ -162,5 +164,10 @@ public final class PalettePanel extends JPanel {
     private void take(String tool) {
         Tools.named(tool).ifPresent(session::use);
         session.tell(Change.VIEW);
+    }
+
+    @Override
+    public void close() {
+        registration.close();
     }
 }

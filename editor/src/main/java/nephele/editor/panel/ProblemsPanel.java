@@ -11,6 +11,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import javax.swing.Timer;
+import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
@@ -22,10 +23,11 @@ import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
 /** The problems of the level, searched a moment after each edit on another thread; with their remedies. */
-public final class ProblemsPanel extends JPanel {
+public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private static final int DELAY_MILLIS = 300;
 
     private final transient EditorSession session;
+    private final transient Registration registration;
     private final transient ProblemWork work;
     private final DefaultListModel<LevelProblem> problems = new DefaultListModel<>();
     private final JList<LevelProblem> list = new JList<>(problems);
@@ -59,7 +61,7 @@ public final class ProblemsPanel extends JPanel {
         buttons.add(hide);
         add(new JScrollPane(list));
         add(buttons);
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change == Change.SETTINGS) {
                 translate();
             } else if (change != Change.STATUS && !session.document().isDragging()) {
@@ -127,5 +129,11 @@ public final class ProblemsPanel extends JPanel {
     private void hideSelected() {
         LevelProblem selected = list.getSelectedValue();
         session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> HiddenProblems.hide(level, selected));
+    }
+
+    @Override
+    public void close() {
+        debounce.stop();
+        registration.close();
     }
 }

@@ -9,6 +9,7 @@ import java.time.InstantSource;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.time.format.DateTimeParseException;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -52,11 +53,24 @@ public final class Backups {
         if (!Files.isRegularFile(file)) {
             return Optional.empty();
         }
+        try {
+            return keep(file, Files.readAllBytes(file));
+        } catch (IOException problem) {
+            return Optional.of(SaveMessage.of(SaveText.NO_BACKUP, folderOf(file), AtomicFile.reason(problem)));
+        }
+    }
+
+    /**
+     * Keeps a version of a file that may never have been in it, such as work that another version replaces, unless it is
+     * the newest backup.
+     *
+     * @return a notice if that failed
+     */
+    public Optional<SaveMessage> keep(Path file, byte[] content) {
         Path own = folderOf(file);
         try {
-            byte[] content = Files.readAllBytes(file);
             List<Backup> kept = of(file);
-            if (kept.isEmpty() || !isSame(kept.get(0), file)) {
+            if (kept.isEmpty() || !Arrays.equals(Files.readAllBytes(kept.get(0).file()), content)) {
                 AtomicFile.write(fresh(own, kept), content);
                 prune(of(file));
             }
@@ -87,10 +101,6 @@ public final class Backups {
         Path absolute = file.toAbsolutePath().normalize();
         String hash = ContentHash.of(absolute.toString().getBytes(StandardCharsets.UTF_8));
         return folder.resolve(absolute.getFileName() + "-" + hash.substring(0, 16));
-    }
-
-    private static boolean isSame(Backup newest, Path file) throws IOException {
-        return Files.mismatch(newest.file(), file) == -1;
     }
 
     /** Returns a name later than all others, even if the clock was set back. */

@@ -65,6 +65,11 @@ public record DocumentFile(Optional<Path> path, String sha256) {
         return new DocumentFile(Optional.of(path.toAbsolutePath().normalize()), ContentHash.of(content));
     }
 
+    /** Returns this file with the content that it has at this moment. */
+    public DocumentFile asOfNow() {
+        return path.map(DocumentFile::at).orElse(this);
+    }
+
     /** Compares the file on disk, by content, with what was opened or saved. An untitled document has the same file. */
     public Outside outside() {
         if (path.isEmpty()) {

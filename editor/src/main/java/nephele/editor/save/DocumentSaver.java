@@ -33,7 +33,7 @@ public final class DocumentSaver {
     }
 
     /** @param files lets tests fail each operation of a save */
-    DocumentSaver(Backups backups, FileOperations files) {
+    public DocumentSaver(Backups backups, FileOperations files) {
         this.backups = backups;
         this.files = files;
     }

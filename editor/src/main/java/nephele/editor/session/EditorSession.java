@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.Document;
+import nephele.editor.document.Registration;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pick.Grid;
@@ -33,6 +34,7 @@ public final class EditorSession {
     private final ToolOptions options = new ToolOptions();
     private final ToolContext context;
     private final List<SessionListener> listeners = new ArrayList<>();
+    private Filing filing = Filing.ofThisUser();
     private EditorSettings settings;
     private DocumentFile file;
     private AssetSource assets;
@@ -57,9 +59,10 @@ public final class EditorSession {
         tool = toolEntry.make().apply(context);
     }
 
-    /** Registers a listener for the life of the session. */
-    public void listen(SessionListener listener) {
+    /** Registers a listener until the registration is closed. */
+    public Registration listen(SessionListener listener) {
         listeners.add(listener);
+        return () -> listeners.remove(listener);
     }
 
     /** Tells all listeners of a change. */
@@ -101,6 +104,20 @@ public final class EditorSession {
         file = savedTo;
         document.markSaved();
         tell(Change.FILE);
+    }
+
+    /** Notes what the file on disk holds now, of which the user knows; the document stays as it is. */
+    public void known(DocumentFile outside) {
+        file = outside;
+        tell(Change.FILE);
+    }
+
+    public Filing filing() {
+        return filing;
+    }
+
+    public void filing(Filing next) {
+        filing = next;
     }
 
     /** Makes the pictures and meshes be read again, since a file has changed. */

@@ -6,6 +6,7 @@ import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
 import nephele.editor.command.EditorCommands;
+import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.GuideBar;
@@ -48,7 +49,7 @@ final class EditorParts {
             title(bottom, session, PROBLEMS, HISTORY);
         };
         titles.run();
-        session.listen(change -> {
+        Registration translation = session.listen(change -> {
             if (change == Change.SETTINGS) {
                 titles.run();
             }
@@ -59,7 +60,9 @@ final class EditorParts {
                 new InspectorPanel(session, current -> Optional.empty()),
                 bottom,
                 MAIN_ACTIONS);
-        return new EditorPanel(session, commands, surface, slots);
+        EditorPanel panel = new EditorPanel(session, commands, surface, slots);
+        panel.closeToo(translation);
+        return panel;
     }
 
     private static void title(JTabbedPane tabs, EditorSession session, Words... titles) {

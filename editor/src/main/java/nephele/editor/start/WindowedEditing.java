@@ -1,7 +1,6 @@
 package nephele.editor.start;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.time.Clock;
 import java.util.List;
 import java.util.function.Consumer;
@@ -10,16 +9,12 @@ import javax.swing.SwingUtilities;
 import nephele.editor.action.ActionCall;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
-import nephele.editor.document.Document;
 import nephele.editor.play.PlayEnd;
 import nephele.editor.play.WarmGame;
-import nephele.editor.save.SaveMessage;
-import nephele.editor.save.journal.Journal;
 import nephele.editor.save.journal.JournalFolder;
-import nephele.editor.save.journal.JournalListener;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorFiles;
+import nephele.editor.settings.EditorSetting;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
@@ -27,16 +22,15 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
 import nephele.editor.window.WindowDesk;
 import nephele.editor.window.WindowLook;
-import nephele.engine.level.Language;
+import nephele.editor.window.file.WindowFiles;
 
 /** The editor with a window: its journal, the waiting game, and what happens when it closes. */
 public final class WindowedEditing {
     private final EditorSession session;
     private final EditorFiles files;
     private final Consumer<String> report;
-    private final JournalFolder journals;
     private final WarmGame game;
-    private Journal journal;
+    private WindowFiles work;
 
     /**
      * @param gameLine the command line of the waiting game, for the file of the open level or {@code null}
@@ -47,7 +41,6 @@ public final class WindowedEditing {
         this.session = session;
         this.files = files;
         this.report = report;
-        journals = files.journals() == null ? null : new JournalFolder(files.journals(), Clock.systemUTC());
         game = new WarmGame(gameLine, new Told());
     }
 
@@ -59,42 +52,17 @@ public final class WindowedEditing {
             EditorPanel panel = EditorParts.panel(session, desk, surface);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
-            openJournal();
-            session.document().listen((before, after) -> record(session.document()));
-            session.listen(this::follow);
+            work = new WindowFiles(session, panel, window, desk, journals());
             session.playsWith(game::play);
             window.setVisible(true);
+            work.offerLostWork();
             SwingUtilities.invokeLater(game::warm);
         });
     }
 
-    private void openJournal() {
-        if (journals != null) {
-            journal = journals.open(session.file(), title(), session.document().level(), new JournalTrouble());
-        }
-    }
-
-    private String title() {
-        return session.file().path().map(Path::getFileName).map(Path::toString).orElse("untitled");
-    }
-
-    private void record(Document document) {
-        if (journal != null && !document.isDragging() && document.isModified()) {
-            Words label = document.history().undoLabel().orElse(Words.NONE);
-            journal.record(label.in(Language.EN), document.level());
-        }
-    }
-
-    private void follow(Change change) {
-        if (change != Change.FILE || journal == null) {
-            return;
-        }
-        if (session.document().history().position() == 0) {
-            journal.discard();
-            openJournal();
-        } else if (!session.document().isModified()) {
-            journal.saved(session.file(), session.document().level());
-        }
+    private JournalFolder journals() {
+        boolean isWanted = files.journals() != null && session.settings().get(EditorSetting.JOURNAL);
+        return isWanted ? new JournalFolder(files.journals(), Clock.systemUTC()) : null;
     }
 
     private boolean isSaved(WindowDesk desk) {
@@ -108,28 +76,13 @@ public final class WindowedEditing {
 
     private void closed(Runnable ended) {
         game.close();
-        if (journal != null) {
-            journal.discard();
-        }
+        work.close();
         try {
             files.save(session.settings());
         } catch (IOException problem) {
             report.accept(problem.getMessage());
         }
         ended.run();
-    }
-
-    /** Tells of a journal that cannot be written; the work itself is not in danger yet. */
-    private final class JournalTrouble implements JournalListener {
-        @Override
-        public void failed(SaveMessage message) {
-            tell(Words.of(message.in(Language.EN), message.in(Language.PT_BR), message.in(Language.PT_PT)));
-        }
-
-        @Override
-        public void recorded(long number) {
-            // The status bar has more important things to say.
-        }
     }
 
     /** Tells what happens to the game. */

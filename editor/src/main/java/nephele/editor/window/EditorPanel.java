@@ -1,9 +1,13 @@
 package nephele.editor.window;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -11,6 +15,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JPanel;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
+import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
@@ -35,6 +40,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
     private final StatusBar status;
     private final ViewportPanel viewport;
     private final SlotLayout middle;
+    private final transient List<Registration> registrations = new ArrayList<>();
     private transient EditorKeys keys;
 
     /** Creates a panel that follows the session. */
@@ -61,7 +67,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
             }
         });
         fill();
-        session.listen(this::follow);
+        registrations.add(session.listen(this::follow));
     }
 
     private JComponent under(JComponent top) {
@@ -127,8 +133,35 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         return found.isPresent();
     }
 
+    /** Closes a registration together with the panel. */
+    public void closeToo(Registration registration) {
+        registrations.add(registration);
+    }
+
+    /** Closes the viewport and every closeable panel in the slots; nothing here follows the session any more. */
     @Override
     public void close() {
-        viewport.close();
+        registrations.forEach(Registration::close);
+        closeAll(this);
+    }
+
+    private static void closeAll(Container container) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof AutoCloseable part) {
+                close(part);
+            } else if (child instanceof Container inner) {
+                closeAll(inner);
+            }
+        }
+    }
+
+    private static void close(AutoCloseable part) {
+        try {
+            part.close();
+        } catch (RuntimeException failure) {
+            throw failure;
+        } catch (Exception checked) {
+            throw new IllegalStateException(part + " can't be closed", checked);
+        }
     }
 }

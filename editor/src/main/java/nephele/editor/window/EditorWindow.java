@@ -9,6 +9,7 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import nephele.editor.command.EditorCommand;
+import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSettings;
@@ -22,6 +23,7 @@ public final class EditorWindow extends JFrame {
     private final transient Closing closing;
     private final transient Runnable closed;
     private final transient WindowKeys keys;
+    private final transient Registration registration;
     private transient EditorSettings look;
 
     /**
@@ -49,7 +51,7 @@ public final class EditorWindow extends JFrame {
             }
         });
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
-        session.listen(this::follow);
+        registration = session.listen(this::follow);
         setTitle(EditorTitle.of(session));
     }
 
@@ -81,6 +83,7 @@ public final class EditorWindow extends JFrame {
             return false;
         }
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(keys);
+        registration.close();
         panel.close();
         dispose();
         closed.run();

@@ -1,14 +1,19 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Dimension;
 import javax.swing.JOptionPane;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
 import nephele.engine.level.Language;
 
 /** Questions in dialogues, with buttons in the user's language. */
-final class SwingQuestions implements CloseQuestion {
+public final class SwingQuestions implements CloseQuestion {
     private final Component owner;
 
-    SwingQuestions(Component owner) {
+    /** @param owner over which the dialogues appear */
+    public SwingQuestions(Component owner) {
         this.owner = owner;
     }
 
@@ -23,8 +28,19 @@ final class SwingQuestions implements CloseQuestion {
         return chosen == 0 ? Choice.SAVE : chosen == 1 ? Choice.DISCARD : Choice.CANCEL;
     }
 
-    boolean isAgreed(String question, Language language) {
+    /** Asks a question with yes and no. */
+    public boolean isAgreed(String question, Language language) {
         return chosen(question, language, WindowText.YES, WindowText.NO) == 0;
+    }
+
+    /** Tells of something that the user must know. */
+    public void tell(String message, Language language) {
+        chosen(message, language, JOptionPane.WARNING_MESSAGE, WindowText.OK.in(language));
+    }
+
+    /** Returns the index of the chosen answer, of which the first one is the default; -1 if the dialogue is closed. */
+    public int choice(String question, Language language, String... answers) {
+        return chosen(question, language, JOptionPane.WARNING_MESSAGE, (Object[]) answers);
     }
 
     private int chosen(String question, Language language, WindowText... answers) {
@@ -32,12 +48,26 @@ final class SwingQuestions implements CloseQuestion {
         for (int i = 0; i < answers.length; i++) {
             buttons[i] = answers[i].in(language);
         }
+        return chosen(question, language, JOptionPane.QUESTION_MESSAGE, buttons);
+    }
+
+    private int chosen(String question, Language language, int kind, Object... buttons) {
+        JTextArea text = new JTextArea(question);
+        text.setEditable(false);
+        text.setFocusable(false);
+        text.setOpaque(false);
+        text.setFont(UIManager.getFont("Label.font"));
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        // Long paths have no place to break at but anywhere; the width of a line is that of a comfortable text.
+        text.setSize(new Dimension(UIScale.scale(420), Short.MAX_VALUE));
+        text.setPreferredSize(new Dimension(UIScale.scale(420), text.getPreferredSize().height));
         return JOptionPane.showOptionDialog(
                 owner,
-                question,
+                text,
                 WindowText.TITLE.in(language),
                 JOptionPane.DEFAULT_OPTION,
-                JOptionPane.QUESTION_MESSAGE,
+                kind,
                 null,
                 buttons,
                 buttons[0]);

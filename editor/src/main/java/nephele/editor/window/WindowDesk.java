@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -17,8 +18,10 @@ import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Desk;
+import nephele.editor.file.DroppedFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
+import nephele.engine.level.Language;
 
 /** The desk of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
 public final class WindowDesk implements Desk {
@@ -60,6 +63,37 @@ public final class WindowDesk implements Desk {
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
                 ? Optional.of(withEnding(chooser.getSelectedFile()))
                 : Optional.empty();
+    }
+
+    @Override
+    public Optional<Path> fileToExport() {
+        JFileChooser chooser = chooser();
+        chooser.setFileFilter(new FileNameExtensionFilter(WindowText.PACKAGES.in(session.language()), "zip"));
+        String name = EditorTitle.name(session).replaceFirst("\\.json$", "") + ".zip";
+        chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
+        return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
+                ? Optional.of(chooser.getSelectedFile().toPath())
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<Path> fileToAdd() {
+        JFileChooser chooser = chooser();
+        String[] endings = Arrays.stream(DroppedFile.Kind.values())
+                .flatMap(kind -> kind.endings().stream())
+                .toArray(String[]::new);
+        chooser.setFileFilter(new FileNameExtensionFilter(WindowText.ADDABLE_FILES.in(session.language()), endings));
+        return chooser.showOpenDialog(window) == JFileChooser.APPROVE_OPTION
+                ? Optional.of(chooser.getSelectedFile().toPath())
+                : Optional.empty();
+    }
+
+    @Override
+    public boolean isRemedied(Words problem, Words remedy) {
+        Language language = session.language();
+        return new SwingQuestions(window)
+                        .choice(problem.in(language), language, remedy.in(language), WindowText.CANCEL.in(language))
+                == 0;
     }
 
     private static Path withEnding(File chosen) {

@@ -16,11 +16,17 @@ public enum WindowText {
     SAVE("Save", "Salvar", "Guardar"),
     DISCARD("Don't save", "Não salvar", "Não guardar"),
     CANCEL("Cancel", "Cancelar", "Cancelar"),
+    OK("OK", "OK", "OK"),
     YES("Yes", "Sim", "Sim"),
     NO("No", "Não", "Não"),
     ASK_CLOSE(
             "Save the changes to \"%s\" before closing?",
             "Salvar as alterações de \"%s\" antes de fechar?", "Guardar as alterações de \"%s\" antes de fechar?"),
+    PACKAGES("Packages (*.zip)", "Pacotes (*.zip)", "Pacotes (*.zip)"),
+    ADDABLE_FILES(
+            "Pictures, models, clouds, scenes, levels",
+            "Imagens, modelos, nuvens, cenas, fases",
+            "Imagens, modelos, nuvens, cenas, níveis"),
     LEVEL_FILES("Levels (*.json, *.zip)", "Níveis (*.json, *.zip)", "Níveis (*.json, *.zip)");
 
     private final Words words;

@@ -7,11 +7,11 @@ import java.time.InstantSource;
 import java.util.List;
 
 /** The journals of an editor as a crash at this moment would leave them: a copy, because their owner lives. */
-final class CrashedEditor {
+public final class CrashedEditor {
     private CrashedEditor() {}
 
     /** Returns a copy of a folder of journals, as the next process sees it. */
-    static JournalFolder copy(Path journals, Path target) throws IOException {
+    public static JournalFolder copy(Path journals, Path target) throws IOException {
         List<Path> all;
         try (var walk = Files.exists(journals) ? Files.walk(journals) : java.util.stream.Stream.<Path>empty()) {
             all = walk.toList();

@@ -7,11 +7,11 @@ import nephele.engine.level.SolidFaces;
 import nephele.engine.level.TexturePlacement;
 
 /** Gives faces of solids a material; {@code null} is grey. */
-final class FacePaint {
+public final class FacePaint {
     private FacePaint() {}
 
     /** Returns the solid with a face of the material; the same object if it has it already. */
-    static Solid face(Solid solid, String face, String material) {
+    public static Solid face(Solid solid, String face, String material) {
         Solid.Face said = SolidFaces.said(solid, face);
         String now = said.material() == null ? solid.material() : said.material();
         return Objects.equals(now, material) ? solid : with(solid, face, material, said.texture());

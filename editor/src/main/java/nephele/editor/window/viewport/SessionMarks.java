@@ -45,7 +45,7 @@ final class SessionMarks {
     /** Returns the marks of this instant; they are made anew only after an edit. */
     List<Mark> now() {
         Snapshot now = session.document().now();
-        if (!now.equals(of)) {
+        if (!now.equals(of) || session.assets() != assetsOf) {
             marks = made(now);
             of = now;
         }

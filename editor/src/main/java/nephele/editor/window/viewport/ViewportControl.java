@@ -1,6 +1,8 @@
 package nephele.editor.window.viewport;
 
+import java.awt.Component;
 import java.awt.Cursor;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -44,6 +46,12 @@ final class ViewportControl extends MouseAdapter {
         this.size = size;
         this.pointed = pointed;
         pointers = new PanePointers(session, size);
+    }
+
+    /** Returns the pointer at a point of a component. */
+    Optional<Pointer> pointer(Point point, Component of) {
+        MouseEvent event = new MouseEvent(of, MouseEvent.MOUSE_MOVED, 0, 0, point.x, point.y, 0, false);
+        return pointers.pane(event).map(place -> pointers.pointer(event, place));
     }
 
     private boolean isIdle() {

@@ -2,6 +2,7 @@ package nephele.editor.window.viewport;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Point;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -12,11 +13,13 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.surface.ViewportSurface;
 import nephele.editor.surface.ViewportSurfaces;
+import nephele.editor.tool.Pointer;
 import nephele.engine.math.Vec3;
 
 /** The viewport of a session: its panes, drawn on a surface, and the mouse in them. It draws only after changes. */
@@ -25,6 +28,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
 
     private final transient ViewportSurface surface;
     private final transient ViewportControl control;
+    private final transient Registration registration;
 
     /**
      * What the viewport tells its window.
@@ -50,7 +54,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         });
         surface.listen(control, new KeyAdapter() {});
         surface.listen(new FocusOnPress(), new KeyAdapter() {});
-        session.listen(change -> {
+        registration = session.listen(change -> {
             if (change != Change.STATUS) {
                 surface.repaintSoon();
             }
@@ -77,6 +81,11 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         return control.key(event);
     }
 
+    /** Returns the pointer at a point of the surface's component; empty between panes and outside. */
+    public Optional<Pointer> pointer(Point point) {
+        return control.pointer(point, surface.component());
+    }
+
     /** Returns the surface, whose component receives the mouse. */
     public ViewportSurface surface() {
         return surface;
@@ -89,6 +98,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
 
     @Override
     public void close() {
+        registration.close();
         surface.close();
     }
 }

@@ -1,0 +1,141 @@
+package nephele.editor.action;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.Optional;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.file.BackupList;
+import nephele.editor.file.DroppedFile;
+import nephele.editor.file.FileText;
+import nephele.editor.file.SessionJournal;
+import nephele.editor.record.EntityRef;
+import nephele.editor.save.LevelPackage;
+import nephele.editor.save.PackageException;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileRefusal;
+import nephele.editor.text.Words;
+import nephele.engine.level.SolidFaces;
+import nephele.engine.math.Vec3;
+
+/** Packages, files that are added, backups, and work that a crash has left. */
+final class ExchangeActions {
+    private static final Words NO_FACE = Words.of(
+            "there is no face '%s': write solid/side, such as wall/+y",
+            "não há a face '%s': escreva sólido/lado, como wall/+y",
+            "não há a face '%s': escreve sólido/lado, como wall/+y");
+
+    static final EditorAction EXPORT = EditorAction.of(
+                    "export",
+                    Words.of("Export with Assets…", "Exportar com os arquivos…", "Exportar com os ficheiros…"),
+                    Menu.FILE,
+                    List.of("Ctrl+Shift+E"),
+                    ExchangeActions::export)
+            .taking("file");
+
+    static final EditorAction DROP = EditorAction.of(
+                    "drop",
+                    Words.of("Add a File…", "Adicionar um arquivo…", "Adicionar um ficheiro…"),
+                    Menu.FILE,
+                    List.of(),
+                    ExchangeActions::drop)
+            .taking("file", "at", "face");
+
+    static final EditorAction BACKUPS = EditorAction.of(
+                    "backups",
+                    Words.of("Backups…", "Cópias de segurança…", "Cópias de segurança…"),
+                    Menu.FILE,
+                    List.of(),
+                    ExchangeActions::backups)
+            .taking("restore", "open")
+            .when(session -> session.file().path().isPresent());
+
+    static final EditorAction RECOVER = EditorAction.of(
+            "recover",
+            Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
+            Menu.FILE,
+            List.of(),
+            call -> call.desk().show("recover"));
+
+    private ExchangeActions() {}
+
+    private static void export(ActionCall call) throws ActionFailure {
+        Optional<Path> asked = call.text("file").isPresent()
+                ? Optional.of(FileActions.path(call))
+                : call.desk().fileToExport();
+        if (asked.isEmpty()) {
+            return;
+        }
+        EditorSession session = call.session();
+        String name =
+                session.file().path().map(path -> path.getFileName().toString()).orElse("level.json");
+        try {
+            LevelPackage.export(asked.get(), name, session.document().level(), session.assets());
+        } catch (PackageException problem) {
+            throw new ActionFailure(SessionJournal.words(problem.told()));
+        }
+        session.status(FileText.EXPORTED.with(asked.get()));
+    }
+
+    private static void drop(ActionCall call) throws ActionFailure {
+        Optional<Path> asked = call.text("file").isPresent()
+                ? Optional.of(FileActions.path(call))
+                : call.desk().fileToAdd();
+        if (asked.isEmpty()) {
+            return;
+        }
+        try {
+            if (!DroppedFile.Kind.of(asked.get()).replacesLevel() || FileActions.mayLeave(call)) {
+                DroppedFile.Target target = new DroppedFile.Target(call.vector("at", Vec3.ZERO), face(call));
+                new DroppedFile(call.session(), asked.get()).dropOn(target);
+            }
+        } catch (FileRefusal refusal) {
+            throw new ActionFailure(refusal.told());
+        }
+    }
+
+    /** Returns the face that is named, or the one that is selected. */
+    private static Optional<FaceRef> face(ActionCall call) throws ActionFailure {
+        if (call.text("face").isEmpty()) {
+            return call.session().document().selection().faces().stream().findFirst();
+        }
+        String typed = call.needed("face");
+        int slash = typed.lastIndexOf('/');
+        EntityRef solid = new EntityRef("solids", typed.substring(0, Math.max(0, slash)));
+        String side = typed.substring(slash + 1);
+        boolean isThere = call.session().document().level().solids().stream()
+                .anyMatch(each ->
+                        each.id().equals(solid.id()) && SolidFaces.names(each).contains(side));
+        if (!isThere) {
+            throw new ActionFailure(NO_FACE.with(typed));
+        }
+        return Optional.of(new FaceRef(solid, side));
+    }
+
+    private static void backups(ActionCall call) throws ActionFailure {
+        boolean isRestore = call.text("restore").isPresent();
+        if (!isRestore && call.text("open").isEmpty()) {
+            call.desk().show("backups");
+            return;
+        }
+        EditorSession session = call.session();
+        BackupList list = new BackupList(session, Instant.now(), ZoneId.systemDefault());
+        int number = (int) call.number(isRestore ? "restore" : "open", 1);
+        if (number < 1 || number > list.rows().size()) {
+            Path file = session.file().path().orElseThrow().getFileName();
+            throw new ActionFailure(
+                    FileText.NO_BACKUP_NUMBER.with(number, file, list.rows().size()));
+        }
+        try {
+            if (isRestore) {
+                list.restore(number - 1);
+            } else if (FileActions.mayLeave(call)) {
+                list.openCopy(number - 1);
+            }
+        } catch (FileRefusal refusal) {
+            throw new ActionFailure(refusal.told());
+        }
+    }
+}

@@ -1,0 +1,162 @@
+package nephele.editor.file;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileRefusal;
+import nephele.editor.text.Words;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.math.Vec3;
+import nephele.engine.model.ModelFileException;
+import nephele.engine.model.file.ModelFiles;
+
+/** A file that a user drops on the editor: it is opened, or becomes an asset of the level with what uses it. */
+public final class DroppedFile {
+    /** What an ending says of a file. */
+    public enum Kind {
+        PICTURE("png", "jpg", "jpeg", "bmp", "tga"),
+        MODEL("3d", "obj", "gltf", "glb"),
+        CLOUD("vol"),
+        SCENE("xml"),
+        LEVEL("json", "zip");
+
+        private final List<String> endings;
+
+        Kind(String... endings) {
+            this.endings = List.of(endings);
+        }
+
+        /** Returns the endings of file names, in lower case without the dot. */
+        public List<String> endings() {
+            return endings;
+        }
+
+        /** Returns the kind of a file. */
+        public static Kind of(Path file) throws FileRefusal {
+            String name = file.getFileName() == null ? "" : file.getFileName().toString();
+            String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+            for (Kind kind : values()) {
+                if (kind.endings.contains(ending) && name.contains(".") && !Files.isDirectory(file)) {
+                    return kind;
+                }
+            }
+            throw new FileRefusal(FileText.UNKNOWN_KIND.with(file));
+        }
+
+        /** Returns true if the open level is left for another one. */
+        public boolean replacesLevel() {
+            return this == SCENE || this == LEVEL;
+        }
+    }
+
+    /**
+     * Where a file is dropped.
+     *
+     * @param at metres; where models and clouds appear
+     * @param face what a picture is painted on; empty for nothing
+     */
+    public record Target(Vec3 at, Optional<FaceRef> face) {}
+
+    private final EditorSession session;
+    private final Path file;
+
+    public DroppedFile(EditorSession session, Path file) {
+        this.session = session;
+        this.file = file;
+    }
+
+    /**
+     * Uses the file.
+     *
+     * @throws FileRefusal if it can't be used; level and folder are then as before
+     */
+    public void dropOn(Target target) throws FileRefusal {
+        switch (Kind.of(file)) {
+            case PICTURE -> picture(target);
+            case MODEL -> model(target);
+            case CLOUD -> cloud(target);
+            case SCENE -> scene();
+            case LEVEL -> LevelOpening.open(session, file.toString());
+        }
+    }
+
+    private void picture(Target target) throws FileRefusal {
+        AssetFolder folder = AssetFolder.of(session, file);
+        byte[] content = AssetFolder.read(file);
+        try {
+            PictureDecoder.decode(file.getFileName().toString(), content);
+        } catch (AssetException noPicture) {
+            throw new FileRefusal(FileText.UNUSABLE.with(file, noPicture.getMessage()));
+        }
+        String id = folder.idOf(file, content, "textures");
+        new AssetUse(session, id).picture(target.face());
+        told(id);
+    }
+
+    private void model(Target target) throws FileRefusal {
+        AssetFolder folder = AssetFolder.of(session, file);
+        byte[] content = AssetFolder.read(file);
+        String id = folder.idOf(file, content, "models", neighbours(content));
+        new AssetUse(session, id).model(target.at());
+        told(id);
+    }
+
+    /** Reads the model as the engine will, and returns the files that it names beside itself. */
+    private Map<String, byte[]> neighbours(byte[] content) throws FileRefusal {
+        Map<String, byte[]> neighbours = new LinkedHashMap<>();
+        List<FileRefusal> missing = new ArrayList<>();
+        try {
+            ModelFiles.read(file.getFileName().toString(), content, name -> {
+                try {
+                    byte[] read = AssetFolder.read(file.resolveSibling(name));
+                    neighbours.put(name, read);
+                    return read;
+                } catch (FileRefusal refusal) {
+                    missing.add(refusal);
+                    throw new ModelFileException(name, 0, "is missing", "put it beside the model");
+                }
+            });
+        } catch (ModelFileException | AssetException | IllegalArgumentException noModel) {
+            throw missing.isEmpty() ? refused(noModel) : missing.get(0);
+        }
+        return neighbours;
+    }
+
+    private FileRefusal refused(RuntimeException reason) {
+        return new FileRefusal(FileText.UNUSABLE.with(file, reason.getMessage()));
+    }
+
+    private void cloud(Target target) throws FileRefusal {
+        AssetFolder folder = AssetFolder.of(session, file);
+        byte[] content = AssetFolder.read(file);
+        Optional<String> objection = VolumeHeader.objection(content);
+        if (objection.isPresent()) {
+            throw new FileRefusal(FileText.UNUSABLE.with(file, objection.get()));
+        }
+        String id = folder.idOf(file, content, "clouds");
+        new AssetUse(session, id).cloud(target.at(), VolumeHeader.sizeMetres(content));
+        told(id);
+    }
+
+    private void scene() throws FileRefusal {
+        Path beside = session.file().path().orElse(file.toAbsolutePath());
+        String name = file.getFileName().toString();
+        Path level = LevelOpening.fresh(beside.resolveSibling(name.substring(0, name.length() - 4)), ".json");
+        List<String> complaints = new ArrayList<>();
+        session.filing().scenes().save(file, level, complaints::add);
+        LevelOpening.open(session, level.toString());
+        session.status(complaints.isEmpty() ? FileText.IMPORTED.with(level) : Words.same(complaints.get(0)));
+    }
+
+    private void told(String id) {
+        session.status(FileText.ADDED.with(file.getFileName(), id));
+    }
+}

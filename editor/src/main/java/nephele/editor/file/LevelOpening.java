@@ -1,0 +1,65 @@
+package nephele.editor.file;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.save.LevelPackage;
+import nephele.editor.save.PackageException;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileRefusal;
+import nephele.editor.text.Words;
+import nephele.engine.level.json.LevelFormatException;
+
+/** Opens levels from files and packages. */
+public final class LevelOpening {
+    private LevelOpening() {}
+
+    /** Opens a level, or unpacks a package into a new folder beside it and opens its level, in place of the open one. */
+    public static void open(EditorSession session, String typed) throws FileRefusal {
+        boolean isPackage = typed.toLowerCase(Locale.ROOT).endsWith(".zip");
+        try {
+            Path unpacked = isPackage ? unpacked(Path.of(typed)) : null;
+            DocumentFile.Opened opened = DocumentFile.open(isPackage ? unpacked.toString() : typed);
+            session.open(opened.file(), opened.level(), opened.assets());
+            Optional<Words> told = isPackage
+                    ? Optional.of(FileText.UNPACKED.with(unpacked.getParent()))
+                    : opened.notice().map(Words::same);
+            told.ifPresent(session::status);
+        } catch (LevelFormatException noLevel) {
+            throw new FileRefusal(Words.same(noLevel.getMessage()));
+        } catch (PackageException noPackage) {
+            throw new FileRefusal(SessionJournal.words(noPackage.told()));
+        }
+    }
+
+    /** Returns the level's file of a package that was unpacked beside it. */
+    private static Path unpacked(Path zip) {
+        Path absolute = zip.toAbsolutePath().normalize();
+        String name = absolute.getFileName().toString();
+        return LevelPackage.extract(zip, fresh(absolute.resolveSibling(name.substring(0, name.length() - 4)), ""));
+    }
+
+    /** Returns a path that is free, with a number if need be: {@code room.json}, {@code room-2.json}. */
+    static Path fresh(Path wish, String ending) {
+        Path free = Path.of(wish + ending);
+        for (int number = 2; !isFree(free); number++) {
+            free = Path.of(wish + "-" + number + ending);
+        }
+        return free;
+    }
+
+    private static boolean isFree(Path path) {
+        if (!Files.isDirectory(path)) {
+            return !Files.exists(path);
+        }
+        try (DirectoryStream<Path> inside = Files.newDirectoryStream(path)) {
+            return !inside.iterator().hasNext();
+        } catch (IOException unreadable) {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package nephele.editor.file;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import nephele.editor.document.Registration;
+import nephele.editor.save.DocumentFile.Outside;
+import nephele.editor.save.FileWatch;
+import nephele.editor.save.NamedAssets;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.engine.level.Level;
+
+/** Watches the files of the open level, and passes their changes on to the session's thread. */
+public final class SessionWatch implements AutoCloseable {
+    private final EditorSession session;
+    private final OutsideChanges changes;
+    private final Threads threads;
+    private final FileWatch watch;
+    private final Registration registration;
+    private volatile Of current = new Of(null, null);
+    /** Owned by the background thread, as the next one is. */
+    private Path watchedFile;
+
+    private Set<String> watchedAssets = Set.of();
+
+    private record Of(Path file, Level level) {}
+
+    /**
+     * The threads of a watch.
+     *
+     * @param session runs what touches the session
+     * @param background runs what reads files, in order
+     */
+    public record Threads(Executor session, Executor background) {}
+
+    /** Begins to watch. */
+    public SessionWatch(EditorSession session, OutsideChanges changes, Threads threads) {
+        this.session = session;
+        this.changes = changes;
+        this.threads = threads;
+        watch = FileWatch.start(paths -> threads.session().execute(() -> changes.changed(paths)));
+        registration = session.listen(this::follow);
+        watchFiles();
+    }
+
+    private void follow(Change change) {
+        boolean isOther = change == Change.DOCUMENT || change == Change.FILE;
+        if (isOther && !session.document().isDragging()) {
+            watchFiles();
+            threads.session().execute(changes::settle);
+        }
+    }
+
+    private void watchFiles() {
+        Level level = session.document().level();
+        Path file = session.file().path().orElse(null);
+        boolean isOtherFile = !Objects.equals(file, current.file());
+        if (level == current.level() && !isOtherFile) {
+            return;
+        }
+        Of now = new Of(file, level);
+        current = now;
+        threads.background().execute(() -> {
+            if (isOtherFile || now == current) {
+                watch(now);
+            }
+            if (isOtherFile && file != null) {
+                threads.session().execute(() -> lookAgain(file));
+            }
+        });
+    }
+
+    /** Only what names assets is compared: most edits change none. */
+    private void watch(Of of) {
+        Set<String> assets = NamedAssets.of(of.level());
+        if (!Objects.equals(of.file(), watchedFile) || !assets.equals(watchedAssets)) {
+            watchedFile = of.file();
+            watchedAssets = assets;
+            watch.watch(of.file() == null ? List.of() : FileWatch.filesOf(of.file(), of.level()));
+        }
+    }
+
+    /** Finds by its content what changed before the watch knew the file. */
+    private void lookAgain(Path file) {
+        boolean isCurrent = session.file().path().filter(file::equals).isPresent();
+        if (isCurrent && session.file().outside() != Outside.SAME) {
+            changes.changed(Set.of(file));
+        }
+    }
+
+    @Override
+    public void close() {
+        registration.close();
+        watch.close();
+    }
+}

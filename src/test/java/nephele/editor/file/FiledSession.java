@@ -1,0 +1,46 @@
+package nephele.editor.file;
+
+import java.nio.file.Path;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.Filing;
+import nephele.editor.session.NewDocument;
+import nephele.editor.settings.EditorFiles;
+import nephele.editor.settings.EditorSettings;
+import nephele.editor.text.Words;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelFile;
+
+/** Sessions of tests whose backups lie in a folder of the test. */
+public final class FiledSession {
+    private FiledSession() {}
+
+    /** Returns the folders of the editor's own files below a test's folder. */
+    public static EditorFiles files(Path folder) {
+        return new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"));
+    }
+
+    /** Returns a session of an untitled level. */
+    public static EditorSession untitled(Path folder) {
+        DocumentFile.Opened opened = NewDocument.opened();
+        EditorSession session =
+                new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
+        session.filing(Filing.of(files(folder)));
+        return session;
+    }
+
+    /** Returns a session of a level that is saved to a file first. */
+    public static EditorSession of(Path folder, Path file, Level level) {
+        LevelFile.save(file, level);
+        DocumentFile.Opened opened = DocumentFile.open(file.toString());
+        EditorSession session =
+                new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
+        session.filing(Filing.of(files(folder)));
+        return session;
+    }
+
+    /** Replaces the level as an edit does. */
+    public static void edit(EditorSession session, Level level) {
+        session.document().edit(Words.same("edit"), before -> level);
+    }
+}
