@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
 import javax.swing.table.AbstractTableModel;
+import nephele.editor.panel.model.FieldWords;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
 import nephele.engine.level.Language;
@@ -100,9 +101,19 @@ final class OutlinerTable extends AbstractTableModel {
     private String title(OutlinerRow line) {
         return switch (line.kind()) {
             case GROUPS -> PanelText.GROUPS.in(language);
-            case SECTION -> line.title() + " (" + line.members().size() + ")";
-            default -> line.title();
+            case SECTION -> words(line.title()) + " (" + line.members().size() + ")";
+            default -> isSingle(line) ? words(line.title()) : line.title();
         };
+    }
+
+    private static boolean isSingle(OutlinerRow line) {
+        return line.kind() == OutlinerRow.Kind.ENTITY
+                && line.members().get(0).id().isEmpty();
+    }
+
+    private String words(String path) {
+        String last = path.substring(path.lastIndexOf('.') + 1);
+        return FieldWords.known(last).map(words -> words.in(language)).orElse(path);
     }
 
     @Override

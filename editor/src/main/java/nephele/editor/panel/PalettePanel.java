@@ -53,7 +53,7 @@ public final class PalettePanel extends JPanel {
         shape(PanelText.ROOM, new ShapeOptions.Room(0.5));
         heading(PanelText.ENTITIES);
         for (PaletteModel.Entry entry : PaletteModel.entries(LevelStructure.LEVEL)) {
-            button(entry.title(), null, () -> {
+            button(entry.words().in(session.language()), null, () -> {
                 session.options().entity(entry.section(), entry.kind());
                 take("place");
             });

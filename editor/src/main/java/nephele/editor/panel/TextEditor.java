@@ -29,7 +29,7 @@ final class TextEditor implements FieldEditor {
         this.changes = changes;
         boolean isProse = field.type().field().declaration().text() == TextKind.PROSE;
         text = isProse ? area() : line();
-        text.getAccessibleContext().setAccessibleName(field.title());
+        text.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
         panel.add(isProse ? new JScrollPane(text) : text, "wmin 40, grow");
         text.addFocusListener(new FocusAdapter() {
             @Override
@@ -40,7 +40,7 @@ final class TextEditor implements FieldEditor {
         if (chooser != null) {
             JButton choose = new JButton("…");
             choose.getAccessibleContext()
-                    .setAccessibleName(PanelText.CHOOSE_FILE.with(field.title()).in(changes.language()));
+                    .setAccessibleName(PanelText.CHOOSE_FILE.with(field.words().in(changes.language())).in(changes.language()));
             choose.addActionListener(event -> chooser.choose(shown).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
         }

@@ -79,7 +79,7 @@ class OutlinerModelTest {
         var kinds = PaletteModel.entries(LevelStructure.LEVEL);
         assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
         assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
-        assertEquals("spot – lights", new PaletteModel.Entry("lights", "spot").title());
-        assertEquals("material", new PaletteModel.Entry("materials", "material").title());
+        assertEquals("Spot light", new PaletteModel.Entry("lights", "spot").words().english());
+        assertEquals("Caixa – Sólidos", new PaletteModel.Entry("solids", "box").words().brazilian());
     }
 }

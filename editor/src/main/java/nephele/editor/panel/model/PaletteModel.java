@@ -6,6 +6,7 @@ import nephele.editor.record.EntitySection;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
+import nephele.editor.text.Words;
 
 /** The entities that the palette offers: all kinds of all lists, and the single records that a level may be without. */
 public final class PaletteModel {
@@ -18,11 +19,21 @@ public final class PaletteModel {
      * @param kind its word in files
      */
     public record Entry(String section, String kind) {
-        /** Returns what a button shows: kind, and section where that says more. */
-        public String title() {
+        /** Returns the kind for users, and behind it the list where kinds of other lists have the same name. */
+        public Words words() {
+            Words kindWords = KindWords.of(kind);
+            boolean isAmbiguous = entries(LevelStructure.LEVEL).stream()
+                    .anyMatch(other -> other.kind.equals(kind) && !other.section.equals(section));
+            Words list = sectionWords();
+            return isAmbiguous
+                    ? Words.same("%s – %s").with(kindWords, list)
+                    : kindWords;
+        }
+
+        /** Returns the words of the list or of the single record. */
+        public Words sectionWords() {
             String last = section.substring(section.lastIndexOf('.') + 1);
-            boolean isSaid = last.equalsIgnoreCase(kind) || last.equalsIgnoreCase(kind + "s");
-            return isSaid ? kind : kind + " – " + last;
+            return FieldWords.known(last).orElseGet(() -> Words.same(last));
         }
     }
 
