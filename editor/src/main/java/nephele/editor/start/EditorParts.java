@@ -1,7 +1,8 @@
 package nephele.editor.start;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
+import java.util.function.BiConsumer;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
@@ -21,6 +22,7 @@ import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
+import nephele.editor.window.dialog.AssetDialog;
 
 /** Puts the panels around the viewport. */
 final class EditorParts {
@@ -32,10 +34,13 @@ final class EditorParts {
 
     private EditorParts() {}
 
-    static EditorPanel panel(EditorSession session, Desk desk, SurfaceMode surface) {
+    /** @param parts receives the name of each part that can be shown, and what opens it */
+    static EditorPanel panel(
+            EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
         JTabbedPane left = new JTabbedPane();
-        left.addTab("", new OutlinerPanel(session, ref -> focus(commands, session, ref)));
+        OutlinerPanel outliner = new OutlinerPanel(session, ref -> focus(commands, session, ref));
+        left.addTab("", outliner);
         left.addTab("", new PalettePanel(session));
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("", new ProblemsPanel(session, problem -> choose(session, problem)));
@@ -50,9 +55,16 @@ final class EditorParts {
                 titles.run();
             }
         });
+        AssetDialog assets = new AssetDialog(session, left, ForkJoinPool.commonPool());
         EditorSlots slots =
-                new EditorSlots(left, new InspectorPanel(session, current -> Optional.empty()), bottom, MAIN_ACTIONS);
-        return new EditorPanel(session, commands, surface, slots);
+                new EditorSlots(left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
+        EditorPanel panel = new EditorPanel(session, commands, surface, slots);
+        EditorPages.register(session, desk, panel, parts);
+        parts.accept("search", () -> {
+            left.setSelectedIndex(0);
+            outliner.startSearch();
+        });
+        return panel;
     }
 
     private static void title(JTabbedPane tabs, EditorSession session, Words... titles) {
