@@ -59,37 +59,39 @@ final class OptionActions {
         shape(all, "shape-box", Words.of("Box", "Caixa", "Caixa"), new ShapeOptions.Box());
         shape(all, "shape-wedge", Words.of("Wedge", "Cunha", "Cunha"), new ShapeOptions.Wedge(null));
         shape(all, "shape-stairs", Words.of("Stairs", "Escada", "Escada"), new ShapeOptions.Stairs(null, STAIRS));
-        shape(
-                all,
-                "shape-arch",
-                Words.of("Arch", "Arco", "Arco"),
-                new ShapeOptions.Arch(ARCH_SEGMENTS, WALL_METRES));
+        shape(all, "shape-arch", Words.of("Arch", "Arco", "Arco"), new ShapeOptions.Arch(ARCH_SEGMENTS, WALL_METRES));
         shape(
                 all,
                 "shape-cylinder",
                 Words.of("Cylinder", "Cilindro", "Cilindro"),
                 new ShapeOptions.Cylinder(CYLINDER_SIDES));
         shape(all, "shape-room", Words.of("Room", "Sala", "Sala"), new ShapeOptions.Room(WALL_METRES));
-        keep(all, "keep-behind", Words.of("Keep the Part Behind", "Manter a parte de trás", "Manter a parte de trás"), Keep.BEHIND);
+        keep(
+                all,
+                "keep-behind",
+                Words.of("Keep the Part Behind", "Manter a parte de trás", "Manter a parte de trás"),
+                Keep.BEHIND);
         keep(
                 all,
                 "keep-front",
                 Words.of("Keep the Part in Front", "Manter a parte da frente", "Manter a parte da frente"),
                 Keep.IN_FRONT);
-        keep(all, "keep-both", Words.of("Keep Both Parts", "Manter as duas partes", "Manter ambas as partes"), Keep.BOTH);
+        keep(
+                all,
+                "keep-both",
+                Words.of("Keep Both Parts", "Manter as duas partes", "Manter ambas as partes"),
+                Keep.BOTH);
         all.add(toggled(
                 "new-portalable",
                 Words.of("Make Portalable", "Tornar apto a portais", "Tornar apto a portais"),
                 Menu.BRUSH,
-                session -> session.options()
-                        .portalable(!session.options().isPortalable()),
+                session -> session.options().portalable(!session.options().isPortalable()),
                 session -> session.options().isPortalable()));
         all.add(toggled(
                 "texture-lock",
                 Words.of("Lock Textures to Brushes", "Prender texturas aos blocos", "Prender texturas aos blocos"),
                 Menu.BRUSH,
-                session -> session.options()
-                        .textureLocked(!session.options().isTextureLocked()),
+                session -> session.options().textureLocked(!session.options().isTextureLocked()),
                 session -> session.options().isTextureLocked()));
         return List.copyOf(all);
     }
@@ -110,12 +112,9 @@ final class OptionActions {
                 targets.add(target);
             }
         };
-        all.add(toggled(
-                id,
-                title,
-                Menu.VIEW,
-                toggle,
-                session -> session.options().snapping().contains(target)));
+        all.add(toggled(id, title, Menu.VIEW, toggle, session -> session.options()
+                .snapping()
+                .contains(target)));
     }
 
     private static void shape(List<Option> all, String id, Words title, ShapeOptions shape) {

@@ -42,8 +42,7 @@ final class TextureActions {
                             List.of("Ctrl+Alt+F"),
                             call -> place(
                                     call,
-                                    face -> TextureFit.fit(
-                                            face, call.number("across", 1), call.number("down", 1))))
+                                    face -> TextureFit.fit(face, call.number("across", 1), call.number("down", 1))))
                     .taking("across", "down")
                     .when(TextureActions::hasFaces),
             aligned("left", Words.of("left", "à esquerda", "à esquerda"), TextureAlignment.LEFT),

@@ -7,17 +7,9 @@ import nephele.editor.text.Words;
 /** Parts of the window that ask or tell something; a script has none of them. */
 final class WindowActions {
     static final List<EditorAction> ALL = List.of(
-            shown(
-                    "turn-by",
-                    Words.of("Turn by…", "Girar em…", "Rodar em…"),
-                    Menu.EDIT,
-                    List.of("Ctrl+Alt+R"))
+            shown("turn-by", Words.of("Turn by…", "Girar em…", "Rodar em…"), Menu.EDIT, List.of("Ctrl+Alt+R"))
                     .when(EditActions::hasSelection),
-            shown(
-                    "settings",
-                    Words.of("Settings…", "Configurações…", "Definições…"),
-                    Menu.EDIT,
-                    List.of("Ctrl+Comma")),
+            shown("settings", Words.of("Settings…", "Configurações…", "Definições…"), Menu.EDIT, List.of("Ctrl+Comma")),
             shown(
                     "palette",
                     Words.of("Search Commands…", "Buscar comandos…", "Procurar comandos…"),

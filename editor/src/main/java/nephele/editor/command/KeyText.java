@@ -105,7 +105,9 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
             return key(String.valueOf(sign)).map(text -> new KeyText(isCtrl, false, false, text));
         }
         boolean isSign = code >= KeyEvent.VK_COMMA && code <= KeyEvent.VK_CLOSE_BRACKET;
-        return isSign ? key(String.valueOf((char) code)).map(text -> new KeyText(isCtrl, false, false, text)) : Optional.empty();
+        return isSign
+                ? key(String.valueOf((char) code)).map(text -> new KeyText(isCtrl, false, false, text))
+                : Optional.empty();
     }
 
     private static Optional<String> key(String text) {

@@ -112,7 +112,9 @@ final class FieldLine {
     private void addKeys(JPopupMenu items) {
         var keys = InspectorModel.missingKeys(field);
         for (Object key : keys) {
-            String text = PanelText.ADD_TO.with(field.words().in(changes.language())).in(changes.language()) + ": " + ChoiceWord.of(key);
+            String text =
+                    PanelText.ADD_TO.with(field.words().in(changes.language())).in(changes.language()) + ": "
+                            + ChoiceWord.of(key);
             items.add(text).addActionListener(event -> changes.add(field, key));
         }
         if (keys.isEmpty() && InspectorModel.hasTextKeys(field)) {

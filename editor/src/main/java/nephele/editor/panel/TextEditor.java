@@ -47,8 +47,11 @@ final class TextEditor implements FieldEditor {
         if (chooser != null) {
             choose = new JButton("…");
             choose.getAccessibleContext()
-                    .setAccessibleName(PanelText.CHOOSE_FILE.with(field.words().in(changes.language())).in(changes.language()));
-            choose.addActionListener(event -> chooser.choose(this.field, shown).ifPresent(id -> changes.set(this.field, id)));
+                    .setAccessibleName(PanelText.CHOOSE_FILE
+                            .with(field.words().in(changes.language()))
+                            .in(changes.language()));
+            choose.addActionListener(
+                    event -> chooser.choose(this.field, shown).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
         } else {
             choose = null;

@@ -17,8 +17,7 @@ final class EditorPages {
     private EditorPages() {}
 
     /** @param parts receives the name of each part and what opens it */
-    static void register(
-            EditorSession session, Desk desk, EditorPanel panel, BiConsumer<String, Runnable> parts) {
+    static void register(EditorSession session, Desk desk, EditorPanel panel, BiConsumer<String, Runnable> parts) {
         new EditorDialogs(session, desk, panel).register(parts);
         parts.accept("settings", () -> show(session, panel, SettingsPage.Tab.GENERAL));
         parts.accept("keys", () -> show(session, panel, SettingsPage.Tab.KEYS));
@@ -27,8 +26,7 @@ final class EditorPages {
     private static void show(EditorSession session, EditorPanel panel, SettingsPage.Tab tab) {
         Path file = EditorFiles.in(UserFolders.ofThisUser()).settings();
         new DialogFrame(panel).open(PageText.SETTINGS.in(session.language()), close -> {
-            SettingsPage page =
-                    new SettingsPage(session, panel.commands().all(), file, close).at(tab);
+            SettingsPage page = new SettingsPage(session, panel.commands().all(), file, close).at(tab);
             return new DialogFrame.Content(page, page.tabs(), null);
         });
     }

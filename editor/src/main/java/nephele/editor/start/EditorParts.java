@@ -56,8 +56,7 @@ final class EditorParts {
             }
         });
         AssetDialog assets = new AssetDialog(session, left, ForkJoinPool.commonPool());
-        EditorSlots slots =
-                new EditorSlots(left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
+        EditorSlots slots = new EditorSlots(left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, surface, slots);
         EditorPages.register(session, desk, panel, parts);
         parts.accept("search", () -> {

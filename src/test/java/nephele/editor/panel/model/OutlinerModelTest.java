@@ -79,7 +79,10 @@ class OutlinerModelTest {
         var kinds = PaletteModel.entries(LevelStructure.LEVEL);
         assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
         assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
-        assertEquals("Spot light", new PaletteModel.Entry("lights", "spot").words().english());
-        assertEquals("Caixa – Sólidos", new PaletteModel.Entry("solids", "box").words().brazilian());
+        assertEquals(
+                "Spot light", new PaletteModel.Entry("lights", "spot").words().english());
+        assertEquals(
+                "Caixa – Sólidos",
+                new PaletteModel.Entry("solids", "box").words().brazilian());
     }
 }

@@ -49,7 +49,11 @@ public final class FieldWords {
             word("heightMetres", "Height", "Altura", "Altura"),
             word("hidden", "Hidden", "Ocultos", "Ocultos"),
             word("horizon", "Horizon", "Horizonte", "Horizonte"),
-            word("horizontalFovDegrees", "Horizontal field of view", "Campo de visão horizontal", "Campo de visão horizontal"),
+            word(
+                    "horizontalFovDegrees",
+                    "Horizontal field of view",
+                    "Campo de visão horizontal",
+                    "Campo de visão horizontal"),
             word("id", "Id", "Id", "Id"),
             word("ignoredProblems", "Ignored problems", "Problemas ignorados", "Problemas ignorados"),
             word("innerConeDegrees", "Inner cone", "Cone interno", "Cone interior"),

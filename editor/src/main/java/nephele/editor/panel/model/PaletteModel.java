@@ -25,9 +25,7 @@ public final class PaletteModel {
             boolean isAmbiguous = entries(LevelStructure.LEVEL).stream()
                     .anyMatch(other -> other.kind.equals(kind) && !other.section.equals(section));
             Words list = sectionWords();
-            return isAmbiguous
-                    ? Words.same("%s – %s").with(kindWords, list)
-                    : kindWords;
+            return isAmbiguous ? Words.same("%s – %s").with(kindWords, list) : kindWords;
         }
 
         /** Returns the words of the list or of the single record. */

@@ -53,10 +53,20 @@ final class ActionForms {
                             "camera",
                             DialogText.GO_TO,
                             FormField.vector("at", DialogText.PLACE, ActionForms::place),
-                            FormField.number("yaw", DialogText.YAW, session -> number(
-                                    session.panes().activeView().perspective().yawDegrees())),
-                            FormField.number("pitch", DialogText.PITCH, session -> number(
-                                    session.panes().activeView().perspective().pitchDegrees())))
+                            FormField.number(
+                                    "yaw",
+                                    DialogText.YAW,
+                                    session -> number(session.panes()
+                                            .activeView()
+                                            .perspective()
+                                            .yawDegrees())),
+                            FormField.number(
+                                    "pitch",
+                                    DialogText.PITCH,
+                                    session -> number(session.panes()
+                                            .activeView()
+                                            .perspective()
+                                            .pitchDegrees())))
                     .shownAs("coordinates"),
             ActionForm.of(
                     "grid", DialogText.GRID, FormField.choice("metres", DialogText.GRID_STEP, ActionForms::steps)));

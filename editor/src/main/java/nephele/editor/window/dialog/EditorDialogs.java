@@ -41,8 +41,8 @@ public final class EditorDialogs {
 
     private void showPalette() {
         frame.open(DialogText.SEARCH_COMMANDS.in(session.language()), close -> {
-            SearchList<EditorCommand> list = Searches.commands(
-                    panel.commands().all(), panel.keys(), session.language(), chosen -> {
+            SearchList<EditorCommand> list =
+                    Searches.commands(panel.commands().all(), panel.keys(), session.language(), chosen -> {
                         close.run();
                         chosen.ifPresent(EditorCommand::run);
                     });
@@ -68,7 +68,8 @@ public final class EditorDialogs {
     }
 
     private void show(ActionForm form) {
-        boolean isEnabled = Actions.named(form.action()).orElseThrow().isEnabled().test(session);
+        boolean isEnabled =
+                Actions.named(form.action()).orElseThrow().isEnabled().test(session);
         if (!isEnabled) {
             return;
         }

@@ -66,7 +66,8 @@ final class FormInput {
         @Override
         public Component getListCellRendererComponent(
                 JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text = value instanceof FormField.Option option ? option.label().in(language) : "";
+            String text =
+                    value instanceof FormField.Option option ? option.label().in(language) : "";
             return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
         }
     }

@@ -35,8 +35,7 @@ final class FormPanel extends JPanel {
      *
      * @param run does it; returns what went wrong or {@link Words#NONE}, after which the form closes
      */
-    FormPanel(
-            ActionForm form, EditorSession session, Function<Map<String, String>, Words> run, Runnable close) {
+    FormPanel(ActionForm form, EditorSession session, Function<Map<String, String>, Words> run, Runnable close) {
         super(new MigLayout("insets 12, fillx, wrap 2", "[][grow, fill]", ""));
         this.form = form;
         this.session = session;
@@ -74,8 +73,8 @@ final class FormPanel extends JPanel {
         Optional<FormInput> wrong = inputs.stream()
                 .filter(input -> !input.problem().equals(Words.NONE))
                 .findFirst();
-        Words problem = wrong.map(FormInput::problem)
-                .orElseGet(() -> form.check().problem(session, values()));
+        Words problem =
+                wrong.map(FormInput::problem).orElseGet(() -> form.check().problem(session, values()));
         boolean isWrong = !problem.equals(Words.NONE);
         inputs.forEach(input -> input.mark(isWrong && wrong.map(input::equals).orElse(true)));
         tell(problem);

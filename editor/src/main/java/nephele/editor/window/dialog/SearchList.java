@@ -83,9 +83,7 @@ public final class SearchList<T> extends JPanel {
             }
         });
         JScrollPane scroll = new JScrollPane(
-                list,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                list, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         results.add(scroll, "found");
         results.add(new JLabel(DialogText.NOTHING_FOUND.in(language), SwingConstants.CENTER), "nothing");
         add(query, BorderLayout.PAGE_START);

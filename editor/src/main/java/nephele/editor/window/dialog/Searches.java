@@ -20,10 +20,7 @@ public final class Searches {
 
     /** Returns the search over all commands, with menu and key of each. */
     public static SearchList<EditorCommand> commands(
-            List<EditorCommand> commands,
-            EditorKeys keys,
-            Language language,
-            Consumer<Optional<EditorCommand>> done) {
+            List<EditorCommand> commands, EditorKeys keys, Language language, Consumer<Optional<EditorCommand>> done) {
         return new SearchList<>(
                 new SearchList.Search<>(
                         DialogText.SEARCH_COMMANDS,
@@ -42,8 +39,7 @@ public final class Searches {
     }
 
     /** Returns the search over all kinds of entities that a level can have. */
-    public static SearchList<PaletteModel.Entry> kinds(
-            Language language, Consumer<Optional<PaletteModel.Entry>> done) {
+    public static SearchList<PaletteModel.Entry> kinds(Language language, Consumer<Optional<PaletteModel.Entry>> done) {
         List<PaletteModel.Entry> all = PaletteModel.entries(LevelStructure.LEVEL);
         return new SearchList<>(
                 new SearchList.Search<>(

@@ -42,17 +42,14 @@ final class GeneralPage extends JPanel {
         this.changed = changed;
         Language language = session.language();
         choice(PageText.LANGUAGE, EditorSetting.LANGUAGE, Arrays.asList(Language.values()), Language::title);
-        choice(
-                PageText.THEME,
-                EditorSetting.THEME,
-                Arrays.asList(Theme.values()),
-                theme -> (theme == Theme.LIGHT ? PageText.LIGHT : PageText.DARK).in(language));
+        choice(PageText.THEME, EditorSetting.THEME, Arrays.asList(Theme.values()), theme -> (theme == Theme.LIGHT
+                        ? PageText.LIGHT
+                        : PageText.DARK)
+                .in(language));
         choice(PageText.SCALE, EditorSetting.SCALE_PERCENT, SCALES, percent -> percent + " %");
-        choice(
-                PageText.VIEWPORT,
-                EditorSetting.VIEWPORT,
-                Arrays.asList(Viewport.values()),
-                viewport -> viewportText(viewport).in(language));
+        choice(PageText.VIEWPORT, EditorSetting.VIEWPORT, Arrays.asList(Viewport.values()), viewport -> viewportText(
+                        viewport)
+                .in(language));
         JLabel note = new JLabel(PageText.AT_NEXT_START.in(language));
         note.setEnabled(false);
         add(note, "skip 1");

@@ -90,8 +90,10 @@ final class KeysPage extends JPanel {
         }
         table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "replace");
         table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("DELETE"), "remove");
-        table.getActionMap().put("replace", action(() -> await((choices, command) -> key -> choices.with(command, List.of(key)))));
-        table.getActionMap().put("remove", action(() -> change((choices, command) -> choices.with(command, List.of()))));
+        table.getActionMap()
+                .put("replace", action(() -> await((choices, command) -> key -> choices.with(command, List.of(key)))));
+        table.getActionMap()
+                .put("remove", action(() -> change((choices, command) -> choices.with(command, List.of()))));
     }
 
     private static AbstractAction action(Runnable run) {
@@ -107,11 +109,15 @@ final class KeysPage extends JPanel {
 
     private JPanel buttons(Language language) {
         JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][][]push[]"));
-        button(row, PageText.REPLACE.in(language), () -> await((choices, command) ->
-                key -> choices.with(command, List.of(key))));
-        button(row, PageText.ADD.in(language), () -> await((choices, command) -> key -> choices.withAdded(command, key)));
-        button(row, PageText.REMOVE.in(language), () -> change((choices, command) ->
-                choices.with(command, List.of())));
+        button(
+                row,
+                PageText.REPLACE.in(language),
+                () -> await((choices, command) -> key -> choices.with(command, List.of(key))));
+        button(
+                row,
+                PageText.ADD.in(language),
+                () -> await((choices, command) -> key -> choices.withAdded(command, key)));
+        button(row, PageText.REMOVE.in(language), () -> change((choices, command) -> choices.with(command, List.of())));
         button(row, PageText.RESET.in(language), () -> change(KeyChoices::reset));
         button(row, PageText.RESET_ALL.in(language), () -> {
             session.settings(choices().resetAll());
@@ -142,13 +148,14 @@ final class KeysPage extends JPanel {
     }
 
     private void await(BiFunction<KeyChoices, EditorCommand, Function<KeyText, EditorSettings>> change) {
-        selected().ifPresent(command -> capture.await(
-                PageText.PRESS.in(session.language(), command.title().in(session.language())), key -> {
-                    key.ifPresent(pressed ->
-                            session.settings(change.apply(choices(), command).apply(pressed)));
-                    refresh(command);
-                    table.requestFocusInWindow();
-                }));
+        selected()
+                .ifPresent(command -> capture.await(
+                        PageText.PRESS.in(session.language(), command.title().in(session.language())), key -> {
+                            key.ifPresent(pressed -> session.settings(
+                                    change.apply(choices(), command).apply(pressed)));
+                            refresh(command);
+                            table.requestFocusInWindow();
+                        }));
     }
 
     /** @param selected stays selected; {@code null} for the first */
@@ -162,7 +169,8 @@ final class KeysPage extends JPanel {
         capture.setText(PageText.HOW.in(language));
         int count = choices().keys().conflicts().size();
         conflicts.setText(count == 0 ? PageText.NO_CONFLICTS.in(language) : PageText.CONFLICTS.in(language, count));
-        conflicts.setForeground(UIManager.getColor(count == 0 ? "Label.foreground" : "Component.error.focusedBorderColor"));
+        conflicts.setForeground(
+                UIManager.getColor(count == 0 ? "Label.foreground" : "Component.error.focusedBorderColor"));
     }
 
     JTable table() {

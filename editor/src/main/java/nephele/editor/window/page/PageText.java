@@ -21,10 +21,12 @@ public enum PageText {
     FILES("Files", "Arquivos", "Ficheiros"),
     JOURNAL(
             "Record edits before they are saved",
-            "Registrar edições antes de salvá-las", "Registar edições antes de as guardar"),
+            "Registrar edições antes de salvá-las",
+            "Registar edições antes de as guardar"),
     BACKUPS(
             "Keep previous versions of saved levels",
-            "Manter versões anteriores das fases salvas", "Manter versões anteriores dos níveis guardados"),
+            "Manter versões anteriores das fases salvas",
+            "Manter versões anteriores dos níveis guardados"),
     OPEN_FOLDER("Open settings folder", "Abrir a pasta das configurações", "Abrir a pasta das definições"),
     FOLDER_IS("The settings are in %s", "As configurações estão em %s", "As definições estão em %s"),
     CLOSE("Close", "Fechar", "Fechar"),

@@ -30,8 +30,7 @@ public final class SettingsPage extends JPanel {
     private KeysPage keys;
 
     /** @param settingsFile {@code null} if there is none */
-    public SettingsPage(
-            EditorSession session, List<EditorCommand> commands, Path settingsFile, Runnable close) {
+    public SettingsPage(EditorSession session, List<EditorCommand> commands, Path settingsFile, Runnable close) {
         super(new BorderLayout());
         this.session = session;
         this.commands = commands;
