@@ -41,8 +41,9 @@ final class FieldLine {
 
     void addTo(JPanel panel) {
         String indent = "gapleft " + 10 * field.depth();
-        if (field.type().kind() == FieldKind.VECTOR) {
-            // Three numbers need the whole width to be readable.
+        FieldKind kind = field.type().kind();
+        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET) {
+            // Three numbers and the name of a file need the whole width to be readable.
             panel.add(title, indent + ", span 2");
             panel.add(menu);
             panel.add(editor.component(), indent + ", span 3, growx, wmin 40");

@@ -12,10 +12,12 @@ import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.pick.Grid;
 import nephele.editor.record.EntityRef;
+import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.editor.window.dialog.FormField.Option;
+import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 
 /** The forms of the actions that need values. */
@@ -39,10 +41,11 @@ final class ActionForms {
                     .shownAs("turn-by"),
             ActionForm.of("scale", DialogText.SCALE, FormField.vector("by", DialogText.FACTORS, any -> "1,1,1")),
             ActionForm.of(
-                    "set",
-                    DialogText.SET,
-                    FormField.choice("value", DialogText.FIELD, ActionForms::settable),
-                    new FormField("to", DialogText.VALUE.words(), new FormField.Input.Text(), any -> "")),
+                            "set",
+                            DialogText.SET,
+                            FormField.choice("value", DialogText.FIELD, ActionForms::settable),
+                            new FormField("to", DialogText.VALUE.words(), new FormField.Input.Text(), any -> ""))
+                    .checkedBy(ActionForms::referenceProblem),
             ActionForm.of(
                     "brush",
                     DialogText.DRAW,
@@ -92,6 +95,20 @@ final class ActionForms {
                 .filter(InspectorField::isId)
                 .findFirst();
         return field.flatMap(id -> MODEL.problem(document.level(), selected(session), id, values.get("id")))
+                .orElse(Words.NONE);
+    }
+
+    /** Tells of a reference to what the level has not; the action itself takes any text. */
+    private static Words referenceProblem(EditorSession session, Map<String, String> values) {
+        Level level = session.document().level();
+        String wanted = values.get("to");
+        return MODEL.fields(level, selected(session)).stream()
+                .filter(field -> field.type().kind() == FieldKind.REFERENCE)
+                .filter(field -> field.type().field().name().equals(values.get("value")))
+                .map(field -> MODEL.ids(level, field.type().refersTo()))
+                .filter(ids -> !ids.contains(wanted))
+                .map(ids -> DialogText.NO_SUCH.words().with(wanted, String.join(", ", ids)))
+                .findFirst()
                 .orElse(Words.NONE);
     }
 

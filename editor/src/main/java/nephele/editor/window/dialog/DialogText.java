@@ -19,6 +19,9 @@ public enum DialogText {
             "%s: write a number, or a sum such as 128/3",
             "%s: escreva um número, ou uma conta como 128/3", "%s: escreve um número, ou uma conta como 128/3"),
     IS_EMPTY("%s: write a value", "%s: escreva um valor", "%s: escreve um valor"),
+    NO_SUCH(
+            "there is no %s here: choose one of %s",
+            "não há %s aqui: escolha entre %s", "não há %s aqui: escolhe entre %s"),
     RENAME("Rename", "Renomear", "Mudar o nome"),
     NEW_ID("New id", "Novo id", "Novo id"),
     MOVE("Move", "Mover", "Mover"),

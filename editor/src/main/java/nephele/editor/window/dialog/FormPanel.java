@@ -12,7 +12,6 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.UIManager;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
@@ -49,7 +48,7 @@ final class FormPanel extends JPanel {
             add(label);
             add(input.component());
         }
-        message.setForeground(UIManager.getColor("Component.error.focusedBorderColor"));
+        message.setForeground(ToldColour.error());
         message.setName("message");
         add(message, "span 2, growx, wmin 0");
         JButton cancel = new JButton(DialogText.CANCEL.in(session.language()));

@@ -25,6 +25,7 @@ import nephele.editor.command.EditorCommand;
 import nephele.editor.command.KeyText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSettings;
+import nephele.editor.window.dialog.ToldColour;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -84,7 +85,7 @@ final class KeysPage extends JPanel {
         table.setFillsViewportHeight(true);
         table.setDefaultRenderer(Object.class, new Cell());
         table.getAccessibleContext().setAccessibleName(PageText.KEYS.in(language));
-        int[] widths = {230, 90, 150, 230};
+        int[] widths = {220, 90, 190, 240};
         for (int i = 0; i < widths.length; i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
         }
@@ -169,8 +170,7 @@ final class KeysPage extends JPanel {
         capture.setText(PageText.HOW.in(language));
         int count = choices().keys().conflicts().size();
         conflicts.setText(count == 0 ? PageText.NO_CONFLICTS.in(language) : PageText.CONFLICTS.in(language, count));
-        conflicts.setForeground(
-                UIManager.getColor(count == 0 ? "Label.foreground" : "Component.error.focusedBorderColor"));
+        conflicts.setForeground(count == 0 ? UIManager.getColor("Label.foreground") : ToldColour.error());
     }
 
     JTable table() {
@@ -189,10 +189,7 @@ final class KeysPage extends JPanel {
                 JTable all, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
             super.getTableCellRendererComponent(all, value, isSelected, hasFocus, row, column);
             boolean isRed = !isSelected && column >= KeyTable.CONFLICT - 1 && model.hasConflict(row);
-            setForeground(
-                    isRed
-                            ? UIManager.getColor("Component.error.focusedBorderColor")
-                            : isSelected ? all.getSelectionForeground() : all.getForeground());
+            setForeground(isRed ? ToldColour.error() : isSelected ? all.getSelectionForeground() : all.getForeground());
             setToolTipText(String.valueOf(value));
             return this;
         }

@@ -36,9 +36,9 @@ public enum PageText {
     CONFLICT("Conflict", "Conflito", "Conflito"),
     ALSO("%s: also %s", "%s: também %s", "%s: também %s"),
     CONFLICTS(
-            "%s keys have more than one action; the first one in this list gets them",
-            "%s teclas têm mais de uma ação; a primeira nesta lista as recebe",
-            "%s teclas têm mais do que uma ação; a primeira nesta lista recebe-as"),
+            "Keys with several actions: %s; the first action in this list gets them",
+            "Teclas com várias ações: %s; a primeira ação desta lista as recebe",
+            "Teclas com várias ações: %s; a primeira ação desta lista recebe-as"),
     NO_CONFLICTS("No conflicts", "Nenhum conflito", "Nenhum conflito"),
     REPLACE("Replace keys…", "Trocar teclas…", "Trocar teclas…"),
     ADD("Add a key…", "Acrescentar tecla…", "Acrescentar tecla…"),
