@@ -3,9 +3,9 @@ package nephele.editor.window.dialog;
 import java.io.IOException;
 import java.nio.file.FileVisitOption;
 import java.nio.file.FileVisitResult;
+import java.nio.file.FileVisitor;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.EnumSet;
 import java.util.List;
@@ -40,7 +40,7 @@ final class AssetFiles {
         }
     }
 
-    private static final class Visit extends SimpleFileVisitor<Path> {
+    private static final class Visit implements FileVisitor<Path> {
         private final Set<String> ids;
         private final Path root;
         private final AssetFamily family;
@@ -67,6 +67,11 @@ final class AssetFiles {
                 ids.add(id);
             }
             return ids.size() < MOST_FILES ? FileVisitResult.CONTINUE : FileVisitResult.TERMINATE;
+        }
+
+        @Override
+        public FileVisitResult postVisitDirectory(Path folder, IOException problem) {
+            return FileVisitResult.CONTINUE;
         }
 
         @Override

@@ -2,6 +2,7 @@ package nephele.editor.window.dialog;
 
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -30,6 +31,7 @@ public final class DialogFrame {
 
     /** Opens a dialogue; its content is made with what closes it. */
     public void open(String title, Function<Runnable, Content> making) {
+        Component before = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title, ModalityType.APPLICATION_MODAL);
         Content content = making.apply(dialog::dispose);
         dialog.setContentPane(content.panel());
@@ -49,5 +51,9 @@ public final class DialogFrame {
         dialog.pack();
         dialog.setLocationRelativeTo(owner);
         dialog.setVisible(true);
+        // Not every window system gives the keyboard back by itself.
+        if (before != null) {
+            before.requestFocus();
+        }
     }
 }
