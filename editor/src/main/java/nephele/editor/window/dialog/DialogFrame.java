@@ -2,6 +2,7 @@ package nephele.editor.window.dialog;
 
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
+import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
@@ -49,6 +50,8 @@ public final class DialogFrame {
         });
         dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         dialog.pack();
+        Dimension screen = dialog.getToolkit().getScreenSize();
+        dialog.setSize(Math.min(dialog.getWidth(), screen.width), Math.min(dialog.getHeight(), screen.height));
         dialog.setLocationRelativeTo(owner);
         dialog.setVisible(true);
         // Not every window system gives the keyboard back by itself.

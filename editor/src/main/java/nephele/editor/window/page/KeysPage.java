@@ -3,6 +3,7 @@ package nephele.editor.window.page;
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.event.ActionEvent;
 import java.util.List;
 import java.util.Optional;
@@ -83,6 +84,7 @@ final class KeysPage extends JPanel {
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setRowHeight(UIScale.scale(24));
         table.setFillsViewportHeight(true);
+        table.setPreferredScrollableViewportSize(new Dimension(UIScale.scale(740), UIScale.scale(380)));
         table.setDefaultRenderer(Object.class, new Cell());
         table.getAccessibleContext().setAccessibleName(PageText.KEYS.in(language));
         int[] widths = {220, 90, 190, 240};
