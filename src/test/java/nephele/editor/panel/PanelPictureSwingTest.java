@@ -100,7 +100,7 @@ class PanelPictureSwingTest {
         UIManager.setLookAndFeel("com.formdev.flatlaf.Flat" + theme + "Laf");
         List<JPanel> panels = List.of(
                 new OutlinerPanel(session, ref -> {}),
-                new InspectorPanel(session, current -> Optional.empty()),
+                new InspectorPanel(session, (field, current) -> Optional.empty()),
                 new HistoryPanel(session));
         session.document().select(Selection.of(new EntityRef("materials", "lamp")));
         for (Language language : Language.values()) {
@@ -139,7 +139,7 @@ class PanelPictureSwingTest {
         List<Object> seen = new ArrayList<>();
         onEventThread(() -> {
             var outliner = new OutlinerPanel(session, ref -> {});
-            var inspector = new InspectorPanel(session, current -> Optional.empty());
+            var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
             JTable table = all(outliner, JTable.class).get(0);
             outliner.search("type:material lamp");
             seen.add(table.getRowCount());

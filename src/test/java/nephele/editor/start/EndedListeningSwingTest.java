@@ -37,7 +37,7 @@ class EndedListeningSwingTest {
     void aClosedPanelAndItsPartsHearNothingMore() throws ReflectiveOperationException {
         WindowLook.apply(session.settings());
         int before = listeners();
-        var panel = EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN);
+        var panel = EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN, (part, opener) -> {});
         assertTrue(listeners() >= before + 7, "the parts follow the session");
         panel.close();
         assertEquals(before, listeners());

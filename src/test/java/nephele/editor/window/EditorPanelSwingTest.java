@@ -25,7 +25,6 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import nephele.editor.action.EditorAction;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PanePoint;
@@ -326,25 +325,6 @@ class EditorPanelSwingTest {
             }
         }
         return found.isEmpty() ? null : found.get(0);
-    }
-
-    @Test
-    void thePaletteRunsTheFirstFound() throws Exception {
-        openSmall();
-        List<EditorCommand> chosen = new ArrayList<>();
-        CommandPalette palette = new CommandPalette(
-                panel.commands().all(), panel.keys(), Language.PT_BR, command -> command.ifPresent(chosen::add));
-        palette.setSize(palette.getPreferredSize());
-        layOut(palette);
-        BufferedImage picture = new BufferedImage(palette.getWidth(), palette.getHeight(), BufferedImage.TYPE_INT_RGB);
-        palette.paint(picture.createGraphics());
-        write(picture, "palette");
-        palette.query().setText("desf");
-        KeyEvent enter = new KeyEvent(palette.query(), KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_ENTER, '\n');
-        palette.query()
-                .getKeyListeners()[palette.query().getKeyListeners().length - 1]
-                .keyPressed(enter);
-        assertEquals("edit.undo", chosen.get(0).id());
     }
 
     @Test

@@ -12,10 +12,12 @@ public final class Actions {
                     EntityActions.ALL,
                     SelectActions.ALL,
                     BrushActions.ALL,
+                    TextureActions.ALL,
                     ViewActions.ALL,
+                    OptionActions.ALL,
                     ToolActions.ALL,
                     PlayActions.ALL,
-                    HelpActions.ALL)
+                    WindowActions.ALL)
             .flatMap(List::stream)
             .toList();
 

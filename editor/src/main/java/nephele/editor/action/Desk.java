@@ -43,6 +43,11 @@ public interface Desk {
     /** Shows a part of the window by its name, such as {@code palette} or {@code guide}; a script ignores it. */
     void show(String part);
 
+    /** Opens the dialogue that asks for the values of an action; false if there is none, as in a script. */
+    default boolean asks(String action) {
+        return false;
+    }
+
     /** Ends the editor if the user agrees to lose nothing. */
     void quit();
 }

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.editor.action.ActionCall;
 import nephele.editor.action.ActionFailure;
+import nephele.editor.action.ActionStates;
 import nephele.editor.action.Desk;
 import nephele.editor.action.EditorAction;
 import nephele.editor.action.EditorAction.Menu;
@@ -51,11 +52,14 @@ public final class EditorCommands {
                 action.menu(),
                 action.keys(),
                 () -> action.isEnabled().test(session),
-                () -> (EditorCommand.TOOL + session.toolEntry().id()).equals(action.id()),
+                () -> ActionStates.isChosen(action.id(), session),
                 () -> run(action));
     }
 
     private void run(EditorAction action) {
+        if (desk.asks(action.id())) {
+            return;
+        }
         try {
             action.effect().run(new ActionCall(session, desk, Map.of()));
         } catch (ActionFailure failure) {

@@ -83,6 +83,33 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
                 : Optional.empty();
     }
 
+    /** Returns the key that was pressed; empty for a modifier alone and for what no text names. */
+    public static Optional<KeyText> pressed(KeyEvent event) {
+        boolean isCtrl = isMenuKeyHeld(event);
+        Optional<String> name = NAMED.entrySet().stream()
+                .filter(named -> named.getValue() == event.getKeyCode())
+                .map(Map.Entry::getKey)
+                .findFirst();
+        if (name.isPresent()) {
+            return name.map(named -> new KeyText(isCtrl, event.isShiftDown(), event.isAltDown(), named));
+        }
+        int code = event.getKeyCode();
+        if (code >= KeyEvent.VK_0 && code <= KeyEvent.VK_Z && Character.isLetterOrDigit(code)) {
+            return Optional.of(
+                    new KeyText(isCtrl, event.isShiftDown(), event.isAltDown(), String.valueOf((char) code)));
+        }
+        char sign = event.getKeyChar();
+        boolean isWritten = sign != KeyEvent.CHAR_UNDEFINED && !Character.isISOControl(sign);
+        if (isWritten && !Character.isWhitespace(sign)) {
+            // The modifiers that write a sign differ between layouts.
+            return key(String.valueOf(sign)).map(text -> new KeyText(isCtrl, false, false, text));
+        }
+        boolean isSign = code >= KeyEvent.VK_COMMA && code <= KeyEvent.VK_CLOSE_BRACKET;
+        return isSign
+                ? key(String.valueOf((char) code)).map(text -> new KeyText(isCtrl, false, false, text))
+                : Optional.empty();
+    }
+
     private static Optional<String> key(String text) {
         if (text.length() == 1 && !Character.isWhitespace(text.charAt(0))) {
             return Optional.of(text.toUpperCase(Locale.ROOT));

@@ -29,6 +29,7 @@ import nephele.engine.scene.View;
 final class PaneDrawing implements AutoCloseable {
     private static final double NEAR_METRES = 0.05;
     private static final double CAPTION_BASELINE_POINTS = 34;
+    private static final LineColour CAPTION = LineColour.of(0xe6eaee, 1);
 
     private static final LineColour BETWEEN_SURFACES = LineColour.of(0x000000, 0.6);
 
@@ -74,7 +75,7 @@ final class PaneDrawing implements AutoCloseable {
         marks.add(all, camera, size, shown instanceof Shown.Edges ? Outline.NONE : Outline.DARK);
         AxesSymbol.add(lines, texts, camera, size, marks);
         if (!pane.caption().isEmpty()) {
-            marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, MarkPalette.ON_DARK.of(MarkColour.EDGE));
+            marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, CAPTION);
         }
         drawing.draw(lines, picture);
         overlay.draw(texts, picture);

@@ -133,6 +133,6 @@ final class FieldChanges {
     }
 
     private static Words label(InspectorField field) {
-        return Words.same(field.title());
+        return field.words();
     }
 }

@@ -12,6 +12,7 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import nephele.editor.panel.model.ChoiceWord;
+import nephele.editor.panel.model.FieldWords;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
@@ -39,7 +40,16 @@ final class FieldLine {
     }
 
     void addTo(JPanel panel) {
-        panel.add(title, "gapleft " + 10 * field.depth());
+        String indent = "gapleft " + 10 * field.depth();
+        FieldKind kind = field.type().kind();
+        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET) {
+            // Three numbers and the name of a file need the whole width to be readable.
+            panel.add(title, indent + ", span 2");
+            panel.add(menu);
+            panel.add(editor.component(), indent + ", span 3, growx, wmin 40");
+            return;
+        }
+        panel.add(title, indent);
         panel.add(editor.component(), "growx, wmin 40");
         panel.add(menu);
     }
@@ -51,13 +61,14 @@ final class FieldLine {
     /** Shows a field of the same form. */
     void show(InspectorField next) {
         field = next;
+        String words = next.words().in(changes.language());
         String unit = next.isEntry() ? "" : next.type().field().unit();
-        title.setText(unit.isEmpty() ? next.title() : next.title() + " (" + unit + ")");
+        title.setText(unit.isEmpty() ? words : words + " (" + unit + ")");
         title.setToolTipText(next.type().field().name() + "  " + next.type().range());
         menu.getAccessibleContext()
-                .setAccessibleName(PanelText.MENU_OF.with(next.title()).in(changes.language()));
+                .setAccessibleName(PanelText.MENU_OF.with(words).in(changes.language()));
         menu.setVisible(menu().getComponentCount() > 0);
-        editor.component().getAccessibleContext().setAccessibleName(next.title());
+        editor.component().getAccessibleContext().setAccessibleName(words);
         editor.show(next);
         enable(editor.component(), !next.isUnset());
     }
@@ -102,7 +113,9 @@ final class FieldLine {
     private void addKeys(JPopupMenu items) {
         var keys = InspectorModel.missingKeys(field);
         for (Object key : keys) {
-            String text = PanelText.ADD_TO.with(field.title()).in(changes.language()) + ": " + ChoiceWord.of(key);
+            String text =
+                    PanelText.ADD_TO.with(field.words().in(changes.language())).in(changes.language()) + ": "
+                            + ChoiceWord.of(key);
             items.add(text).addActionListener(event -> changes.add(field, key));
         }
         if (keys.isEmpty() && InspectorModel.hasTextKeys(field)) {
@@ -118,7 +131,7 @@ final class FieldLine {
     }
 
     private void item(JPopupMenu items, PanelText text, Runnable action) {
-        String name = field.isEntry() ? field.path().last().component() : field.title();
+        String name = FieldWords.of(field.type().field()).in(changes.language());
         items.add(text.with(name).in(changes.language())).addActionListener(event -> action.run());
     }
 

@@ -146,6 +146,12 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         search.setText(text);
     }
 
+    /** Takes the keyboard to the search, whose text is selected. */
+    public void startSearch() {
+        search.requestFocusInWindow();
+        search.selectAll();
+    }
+
     private void showErrors() {
         error.setVisible(!query.errors().isEmpty());
         error.setText(query.errors().isEmpty() ? "" : query.errors().get(0).in(session.language()));

@@ -3,6 +3,8 @@ package nephele.editor.panel;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.util.Optional;
+import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -20,6 +22,10 @@ final class TextEditor implements FieldEditor {
     private final FieldChanges changes;
     private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 2, fill", "[grow, fill][]", ""));
     private final JTextComponent text;
+    private final AssetChooser chooser;
+    /** {@code null} if the text names no file. */
+    private final JButton choose;
+
     private InspectorField field;
     private String shown = "";
 
@@ -27,9 +33,10 @@ final class TextEditor implements FieldEditor {
     TextEditor(InspectorField field, FieldChanges changes, AssetChooser chooser) {
         this.field = field;
         this.changes = changes;
+        this.chooser = chooser;
         boolean isProse = field.type().field().declaration().text() == TextKind.PROSE;
         text = isProse ? area() : line();
-        text.getAccessibleContext().setAccessibleName(field.title());
+        text.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
         panel.add(isProse ? new JScrollPane(text) : text, "wmin 40, grow");
         text.addFocusListener(new FocusAdapter() {
             @Override
@@ -38,11 +45,16 @@ final class TextEditor implements FieldEditor {
             }
         });
         if (chooser != null) {
-            JButton choose = new JButton("…");
+            choose = new JButton("…");
             choose.getAccessibleContext()
-                    .setAccessibleName(PanelText.CHOOSE_FILE.with(field.title()).in(changes.language()));
-            choose.addActionListener(event -> chooser.choose(shown).ifPresent(id -> changes.set(this.field, id)));
+                    .setAccessibleName(PanelText.CHOOSE_FILE
+                            .with(field.words().in(changes.language()))
+                            .in(changes.language()));
+            choose.addActionListener(
+                    event -> chooser.choose(this.field, shown).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
+        } else {
+            choose = null;
         }
     }
 
@@ -69,6 +81,14 @@ final class TextEditor implements FieldEditor {
         }
     }
 
+    private void showPicture() {
+        if (choose != null) {
+            Optional<Icon> picture = chooser.picture(shown);
+            choose.setIcon(picture.orElse(null));
+            choose.setText(picture.isPresent() ? "" : "…");
+        }
+    }
+
     @Override
     public JComponent component() {
         return panel;
@@ -81,6 +101,7 @@ final class TextEditor implements FieldEditor {
         String value = next.value() instanceof String string ? string : "";
         if (!value.equals(shown) || !text.hasFocus()) {
             shown = value;
+            showPicture();
             text.putClientProperty(FlatClientProperties.OUTLINE, null);
             if (!text.getText().equals(value)) {
                 text.setText(value);

@@ -33,7 +33,8 @@ final class VectorEditor implements FieldEditor {
             int changed = axis;
             var input = new NumberInput(value -> commit(changed, value), () -> FieldEditors.refuse(changes));
             input.getAccessibleContext()
-                    .setAccessibleName(field.title() + " " + (isColour ? "RGB" : "xyz").charAt(axis));
+                    .setAccessibleName(
+                            field.words().in(changes.language()) + " " + (isColour ? "RGB" : "xyz").charAt(axis));
             inputs.add(input);
             panel.add(input, "wmin 30, grow");
         }
@@ -41,8 +42,9 @@ final class VectorEditor implements FieldEditor {
             panel.add(swatch, "wmax pref, grow 0");
             swatch.addActionListener(event -> choose());
             swatch.getAccessibleContext()
-                    .setAccessibleName(
-                            PanelText.CHOOSE_COLOUR.with(field.title()).in(changes.language()));
+                    .setAccessibleName(PanelText.CHOOSE_COLOUR
+                            .with(field.words().in(changes.language()))
+                            .in(changes.language()));
         }
     }
 
@@ -57,7 +59,8 @@ final class VectorEditor implements FieldEditor {
 
     private void choose() {
         Vec3 before = field.value() instanceof Vec3 value ? value : new Vec3(1, 1, 1);
-        Color chosen = JColorChooser.showDialog(panel, field.title(), LinearColour.shown(before));
+        Color chosen =
+                JColorChooser.showDialog(panel, field.words().in(changes.language()), LinearColour.shown(before));
         if (chosen != null) {
             // A light is brighter than a screen: the choice keeps its strength.
             double strength = Math.max(1, LinearColour.greatest(before));

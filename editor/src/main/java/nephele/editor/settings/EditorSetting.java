@@ -25,7 +25,8 @@ public final class EditorSetting<T> {
     /** The most files that {@link #RECENT_FILES} holds. */
     public static final int MOST_RECENT_FILES = 20;
 
-    private static final int MOST_KEYS = 4;
+    /** The most keys that an action has. */
+    public static final int MOST_KEYS = 4;
 
     public static final EditorSetting<Theme> THEME = of("theme", EntryKind.word(Theme.class), Theme.DARK);
     public static final EditorSetting<Integer> SCALE_PERCENT = of("scalePercent", EntryKind.whole(100, 200), 100);

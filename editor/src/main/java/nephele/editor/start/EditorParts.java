@@ -1,7 +1,8 @@
 package nephele.editor.start;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
+import java.util.function.BiConsumer;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
@@ -24,6 +25,7 @@ import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
+import nephele.editor.window.dialog.AssetDialog;
 
 /** Puts the panels around the viewport. */
 final class EditorParts {
@@ -35,11 +37,14 @@ final class EditorParts {
 
     private EditorParts() {}
 
-    static EditorPanel panel(EditorSession session, Desk desk, SurfaceMode surface) {
+    /** @param parts receives the name of each part that can be shown, and what opens it */
+    static EditorPanel panel(
+            EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
         session.options().material(MaterialLibrary.FIRST);
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
         JTabbedPane left = new JTabbedPane();
-        left.addTab("", new OutlinerPanel(session, ref -> focus(commands, session, ref)));
+        OutlinerPanel outliner = new OutlinerPanel(session, ref -> focus(commands, session, ref));
+        left.addTab("", outliner);
         left.addTab("", new PalettePanel(session));
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("", new ProblemsPanel(session, problem -> choose(session, problem)));
@@ -54,14 +59,17 @@ final class EditorParts {
                 titles.run();
             }
         });
-        EditorSlots slots = new EditorSlots(
-                new GuideBar(session),
-                left,
-                new InspectorPanel(session, current -> Optional.empty()),
-                bottom,
-                MAIN_ACTIONS);
+        AssetDialog assets = new AssetDialog(session, left, ForkJoinPool.commonPool());
+        GuideBar guide = new GuideBar(session);
+        EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, surface, slots);
         panel.closeToo(translation);
+        EditorPages.register(session, desk, panel, parts);
+        parts.accept("guide", guide::start);
+        parts.accept("search", () -> {
+            left.setSelectedIndex(0);
+            outliner.startSearch();
+        });
         return panel;
     }
 

@@ -49,7 +49,7 @@ public final class WindowedEditing {
         SwingUtilities.invokeLater(() -> {
             WindowLook.apply(session.settings());
             WindowDesk desk = new WindowDesk(session);
-            EditorPanel panel = EditorParts.panel(session, desk, surface);
+            EditorPanel panel = EditorParts.panel(session, desk, surface, desk::part);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, desk, journals());

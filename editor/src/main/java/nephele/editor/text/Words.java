@@ -23,11 +23,17 @@ public record Words(String english, String brazilian, String european) {
         };
     }
 
-    /** Returns this text with its {@code %s} replaced, in order. */
+    /** Returns this text with its {@code %s} replaced, in order; words are put in each in its own language. */
     public Words with(Object... arguments) {
         return new Words(
-                String.format(english, arguments),
-                String.format(brazilian, arguments),
-                String.format(european, arguments));
+                filled(Language.EN, arguments), filled(Language.PT_BR, arguments), filled(Language.PT_PT, arguments));
+    }
+
+    private String filled(Language language, Object... arguments) {
+        Object[] values = new Object[arguments.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = arguments[i] instanceof Words words ? words.in(language) : arguments[i];
+        }
+        return String.format(in(language), values);
     }
 }

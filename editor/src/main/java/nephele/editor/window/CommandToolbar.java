@@ -14,16 +14,13 @@ import javax.swing.SwingConstants;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
-import nephele.editor.command.KeyText;
 import nephele.engine.level.Language;
 
 /** The toolbar: main actions and all tools as symbols, with title and key as tooltip. */
 final class CommandToolbar extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient List<Shown> shown = new ArrayList<>();
-
-    private record Shown(EditorCommand command, AbstractButton button) {}
+    private final transient List<CommandButton> shown = new ArrayList<>();
 
     CommandToolbar() {
         super(new WrappingRow());
@@ -57,32 +54,13 @@ final class CommandToolbar extends JPanel {
     }
 
     private void add(EditorCommand command, AbstractButton button, EditorKeys keys, Language language) {
-        String title = command.title().in(language);
-        String key = keys.of(command.id()).stream()
-                .findFirst()
-                .map(KeyText::text)
-                .map(text -> " (" + text + ")")
-                .orElse("");
-        button.setIcon(ToolIcons.of(command.id(), title));
-        button.setName(command.id());
-        button.putClientProperty("JButton.buttonType", "toolBarButton");
-        button.setToolTipText(title + key);
-        button.getAccessibleContext().setAccessibleName(title);
-        button.getAccessibleContext()
-                .setAccessibleDescription(command.description().in(language));
-        button.addActionListener(event -> {
-            command.run();
-            refresh();
-        });
+        shown.add(CommandButton.of(command, button, keys, language));
+        button.addActionListener(event -> refresh());
         add(button);
-        shown.add(new Shown(command, button));
     }
 
     /** Shows what is possible and which tool is in use. */
     void refresh() {
-        for (Shown each : shown) {
-            each.button().setEnabled(each.command().isEnabled().getAsBoolean());
-            each.button().setSelected(each.command().isChosen().getAsBoolean());
-        }
+        shown.forEach(CommandButton::refresh);
     }
 }

@@ -37,6 +37,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
     private final transient EditorSlots slots;
     private final JMenuBar menus = new JMenuBar();
     private final CommandToolbar toolbar = new CommandToolbar();
+    private final OptionBar options;
     private final StatusBar status;
     private final ViewportPanel viewport;
     private final SlotLayout middle;
@@ -49,6 +50,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         this.session = session;
         this.commands = commands;
         this.slots = slots;
+        options = new OptionBar(session, commands);
         status = new StatusBar(session);
         viewport =
                 new ViewportPanel(session, mode, new Told(status::pointed, line -> session.status(Words.same(line))));
@@ -56,6 +58,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);
         top.add(toolbar, BorderLayout.CENTER);
+        top.add(options, BorderLayout.PAGE_END);
         add(top, BorderLayout.PAGE_START);
         add(middle, BorderLayout.CENTER);
         add(status, BorderLayout.PAGE_END);
@@ -64,6 +67,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
             @Override
             public void componentResized(ComponentEvent event) {
                 toolbar.revalidate();
+                options.revalidate();
             }
         });
         fill();
@@ -87,6 +91,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         status.refresh();
         if (change != Change.STATUS) {
             toolbar.refresh();
+            options.refresh();
         }
     }
 
@@ -96,6 +101,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         Language language = session.language();
         CommandMenus.fill(menus, commands, keys, language);
         toolbar.fill(commands, slots.mainActions(), keys, language);
+        options.fill(keys);
     }
 
     /** Returns the keys in use. */

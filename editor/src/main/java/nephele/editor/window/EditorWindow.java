@@ -4,11 +4,9 @@ import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
-import nephele.editor.command.EditorCommand;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
@@ -39,7 +37,6 @@ public final class EditorWindow extends JFrame {
         look = session.settings();
         keys = new WindowKeys(this, panel);
         desk.attach(this);
-        desk.part("palette", this::showPalette);
         add(panel);
         setSize(1280, 800);
         setLocationByPlatform(true);
@@ -88,19 +85,5 @@ public final class EditorWindow extends JFrame {
         dispose();
         closed.run();
         return true;
-    }
-
-    /** Opens the search over all commands. */
-    public void showPalette() {
-        JDialog dialog = new JDialog(this, WindowText.SEARCH.in(session.language()), true);
-        CommandPalette palette =
-                new CommandPalette(panel.commands().all(), panel.keys(), session.language(), chosen -> {
-                    dialog.dispose();
-                    chosen.ifPresent(EditorCommand::run);
-                });
-        dialog.add(palette);
-        dialog.pack();
-        dialog.setLocationRelativeTo(this);
-        dialog.setVisible(true);
     }
 }

@@ -12,7 +12,7 @@ import javax.swing.JSplitPane;
 final class SlotLayout extends JPanel {
     private static final long serialVersionUID = 1;
     private static final double LEFT_SHARE = 0.18;
-    private static final double RIGHT_SHARE = 0.74;
+    private static final double RIGHT_SHARE = 0.7;
     private static final double BOTTOM_SHARE = 0.78;
 
     private final transient Map<String, JSplitPane> splits = new LinkedHashMap<>();

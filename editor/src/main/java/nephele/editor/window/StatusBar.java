@@ -22,7 +22,7 @@ final class StatusBar extends JPanel {
     private final JLabel place = new JLabel(" ", SwingConstants.TRAILING);
 
     StatusBar(EditorSession session) {
-        super(new MigLayout("insets 3 8 3 8, fillx, gapx 8", "[0:pref:][0:pref:,grow,left][][][][]", "[]"));
+        super(new MigLayout("insets 3 8 3 8, fillx, gapx 8", "[0:pref:][0:pref:,grow,left][][][][130lp::]", "[]"));
         this.session = session;
         message.setName("message");
         hint.setName("hint");
@@ -32,9 +32,10 @@ final class StatusBar extends JPanel {
         add(message, "wmin 0");
         add(hint, "wmin 0, growx");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
-        add(grid);
+        add(grid, "wmin pref");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
-        add(place, "wmin 130lp");
+        // The message and the hint give way, the numbers do not.
+        add(place, "wmin pref, growx");
         refresh();
     }
 

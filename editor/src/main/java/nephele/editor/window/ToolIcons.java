@@ -60,6 +60,9 @@ final class ToolIcons {
 
     /** Returns the symbol of an id, or of the word of it that has one, or else a letter of the title. */
     static Icon of(String id, String title) {
+        if (OptionDrawings.ALL.containsKey(id)) {
+            return drawn(OptionDrawings.ALL.get(id));
+        }
         for (String word : id.toLowerCase(Locale.ROOT).split("[.\\-_ ]")) {
             if (DRAWINGS.containsKey(word)) {
                 return drawn(DRAWINGS.get(word));

@@ -43,7 +43,7 @@ public final class WindowDesk implements Desk {
         window = owner;
     }
 
-    /** Registers a part that {@link #show} opens. */
+    /** Registers a part that {@link #show} opens; one with the id of an action asks for its values. */
     public void part(String name, Runnable opener) {
         parts.put(name, opener);
     }
@@ -156,6 +156,13 @@ public final class WindowDesk implements Desk {
     @Override
     public void show(String part) {
         Optional.ofNullable(parts.get(part)).ifPresent(Runnable::run);
+    }
+
+    @Override
+    public boolean asks(String action) {
+        Optional<Runnable> opener = Optional.ofNullable(parts.get(action));
+        opener.ifPresent(Runnable::run);
+        return opener.isPresent();
     }
 
     @Override

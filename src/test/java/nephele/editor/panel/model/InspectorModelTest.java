@@ -95,7 +95,7 @@ class InspectorModelTest {
     void aValueOutOfRangeIsRefusedInWords() {
         InspectorField period = field(LEVEL, "periodSeconds", SLOW);
         assertEquals(
-                "periodSeconds must be from 0.5 to 8 s",
+                "Period must be from 0.5 to 8 s",
                 model.problem(LEVEL, List.of(SLOW), period, 9.0).orElseThrow().english());
         assertTrue(model.problem(LEVEL, List.of(SLOW), period, 8.0).isEmpty());
         InspectorField id = field(LEVEL, "id", SLOW);

@@ -79,7 +79,7 @@ class OutlinerModelTest {
         var kinds = PaletteModel.entries(LevelStructure.LEVEL);
         assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
         assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
-        assertEquals("Spot lamp", EntityWords.ofKind("lights", "spot").english());
+        assertEquals("Spot light", EntityWords.ofKind("lights", "spot").english());
         assertEquals("Beacon", EntityWords.ofKind("beacons", "beacon").english());
         for (PaletteModel.Entry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");

@@ -124,10 +124,10 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
             int least = declaration().text().shortest();
             int most = declaration().text().longest();
             boolean isFine = text.length() >= least && text.length() <= most;
-            return isFine ? Optional.empty() : Optional.of(PanelText.LENGTH.with(field.name(), least, most));
+            return isFine ? Optional.empty() : Optional.of(PanelText.LENGTH.with(FieldWords.of(field), least, most));
         } else if (value instanceof List<?> list && list.size() > declaration().most()) {
             return Optional.of(
-                    PanelText.TOO_MANY.with(field.name(), declaration().most()));
+                    PanelText.TOO_MANY.with(FieldWords.of(field), declaration().most()));
         }
         return Optional.empty();
     }
@@ -139,7 +139,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
         return isFine
                 ? Optional.empty()
                 : Optional.of(PanelText.RANGE.with(
-                        field.name(), NumberExpression.text(min), NumberExpression.text(max), field.unit()));
+                        FieldWords.of(field), NumberExpression.text(min), NumberExpression.text(max), field.unit()));
     }
 
     /** Returns the range in words, such as {@code 0 … 1}; empty if it is only the size of the world. */

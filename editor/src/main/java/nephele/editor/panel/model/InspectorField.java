@@ -3,6 +3,7 @@ package nephele.editor.panel.model;
 import java.util.List;
 import java.util.Objects;
 import nephele.editor.record.FieldKind;
+import nephele.editor.text.Words;
 
 /**
  * A line of the inspector: a component, or an entry of a list or table, of all selected records that have it.
@@ -15,6 +16,11 @@ import nephele.editor.record.FieldKind;
  */
 public record InspectorField(
         RecordPath path, FieldType type, int depth, String title, List<Object> values, boolean isEntry) {
+    /** Returns the title for users: the component's words, or the number or key of an entry. */
+    public Words words() {
+        return isEntry ? Words.same(title) : FieldWords.of(type.field());
+    }
+
     /** Returns true if the records differ in the value. */
     public boolean isMixed() {
         return values.size() > 1;

@@ -28,6 +28,11 @@ public final class PaletteModel {
         public EntityWords.Group group() {
             return EntityWords.group(section, kind);
         }
+
+        /** Returns the words of the list or of the single record. */
+        public Words sectionWords() {
+            return EntityWords.ofSection(section);
+        }
     }
 
     /** Returns the entries in the order of the file. */

@@ -67,6 +67,16 @@ public final class ClipTool implements Tool {
         keep = Keep.values()[(keep.ordinal() + 1) % Keep.values().length];
     }
 
+    /** Returns what stays after the cut. */
+    public Keep keep() {
+        return keep;
+    }
+
+    /** Chooses what stays after the cut. */
+    public void keep(Keep choice) {
+        keep = choice;
+    }
+
     @Override
     public void pressed(Pointer pointer) {
         moving = -1;

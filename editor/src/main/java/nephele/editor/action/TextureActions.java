@@ -1,0 +1,155 @@
+package nephele.editor.action;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.document.Document;
+import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.paint.PaintedFace;
+import nephele.editor.paint.TextureAlignment;
+import nephele.editor.paint.TextureFit;
+import nephele.editor.pick.Picker;
+import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.text.Words;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
+import nephele.engine.level.TexturePlacement;
+
+/** Placing the pictures on the selected faces, or on all faces of the selected solids. */
+final class TextureActions {
+    private static final Words PLACE = Words.of("Place Texture", "Posicionar textura", "Posicionar textura");
+    private static final Words PICK = Words.of("Take Its Material", "Pegar o material", "Obter o material");
+    private static final Words TAKEN = Words.of("Material: %s", "Material: %s", "Material: %s");
+    private static final Words GREY = Words.of("default grey", "cinza padrão", "cinzento predefinido");
+
+    static final List<EditorAction> ALL = List.of(
+            EditorAction.of("texture-pick", PICK, Menu.BRUSH, List.of(), TextureActions::pick)
+                    .when(TextureActions::hasFaces),
+            EditorAction.of(
+                            "texture-fit",
+                            Words.of("Fit Texture", "Ajustar textura à face", "Ajustar textura à face"),
+                            Menu.BRUSH,
+                            List.of("Ctrl+Alt+F"),
+                            call -> place(
+                                    call,
+                                    face -> TextureFit.fit(face, call.number("across", 1), call.number("down", 1))))
+                    .taking("across", "down")
+                    .when(TextureActions::hasFaces),
+            aligned("left", Words.of("left", "à esquerda", "à esquerda"), TextureAlignment.LEFT),
+            aligned("centre", Words.of("to the centre", "ao centro", "ao centro"), TextureAlignment.CENTRE),
+            aligned("right", Words.of("right", "à direita", "à direita"), TextureAlignment.RIGHT),
+            aligned("top", Words.of("to the top", "em cima", "em cima"), TextureAlignment.TOP),
+            aligned("middle", Words.of("to the middle", "ao meio", "ao meio"), TextureAlignment.MIDDLE),
+            aligned("bottom", Words.of("to the bottom", "embaixo", "em baixo"), TextureAlignment.BOTTOM),
+            EditorAction.of(
+                            "texture-reset",
+                            Words.of("Reset Texture", "Restaurar textura", "Repor textura"),
+                            Menu.BRUSH,
+                            List.of(),
+                            call -> place(call, face -> TexturePlacement.NONE))
+                    .when(TextureActions::hasFaces));
+
+    /** Finds the place of a picture on a face. */
+    @FunctionalInterface
+    private interface Placing {
+        TexturePlacement of(PaintedFace face) throws ActionFailure;
+    }
+
+    private TextureActions() {}
+
+    private static EditorAction aligned(String id, Words where, TextureAlignment alignment) {
+        Words title = Words.of("Align Texture %s", "Alinhar textura %s", "Alinhar textura %s")
+                .with(where);
+        return EditorAction.of(
+                        "texture-" + id,
+                        title,
+                        Menu.BRUSH,
+                        List.of(),
+                        call -> place(call, face -> TextureFit.align(face, alignment)))
+                .when(TextureActions::hasFaces);
+    }
+
+    private static boolean hasFaces(EditorSession session) {
+        return !faces(session.document()).isEmpty();
+    }
+
+    /** Returns the names of the faces by solid. */
+    private static Map<EntityRef, Set<String>> faces(Document document) {
+        Map<EntityRef, Set<String>> faces = new LinkedHashMap<>();
+        for (FaceRef face : document.selection().faces()) {
+            faces.computeIfAbsent(face.solid(), solid -> new LinkedHashSet<>()).add(face.face());
+        }
+        if (faces.isEmpty()) {
+            for (EntityRef ref : document.selection().entities()) {
+                if (ref.section().equals(Picker.SOLIDS)) {
+                    document.entities()
+                            .find(document.level(), ref)
+                            .ifPresent(solid -> faces.put(ref, new LinkedHashSet<>(SolidFaces.names((Solid) solid))));
+                }
+            }
+        }
+        return faces;
+    }
+
+    private static void place(ActionCall call, Placing placing) throws ActionFailure {
+        Document document = call.session().document();
+        Level level = document.level();
+        for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
+            Solid solid = (Solid) document.entities().find(level, each.getKey()).orElseThrow();
+            Solid placed = placed(level, solid, each.getValue(), placing);
+            level = (Level) document.entities().changed(level, List.of(each.getKey()), old -> (Record) placed);
+        }
+        Level after = level;
+        document.edit(PLACE, null, before -> before.with(after));
+    }
+
+    private static Solid placed(Level level, Solid solid, Set<String> faces, Placing placing) throws ActionFailure {
+        Function<String, Material> materials = id -> level.materials().stream()
+                .filter(material -> material.id().equals(id))
+                .findFirst()
+                .orElse(null);
+        Solid result = solid;
+        for (BrushFace face : Brush.of(solid).faces()) {
+            if (faces.contains(face.name())) {
+                TexturePlacement placement = placing.of(PaintedFace.of(face, materials.apply(face.material())));
+                Solid.Face said = SolidFaces.said(result, face.name());
+                result = SolidFaces.with(
+                        result,
+                        face.name(),
+                        new Solid.Face(
+                                said.material(),
+                                said.portalable(),
+                                TexturePlacement.NONE.equals(placement) ? null : placement));
+            }
+        }
+        return result;
+    }
+
+    private static void pick(ActionCall call) {
+        EditorSession session = call.session();
+        Map.Entry<EntityRef, Set<String>> first =
+                faces(session.document()).entrySet().iterator().next();
+        Solid solid = (Solid) session.document()
+                .entities()
+                .find(session.document().level(), first.getKey())
+                .orElseThrow();
+        String material = Brush.of(solid).faces().stream()
+                .filter(face -> first.getValue().contains(face.name()))
+                .findFirst()
+                .map(BrushFace::material)
+                .orElse(null);
+        session.options().material(material);
+        session.tell(Change.VIEW);
+        session.status(TAKEN.with(material == null ? GREY : material));
+    }
+}

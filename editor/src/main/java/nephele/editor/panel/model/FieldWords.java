@@ -1,0 +1,140 @@
+package nephele.editor.panel.model;
+
+import static java.util.Map.entry;
+
+import java.util.Map;
+import java.util.Optional;
+import nephele.editor.record.RecordField;
+import nephele.editor.text.Words;
+
+/** The names of record components in words. A component that has none here is named by its English identifier. */
+public final class FieldWords {
+    private static final Map<String, Words> ALL = Map.ofEntries(
+            word("aim", "View at the start", "Vista inicial", "Vista inicial"),
+            word("albedo", "Albedo", "Albedo", "Albedo"),
+            word("ambient", "Ambient light", "Luz ambiente", "Luz ambiente"),
+            word("angleDegrees", "Angle", "Ângulo", "Ângulo"),
+            word("axis", "Axis", "Eixo", "Eixo"),
+            word("baseAltitudeMetres", "Base altitude", "Altitude da base", "Altitude da base"),
+            word("baseColour", "Base colour", "Cor base", "Cor base"),
+            word("bodies", "Bodies", "Corpos", "Corpos"),
+            word("by", "By", "Quanto", "Quanto"),
+            word("cameras", "Cameras", "Câmeras", "Câmaras"),
+            word("castsShadow", "Casts shadow", "Projeta sombra", "Projeta sombra"),
+            word("centre", "Centre", "Centro", "Centro"),
+            word("clouds", "Clouds", "Nuvens", "Nuvens"),
+            word("coverage", "Coverage", "Cobertura", "Cobertura"),
+            word("density", "Density", "Densidade", "Densidade"),
+            word("description", "Description", "Descrição", "Descrição"),
+            word("direction", "Direction", "Direção", "Direção"),
+            word("directionTowardsSun", "Direction towards the sun", "Direção até o sol", "Direção até ao sol"),
+            word("distanceMetres", "Distance", "Distância", "Distância"),
+            word("editor", "Editor", "Editor", "Editor"),
+            word("emission", "Emission", "Emissão", "Emissão"),
+            word("environment", "Environment", "Ambiente", "Ambiente"),
+            word("exits", "Exits", "Saídas", "Saídas"),
+            word("exposureStops", "Exposure", "Exposição", "Exposição"),
+            word("extent", "Extent", "Extensão", "Extensão"),
+            word("extinctionPerMetre", "Extinction", "Extinção", "Extinção"),
+            word("faces", "Faces", "Faces", "Faces"),
+            word("farMetres", "Far distance", "Distância máxima", "Distância máxima"),
+            word("featureMetres", "Feature size", "Tamanho dos detalhes", "Tamanho dos detalhes"),
+            word("feet", "Feet", "Pés", "Pés"),
+            word("file", "File", "Arquivo", "Ficheiro"),
+            word("files", "Files", "Arquivos", "Ficheiros"),
+            word("fog", "Fog", "Neblina", "Nevoeiro"),
+            word("friction", "Friction", "Atrito", "Atrito"),
+            word("ground", "Ground", "Solo", "Solo"),
+            word("groups", "Groups", "Grupos", "Grupos"),
+            word("heightMetres", "Height", "Altura", "Altura"),
+            word("hidden", "Hidden", "Ocultos", "Ocultos"),
+            word("horizon", "Horizon", "Horizonte", "Horizonte"),
+            word(
+                    "horizontalFovDegrees",
+                    "Horizontal field of view",
+                    "Campo de visão horizontal",
+                    "Campo de visão horizontal"),
+            word("id", "Id", "Id", "Id"),
+            word("ignoredProblems", "Ignored problems", "Problemas ignorados", "Problemas ignorados"),
+            word("innerConeDegrees", "Inner cone", "Cone interno", "Cone interior"),
+            word("irradiance", "Irradiance", "Irradiância", "Irradiância"),
+            word("layout", "Layout", "Disposição", "Disposição"),
+            word("lights", "Lights", "Luzes", "Luzes"),
+            word("linkedTo", "Linked to", "Ligado a", "Ligado a"),
+            word("locked", "Locked", "Bloqueados", "Bloqueados"),
+            word("massKilograms", "Mass", "Massa", "Massa"),
+            word("material", "Material", "Material", "Material"),
+            word("materials", "Materials", "Materiais", "Materiais"),
+            word("members", "Members", "Membros", "Membros"),
+            word("metallic", "Metallic", "Metálico", "Metálico"),
+            word("mirror", "Mirror", "Espelho", "Espelho"),
+            word("models", "Models", "Modelos", "Modelos"),
+            word("name", "Name", "Nome", "Nome"),
+            word("nearMetres", "Near distance", "Distância mínima", "Distância mínima"),
+            word("normal", "Normal", "Normal", "Normal"),
+            word("normalTexture", "Normal texture", "Textura de normais", "Textura de normais"),
+            word("outerConeDegrees", "Outer cone", "Cone externo", "Cone exterior"),
+            word("parent", "Parent", "Objeto pai", "Objeto pai"),
+            word("path", "Path", "Percurso", "Percurso"),
+            word("phaseG", "Phase g", "Fase g", "Fase g"),
+            word("pitchDegrees", "Pitch", "Arfagem", "Inclinação"),
+            word("planes", "Planes", "Planos", "Planos"),
+            word("player", "Player", "Jogador", "Jogador"),
+            word("portalGun", "Portal gun", "Arma de portais", "Arma de portais"),
+            word("portalable", "Takes portals", "Aceita portais", "Aceita portais"),
+            word("portals", "Portals", "Portais", "Portais"),
+            word("position", "Position", "Posição", "Posição"),
+            word("puffs", "Puffs", "Tufos", "Tufos"),
+            word("radiance", "Radiance", "Radiância", "Radiância"),
+            word("radiantIntensity", "Radiant intensity", "Intensidade radiante", "Intensidade radiante"),
+            word("radiusMetres", "Radius", "Raio", "Raio"),
+            word("rangeMetres", "Range", "Alcance", "Alcance"),
+            word("restitution", "Restitution", "Restituição", "Restituição"),
+            word("rising", "High side", "Lado alto", "Lado alto"),
+            word("rotationDegrees", "Rotation", "Rotação", "Rotação"),
+            word("roughness", "Roughness", "Rugosidade", "Rugosidade"),
+            word("scaleU", "Scale u", "Escala u", "Escala u"),
+            word("scaleV", "Scale v", "Escala v", "Escala v"),
+            word("seed", "Seed", "Semente", "Semente"),
+            word("shape", "Shape", "Forma", "Forma"),
+            word("shiftUMetres", "Shift u", "Deslocamento u", "Deslocamento u"),
+            word("shiftVMetres", "Shift v", "Deslocamento v", "Deslocamento v"),
+            word("sides", "Sides", "Lados", "Lados"),
+            word("size", "Size", "Tamanho", "Tamanho"),
+            word("sky", "Sky", "Céu", "Céu"),
+            word("solids", "Solids", "Sólidos", "Sólidos"),
+            word("sun", "Sun", "Sol", "Sol"),
+            word("target", "Target", "Alvo", "Alvo"),
+            word("technique", "Technique", "Técnica", "Técnica"),
+            word("texture", "Texture", "Textura", "Textura"),
+            word("textureMapping", "Texture mapping", "Projeção da textura", "Projeção da textura"),
+            word("textureMetres", "Texture size", "Tamanho da textura", "Tamanho da textura"),
+            word("thicknessMetres", "Thickness", "Espessura", "Espessura"),
+            word("toneCurve", "Tone curve", "Curva de tons", "Curva de tons"),
+            word("transform", "Transform", "Transformação", "Transformação"),
+            word("up", "Up", "Para cima", "Para cima"),
+            word("verticalFovDegrees", "Vertical field of view", "Campo de visão vertical", "Campo de visão vertical"),
+            word("widthMetres", "Width", "Largura", "Largura"),
+            word("yawDegrees", "Yaw", "Guinada", "Rumo"),
+            word("zenith", "Zenith", "Zênite", "Zénite"));
+
+    private FieldWords() {}
+
+    private static Map.Entry<String, Words> word(String name, String english, String brazilian, String european) {
+        return entry(name, Words.of(english, brazilian, european));
+    }
+
+    /** Returns the words of a component, without its unit; the identifier in words if there are none. */
+    public static Words of(RecordField field) {
+        return known(field.name()).orElseGet(() -> Words.same(sentence(field.title())));
+    }
+
+    /** Returns the words of a component's name; empty for an unknown one. */
+    public static Optional<Words> known(String name) {
+        return Optional.ofNullable(ALL.get(name));
+    }
+
+    static String sentence(String words) {
+        return words.isEmpty() ? words : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+    }
+}

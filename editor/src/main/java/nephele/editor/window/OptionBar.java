@@ -1,0 +1,137 @@
+package nephele.editor.window;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import javax.swing.AbstractButton;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JSeparator;
+import javax.swing.JToggleButton;
+import javax.swing.SwingConstants;
+import nephele.editor.command.EditorCommand;
+import nephele.editor.command.EditorCommands;
+import nephele.editor.command.EditorKeys;
+import nephele.editor.panel.model.NumberExpression;
+import nephele.editor.pick.Grid;
+import nephele.editor.session.EditorSession;
+import nephele.engine.level.Language;
+
+/** The bar below the toolbar: how the active pane looks, panes, snapping, grid, and the options of the tool in use. */
+final class OptionBar extends JPanel {
+    private static final long serialVersionUID = 1;
+
+    /** Actions that do something at once instead of choosing a state. */
+    private static final Set<String> MOMENTARY = Set.of(
+            "texture-pick",
+            "texture-fit",
+            "texture-left",
+            "texture-centre",
+            "texture-right",
+            "texture-top",
+            "texture-middle",
+            "texture-bottom",
+            "texture-reset");
+
+    private final transient EditorSession session;
+    private final transient EditorCommands commands;
+    private final transient List<CommandButton> shown = new ArrayList<>();
+    private final JComboBox<Double> grid = new JComboBox<>();
+    private transient EditorKeys keys;
+    private String shownTool = "";
+
+    OptionBar(EditorSession session, EditorCommands commands) {
+        super(new WrappingRow());
+        this.session = session;
+        this.commands = commands;
+        setBorder(BorderFactory.createEmptyBorder(0, 4, 2, 4));
+        for (double metres = Grid.FINEST_METRES; metres <= Grid.COARSEST_METRES; metres *= 2) {
+            grid.addItem(metres);
+        }
+        grid.setRenderer(new StepCell());
+        // The widest text, "0.125 m", and the arrow.
+        grid.setPrototypeDisplayValue(Grid.FINEST_METRES);
+        grid.addActionListener(event -> {
+            double step = (Double) grid.getSelectedItem();
+            if (step != session.grid().stepMetres()) {
+                session.grid(new Grid(step));
+            }
+        });
+    }
+
+    /** Fills the bar anew, with the keys and in the language of the session. */
+    void fill(EditorKeys next) {
+        keys = next;
+        fill();
+    }
+
+    private void fill() {
+        removeAll();
+        shown.clear();
+        Language language = session.language();
+        shownTool = session.toolEntry().id();
+        getAccessibleContext().setAccessibleName(WindowText.OPTIONS.in(language));
+        for (List<String> group : ToolBarOptions.VIEW) {
+            group(group);
+        }
+        grid.setToolTipText(WindowText.GRID_STEP.in(language));
+        grid.getAccessibleContext().setAccessibleName(WindowText.GRID_STEP.in(language));
+        grid.updateUI();
+        add(grid);
+        separator();
+        group(ToolBarOptions.of(shownTool));
+        refresh();
+        revalidate();
+        repaint();
+    }
+
+    private void group(List<String> ids) {
+        int before = shown.size();
+        ids.forEach(id -> commands.named(id).ifPresent(this::add));
+        if (shown.size() > before) {
+            separator();
+        }
+    }
+
+    private void add(EditorCommand command) {
+        AbstractButton button = MOMENTARY.contains(command.id()) ? new JButton() : new JToggleButton();
+        CommandButton made = CommandButton.of(command, button, keys, session.language());
+        button.addActionListener(event -> refresh());
+        add(button);
+        shown.add(made);
+    }
+
+    private void separator() {
+        JSeparator line = new JSeparator(SwingConstants.VERTICAL);
+        line.setPreferredSize(new Dimension(line.getPreferredSize().width * 3, UIScale.scale(20)));
+        add(line);
+    }
+
+    /** Shows what holds now; another tool brings its own options. */
+    void refresh() {
+        if (keys != null && !shownTool.equals(session.toolEntry().id())) {
+            fill();
+            return;
+        }
+        shown.forEach(CommandButton::refresh);
+        grid.setSelectedItem(session.grid().stepMetres());
+    }
+
+    private static final class StepCell extends DefaultListCellRenderer {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
+            String text = value instanceof Double metres ? NumberExpression.text(metres) + " m" : "";
+            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package nephele.editor.window;
+
+import java.util.List;
+import java.util.Map;
+
+/** The actions of the option bar: those of the view, which are always shown, and those of each tool. */
+final class ToolBarOptions {
+    /** Groups of the view, in order; the step of the grid is chosen between the last two. */
+    static final List<List<String>> VIEW = List.of(
+            List.of("lit", "unlit", "portalable", "collision", "wireframe"),
+            List.of("one-pane", "two-panes", "four-panes"),
+            List.of("snap-grid", "snap-vertex", "snap-surface"));
+
+    private static final List<String> TRANSFORM = List.of("texture-lock");
+
+    private static final Map<String, List<String>> OF_TOOL = Map.of(
+            "brush",
+            List.of(
+                    "shape-box",
+                    "shape-wedge",
+                    "shape-stairs",
+                    "shape-arch",
+                    "shape-cylinder",
+                    "shape-room",
+                    "new-portalable"),
+            "clip",
+            List.of("keep-behind", "keep-front", "keep-both"),
+            "paint",
+            List.of(
+                    "texture-pick",
+                    "texture-fit",
+                    "texture-left",
+                    "texture-centre",
+                    "texture-right",
+                    "texture-top",
+                    "texture-middle",
+                    "texture-bottom",
+                    "texture-reset",
+                    "texture-lock"),
+            "portalable",
+            List.of("new-portalable"),
+            "select",
+            TRANSFORM,
+            "move",
+            TRANSFORM,
+            "rotate",
+            TRANSFORM,
+            "scale",
+            TRANSFORM);
+
+    private ToolBarOptions() {}
+
+    /** Returns the ids of the actions of a tool, in order. */
+    static List<String> of(String tool) {
+        return OF_TOOL.getOrDefault(tool, List.of());
+    }
+}

@@ -1,0 +1,77 @@
+package nephele.editor.window.dialog;
+
+import java.awt.Component;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javax.swing.Icon;
+import nephele.editor.panel.AssetChooser;
+import nephele.editor.panel.model.InspectorField;
+import nephele.editor.session.EditorSession;
+
+/** Lets the user choose one of the files that the level can name, with small pictures of the textures. */
+public final class AssetDialog implements AssetChooser {
+    private static final int ROW_POINTS = 44;
+    private static final int ICON_POINTS = 36;
+    private static final int SMALL_POINTS = 16;
+
+    private final EditorSession session;
+    private final DialogFrame frame;
+    private final AssetPictures pictures;
+
+    /**
+     * @param owner in the window over which it opens
+     * @param background reads pictures
+     */
+    public AssetDialog(EditorSession session, Component owner, Executor background) {
+        this.session = session;
+        frame = new DialogFrame(owner);
+        pictures = new AssetPictures(session::assets, background);
+    }
+
+    @Override
+    public Optional<String> choose(InspectorField field, String current) {
+        AtomicReference<Optional<String>> chosen = new AtomicReference<>(Optional.empty());
+        frame.open(DialogText.CHOOSE_ASSET.in(session.language()), close -> {
+            AssetFamily family = AssetFamily.of(field.type().field().name(), current);
+            SearchList<String> list = list(family, id -> {
+                chosen.set(id);
+                close.run();
+            });
+            return new DialogFrame.Content(list, list.query(), null);
+        });
+        return chosen.get();
+    }
+
+    /** Returns the list of the files of a family. */
+    SearchList<String> list(AssetFamily family, Consumer<Optional<String>> done) {
+        List<String> all = AssetFiles.of(session.assets(), family);
+        int rowPoints = family == AssetFamily.PICTURE ? ROW_POINTS : ROW_POINTS / 2 + 2;
+        return new SearchList<>(
+                new SearchList.Search<>(
+                        DialogText.SEARCH_FILES,
+                        query -> all.stream()
+                                .filter(id -> Searches.hasWords(query, id))
+                                .toList(),
+                        id -> row(id, rowPoints),
+                        done),
+                session.language(),
+                rowPoints);
+    }
+
+    private SearchRow row(String id, int rowPoints) {
+        int slash = id.lastIndexOf('/');
+        Icon icon = AssetFamily.of(id) == AssetFamily.PICTURE
+                ? pictures.icon(id, rowPoints == ROW_POINTS ? ICON_POINTS : SMALL_POINTS)
+                : null;
+        return new SearchRow(id.substring(slash + 1), slash < 0 ? "" : id.substring(0, slash), "", icon, true);
+    }
+
+    @Override
+    public Optional<Icon> picture(String assetId) {
+        boolean isPicture = AssetFamily.of(assetId) == AssetFamily.PICTURE;
+        return isPicture ? Optional.of(pictures.icon(assetId, SMALL_POINTS)) : Optional.empty();
+    }
+}

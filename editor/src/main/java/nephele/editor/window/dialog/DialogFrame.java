@@ -1,0 +1,62 @@
+package nephele.editor.window.dialog;
+
+import java.awt.Component;
+import java.awt.Dialog.ModalityType;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+
+/** Shows a panel in a dialogue over the window of a component, and waits until it is closed; Esc closes it. */
+public final class DialogFrame {
+    private final Component owner;
+
+    public DialogFrame(Component owner) {
+        this.owner = owner;
+    }
+
+    /**
+     * What a dialogue shows.
+     *
+     * @param first takes the keyboard
+     * @param main the button of Enter; {@code null} for none
+     */
+    public record Content(JComponent panel, JComponent first, JButton main) {}
+
+    /** Opens a dialogue; its content is made with what closes it. */
+    public void open(String title, Function<Runnable, Content> making) {
+        Component before = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title, ModalityType.APPLICATION_MODAL);
+        Content content = making.apply(dialog::dispose);
+        dialog.setContentPane(content.panel());
+        dialog.getRootPane().setDefaultButton(content.main());
+        dialog.getRootPane()
+                .registerKeyboardAction(
+                        event -> dialog.dispose(),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                content.first().requestFocusInWindow();
+            }
+        });
+        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
+        dialog.pack();
+        Dimension screen = dialog.getToolkit().getScreenSize();
+        dialog.setSize(Math.min(dialog.getWidth(), screen.width), Math.min(dialog.getHeight(), screen.height));
+        dialog.setLocationRelativeTo(owner);
+        dialog.setVisible(true);
+        // Not every window system gives the keyboard back by itself.
+        if (before != null) {
+            before.requestFocus();
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package nephele.editor.window.dialog;
+
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+
+/** A text of the dialogues in English, Brazilian and European Portuguese. */
+public enum DialogText {
+    OK("OK", "OK", "OK"),
+    CANCEL("Cancel", "Cancelar", "Cancelar"),
+    CLOSE("Close", "Fechar", "Fechar"),
+    SEARCH_COMMANDS("Search commands", "Buscar comandos", "Procurar comandos"),
+    SEARCH_KINDS("Search what to add", "Buscar o que adicionar", "Procurar o que adicionar"),
+    SEARCH_FILES("Search files", "Buscar arquivos", "Procurar ficheiros"),
+    NOTHING_FOUND("Nothing found", "Nada encontrado", "Nada encontrado"),
+    RESULTS("Results", "Resultados", "Resultados"),
+    ADD("Add", "Adicionar", "Adicionar"),
+    CHOOSE_ASSET("Choose a file", "Escolher um arquivo", "Escolher um ficheiro"),
+    NO_NUMBER(
+            "%s: write a number, or a sum such as 128/3",
+            "%s: escreva um número, ou uma conta como 128/3", "%s: escreve um número, ou uma conta como 128/3"),
+    IS_EMPTY("%s: write a value", "%s: escreva um valor", "%s: escreve um valor"),
+    NO_SUCH(
+            "there is no %s here: choose one of %s",
+            "não há %s aqui: escolha entre %s", "não há %s aqui: escolhe entre %s"),
+    RENAME("Rename", "Renomear", "Mudar o nome"),
+    NEW_ID("New id", "Novo id", "Novo id"),
+    MOVE("Move", "Mover", "Mover"),
+    MOVE_BY("By (m)", "Quanto (m)", "Quanto (m)"),
+    TURN("Turn", "Girar", "Rodar"),
+    AXIS("Axis", "Eixo", "Eixo"),
+    DEGREES("Angle (°)", "Ângulo (°)", "Ângulo (°)"),
+    SCALE("Scale", "Escalar", "Escalar"),
+    FACTORS("Factors", "Fatores", "Fatores"),
+    SET("Set a value", "Definir um valor", "Definir um valor"),
+    FIELD("Field", "Campo", "Campo"),
+    VALUE("Value", "Valor", "Valor"),
+    DRAW("Draw brush", "Desenhar bloco", "Desenhar bloco"),
+    SHAPE("Shape", "Forma", "Forma"),
+    FIRST_CORNER("First corner (m)", "Primeiro canto (m)", "Primeiro canto (m)"),
+    SECOND_CORNER("Second corner (m)", "Segundo canto (m)", "Segundo canto (m)"),
+    GO_TO("Go to coordinates", "Ir para coordenadas", "Ir para coordenadas"),
+    PLACE("Place (m)", "Lugar (m)", "Lugar (m)"),
+    YAW("Yaw (°)", "Guinada (°)", "Rumo (°)"),
+    PITCH("Pitch (°)", "Arfagem (°)", "Inclinação (°)"),
+    GRID("Grid", "Grade", "Grelha"),
+    GRID_STEP("Step", "Passo", "Passo"),
+    PICTURES("Pictures (*.png)", "Imagens (*.png)", "Imagens (*.png)");
+
+    private final Words words;
+
+    DialogText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
+    }
+
+    /** Returns the text. */
+    public Words words() {
+        return words;
+    }
+
+    /** Returns the text in a language. */
+    public String in(Language language) {
+        return words.in(language);
+    }
+}

@@ -1,0 +1,142 @@
+package nephele.editor.window.dialog;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.Dimension;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListModel;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.ListSelectionModel;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingConstants;
+import nephele.engine.level.Language;
+
+/** A list that typed words narrow; Up, Down, PageUp and PageDown move, Enter and a click choose, Esc ends it. */
+public final class SearchList<T> extends JPanel {
+    private static final long serialVersionUID = 1;
+    private static final int ROWS = 14;
+    private static final int WIDTH_POINTS = 560;
+    private static final int ROW_POINTS = 24;
+
+    private final JTextField query = new JTextField();
+    private final DefaultListModel<T> found = new DefaultListModel<>();
+    private final JList<T> list = new JList<>(found);
+    private final JPanel results = new JPanel(new CardLayout());
+    private final transient Function<String, List<T>> find;
+    private final transient Function<T, SearchRow> rows;
+    private final transient Consumer<Optional<T>> done;
+
+    /**
+     * What a list finds, shows and does.
+     *
+     * @param find returns the elements that a query finds, in order
+     * @param done receives the chosen element, or nothing if the user gives up
+     */
+    public record Search<T>(
+            DialogText prompt,
+            Function<String, List<T>> find,
+            Function<T, SearchRow> rows,
+            Consumer<Optional<T>> done) {}
+
+    /** Creates a list that shows what an empty query finds. */
+    public SearchList(Search<T> search, Language language) {
+        this(search, language, ROW_POINTS);
+    }
+
+    /** @param rowPoints height of a row at 100 % */
+    SearchList(Search<T> search, Language language, int rowPoints) {
+        super(new BorderLayout(0, UIScale.scale(6)));
+        find = search.find();
+        rows = search.rows();
+        done = search.done();
+        int margin = UIScale.scale(8);
+        setBorder(BorderFactory.createEmptyBorder(margin, margin, margin, margin));
+        String prompt = search.prompt().in(language);
+        query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt);
+        query.getAccessibleContext().setAccessibleName(prompt);
+        query.getDocument().addDocumentListener(new TypedText(this::refind));
+        query.addKeyListener(new Choosing());
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new SearchCell<>(rows, rowPoints));
+        list.setFixedCellHeight(UIScale.scale(rowPoints));
+        list.setVisibleRowCount(ROWS * ROW_POINTS / rowPoints);
+        list.setFocusable(false);
+        list.getAccessibleContext().setAccessibleName(DialogText.RESULTS.in(language));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                choose();
+            }
+        });
+        JScrollPane scroll = new JScrollPane(
+                list, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        results.add(scroll, "found");
+        results.add(new JLabel(DialogText.NOTHING_FOUND.in(language), SwingConstants.CENTER), "nothing");
+        add(query, BorderLayout.PAGE_START);
+        add(results);
+        refind();
+    }
+
+    private final class Choosing extends KeyAdapter {
+        @Override
+        public void keyPressed(KeyEvent event) {
+            switch (event.getKeyCode()) {
+                case KeyEvent.VK_ENTER -> choose();
+                case KeyEvent.VK_ESCAPE -> done.accept(Optional.empty());
+                case KeyEvent.VK_DOWN -> step(1);
+                case KeyEvent.VK_UP -> step(-1);
+                case KeyEvent.VK_PAGE_DOWN -> step(list.getVisibleRowCount());
+                case KeyEvent.VK_PAGE_UP -> step(-list.getVisibleRowCount());
+                default -> {
+                    return;
+                }
+            }
+            event.consume();
+        }
+    }
+
+    private void refind() {
+        found.clear();
+        find.apply(query.getText()).forEach(found::addElement);
+        list.setSelectedIndex(0);
+        list.ensureIndexIsVisible(0);
+        ((CardLayout) results.getLayout()).show(results, found.isEmpty() ? "nothing" : "found");
+    }
+
+    private void step(int count) {
+        int next = Math.max(0, Math.min(found.size() - 1, list.getSelectedIndex() + count));
+        list.setSelectedIndex(next);
+        list.ensureIndexIsVisible(next);
+    }
+
+    private void choose() {
+        T chosen = list.getSelectedValue();
+        if (chosen != null && rows.apply(chosen).isEnabled()) {
+            done.accept(Optional.of(chosen));
+        }
+    }
+
+    /** Returns the field for the search words, which receives all keys. */
+    public JTextField query() {
+        return query;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(UIScale.scale(WIDTH_POINTS), super.getPreferredSize().height);
+    }
+}

@@ -1,0 +1,71 @@
+package nephele.editor.window.dialog;
+
+import java.text.Normalizer;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import nephele.editor.command.CommandSearch;
+import nephele.editor.command.EditorCommand;
+import nephele.editor.command.EditorKeys;
+import nephele.editor.command.KeyText;
+import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.record.LevelStructure;
+import nephele.engine.level.Language;
+
+/** The search lists of the editor. */
+public final class Searches {
+    private Searches() {}
+
+    /** Returns the search over all commands, with menu and key of each. */
+    public static SearchList<EditorCommand> commands(
+            List<EditorCommand> commands, EditorKeys keys, Language language, Consumer<Optional<EditorCommand>> done) {
+        return new SearchList<>(
+                new SearchList.Search<>(
+                        DialogText.SEARCH_COMMANDS,
+                        query -> CommandSearch.find(commands, query, language),
+                        command -> new SearchRow(
+                                command.title().in(language),
+                                command.menu().title().in(language),
+                                keys.of(command.id()).stream()
+                                        .findFirst()
+                                        .map(KeyText::text)
+                                        .orElse(""),
+                                null,
+                                command.isEnabled().getAsBoolean()),
+                        done),
+                language);
+    }
+
+    /** Returns the search over all kinds of entities that a level can have. */
+    public static SearchList<PaletteModel.Entry> kinds(Language language, Consumer<Optional<PaletteModel.Entry>> done) {
+        List<PaletteModel.Entry> all = PaletteModel.entries(LevelStructure.LEVEL);
+        return new SearchList<>(
+                new SearchList.Search<>(
+                        DialogText.SEARCH_KINDS,
+                        query -> all.stream()
+                                .filter(entry -> hasWords(
+                                        query,
+                                        entry.words().in(language),
+                                        entry.words().english(),
+                                        entry.section()))
+                                .toList(),
+                        entry -> SearchRow.of(
+                                entry.words().in(language), entry.sectionWords().in(language)),
+                        done),
+                language);
+    }
+
+    /** Returns true if every word of a query is in one of the texts; accents and case do not matter. */
+    public static boolean hasWords(String query, String... texts) {
+        String all = folded(String.join(" ", texts));
+        return Arrays.stream(folded(query).trim().split("\\s+")).allMatch(all::contains);
+    }
+
+    private static String folded(String text) {
+        return Normalizer.normalize(text, Normalizer.Form.NFD)
+                .replaceAll("\\p{M}", "")
+                .toLowerCase(Locale.ROOT);
+    }
+}

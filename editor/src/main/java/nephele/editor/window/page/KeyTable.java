@@ -1,0 +1,107 @@
+package nephele.editor.window.page;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.table.AbstractTableModel;
+import nephele.editor.command.EditorCommand;
+import nephele.editor.command.EditorKeys;
+import nephele.editor.command.EditorKeys.KeyConflict;
+import nephele.editor.command.KeyText;
+import nephele.editor.window.dialog.Searches;
+import nephele.engine.level.Language;
+
+/** The actions with their keys and what else has them, narrowed by a filter. */
+final class KeyTable extends AbstractTableModel {
+    static final int CONFLICT = 3;
+
+    private static final long serialVersionUID = 1;
+    private static final List<PageText> COLUMNS =
+            List.of(PageText.ACTION, PageText.MENU, PageText.KEYS, PageText.CONFLICT);
+
+    private final transient List<EditorCommand> commands;
+    private transient List<EditorCommand> shown = List.of();
+    private transient EditorKeys keys;
+    private transient Language language = Language.EN;
+    private String filter = "";
+
+    KeyTable(List<EditorCommand> commands) {
+        this.commands = commands;
+    }
+
+    /** Shows other keys in a language. */
+    void show(EditorKeys now, Language next) {
+        keys = now;
+        language = next;
+        filter(filter);
+    }
+
+    /** Shows the actions whose title, menu or keys have all words. */
+    void filter(String words) {
+        filter = words;
+        shown = commands.stream()
+                .filter(command -> Searches.hasWords(
+                        words,
+                        command.title().in(language),
+                        command.title().english(),
+                        command.menu().title().in(language),
+                        keyText(command)))
+                .toList();
+        fireTableDataChanged();
+    }
+
+    EditorCommand command(int row) {
+        return shown.get(row);
+    }
+
+    int row(EditorCommand command) {
+        return shown.indexOf(command);
+    }
+
+    boolean hasConflict(int row) {
+        return !conflictText(shown.get(row)).isEmpty();
+    }
+
+    @Override
+    public int getRowCount() {
+        return shown.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+        return COLUMNS.size();
+    }
+
+    @Override
+    public String getColumnName(int column) {
+        return COLUMNS.get(column).in(language);
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+        EditorCommand command = shown.get(row);
+        return switch (column) {
+            case 0 -> command.title().in(language);
+            case 1 -> command.menu().title().in(language);
+            case 2 -> keyText(command);
+            default -> conflictText(command);
+        };
+    }
+
+    private String keyText(EditorCommand command) {
+        return keys.of(command.id()).stream().map(KeyText::text).collect(Collectors.joining("   "));
+    }
+
+    private String conflictText(EditorCommand command) {
+        return keys.conflicts().stream()
+                .filter(conflict -> conflict.commands().contains(command.id()))
+                .map(conflict -> PageText.ALSO.in(language, conflict.key().text(), others(conflict, command)))
+                .collect(Collectors.joining("; "));
+    }
+
+    private String others(KeyConflict conflict, EditorCommand command) {
+        return commands.stream()
+                .filter(other -> other != command && conflict.commands().contains(other.id()))
+                .map(other -> other.title().in(language))
+                .collect(Collectors.joining(", "));
+    }
+}

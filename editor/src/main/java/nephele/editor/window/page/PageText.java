@@ -1,0 +1,70 @@
+package nephele.editor.window.page;
+
+import nephele.editor.text.Words;
+import nephele.engine.level.Language;
+
+/** A text of the settings page in English, Brazilian and European Portuguese. */
+public enum PageText {
+    SETTINGS("Settings", "Configurações", "Definições"),
+    GENERAL("General", "Geral", "Geral"),
+    KEYS("Keys", "Teclas", "Teclas"),
+    LANGUAGE("Language", "Idioma", "Idioma"),
+    THEME("Theme", "Tema", "Tema"),
+    LIGHT("Light", "Claro", "Claro"),
+    DARK("Dark", "Escuro", "Escuro"),
+    SCALE("Scale", "Escala", "Escala"),
+    VIEWPORT("Viewport", "Área de visualização", "Área de visualização"),
+    VIEWPORT_AUTO("Automatic", "Automática", "Automática"),
+    VIEWPORT_AWT("Canvas of the window system", "Superfície do sistema de janelas", "Superfície do sistema de janelas"),
+    VIEWPORT_OFFSCREEN("Offscreen picture", "Imagem fora da tela", "Imagem fora do ecrã"),
+    AT_NEXT_START("holds from the next start", "vale a partir do próximo início", "vale a partir do próximo arranque"),
+    FILES("Files", "Arquivos", "Ficheiros"),
+    JOURNAL(
+            "Record edits before they are saved",
+            "Registrar edições antes de salvá-las",
+            "Registar edições antes de as guardar"),
+    BACKUPS(
+            "Keep previous versions of saved levels",
+            "Manter versões anteriores das fases salvas",
+            "Manter versões anteriores dos níveis guardados"),
+    OPEN_FOLDER("Open settings folder", "Abrir a pasta das configurações", "Abrir a pasta das definições"),
+    FOLDER_IS("The settings are in %s", "As configurações estão em %s", "As definições estão em %s"),
+    CLOSE("Close", "Fechar", "Fechar"),
+    FILTER("Search actions and keys", "Buscar ações e teclas", "Procurar ações e teclas"),
+    ACTION("Action", "Ação", "Ação"),
+    MENU("Menu", "Menu", "Menu"),
+    CONFLICT("Conflict", "Conflito", "Conflito"),
+    ALSO("%s: also %s", "%s: também %s", "%s: também %s"),
+    CONFLICTS(
+            "Keys with several actions: %s; the first action in this list gets them",
+            "Teclas com várias ações: %s; a primeira ação desta lista as recebe",
+            "Teclas com várias ações: %s; a primeira ação desta lista recebe-as"),
+    NO_CONFLICTS("No conflicts", "Nenhum conflito", "Nenhum conflito"),
+    REPLACE("Replace keys…", "Trocar teclas…", "Trocar teclas…"),
+    ADD("Add a key…", "Acrescentar tecla…", "Acrescentar tecla…"),
+    REMOVE("Remove keys", "Remover teclas", "Remover teclas"),
+    RESET("Reset", "Restaurar", "Repor"),
+    RESET_ALL("Reset all", "Restaurar todas", "Repor todas"),
+    PRESS(
+            "Press the key for \"%s\"; Esc keeps what it is",
+            "Pressione a tecla de \"%s\"; Esc deixa como está", "Prime a tecla de \"%s\"; Esc deixa como está"),
+    HOW(
+            "Choose an action, then press Enter and the new key",
+            "Escolha uma ação, depois pressione Enter e a nova tecla",
+            "Escolhe uma ação, depois prime Enter e a nova tecla");
+
+    private final Words words;
+
+    PageText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
+    }
+
+    /** Returns the text with its values filled in. */
+    public String in(Language language, Object... values) {
+        return (values.length == 0 ? words : words.with(values)).in(language);
+    }
+
+    Words words() {
+        return words;
+    }
+}
