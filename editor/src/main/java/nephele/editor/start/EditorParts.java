@@ -23,7 +23,7 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 
 /** Puts the panels around the viewport. */
-final class EditorParts {
+public final class EditorParts {
     private static final List<String> MAIN_ACTIONS = List.of("new", "open", "save", "undo", "redo", "play-here");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
@@ -32,7 +32,8 @@ final class EditorParts {
 
     private EditorParts() {}
 
-    static EditorPanel panel(EditorSession session, Desk desk, SurfaceMode surface) {
+    /** Returns the whole editor of a session, as its window shows it. */
+    public static EditorPanel panel(EditorSession session, Desk desk, SurfaceMode surface) {
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
         JTabbedPane left = new JTabbedPane();
         left.addTab("", new OutlinerPanel(session, ref -> focus(commands, session, ref)));
