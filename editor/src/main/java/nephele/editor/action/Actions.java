@@ -14,6 +14,7 @@ public final class Actions {
                     BrushActions.ALL,
                     ViewActions.ALL,
                     ToolActions.ALL,
+                    SnapActions.ALL,
                     PlayActions.ALL)
             .flatMap(List::stream)
             .toList();
