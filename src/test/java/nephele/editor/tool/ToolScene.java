@@ -145,6 +145,15 @@ public final class ToolScene {
         release(at, held);
     }
 
+    /** Clicks twice at one place. */
+    public void doubleClick(Vec3 at) {
+        click(at);
+        Pointer once = pointer(at, Button.PRIMARY);
+        Pointer twice = new Pointer(kind, camera, SIZE, once.x(), once.y(), Button.PRIMARY, Set.of(), 2);
+        tool().pressed(twice);
+        tool().released(twice);
+    }
+
     /** Returns the pointer over a place. */
     public Pointer pointer(Vec3 at, Button button, Modifier... held) {
         PanePoint place = camera.project(at, SIZE).orElseThrow();
