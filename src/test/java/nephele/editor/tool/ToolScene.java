@@ -50,9 +50,14 @@ public final class ToolScene {
 
     /** Returns a scene with solids, written in JSON; the material {@code red} exists. */
     public static ToolScene of(String solids) {
+        return of(solids, "");
+    }
+
+    /** Returns a scene with solids and further members of the level, each after a comma. */
+    public static ToolScene of(String solids, String members) {
         String json =
                 "{\"format\": \"nephele-level\", \"version\": 1, \"materials\": [{\"id\": \"red\"}], \"solids\": ["
-                        + solids + "]}";
+                        + solids + "]" + members + "}";
         Level level = LevelJson.read("test.json", json.getBytes(StandardCharsets.UTF_8));
         EditorSession session = new EditorSession(DocumentFile.UNTITLED, level, NoFiles.AT_ALL, EditorSettings.DEFAULT);
         session.grid(new Grid(0.5));
@@ -147,6 +152,15 @@ public final class ToolScene {
     public void click(Vec3 at, Modifier... held) {
         press(at, held);
         release(at, held);
+    }
+
+    /** Clicks twice at one place. */
+    public void doubleClick(Vec3 at) {
+        click(at);
+        Pointer once = pointer(at, Button.PRIMARY);
+        Pointer twice = new Pointer(kind, camera, SIZE, once.x(), once.y(), Button.PRIMARY, Set.of(), 2);
+        tool().pressed(twice);
+        tool().released(twice);
     }
 
     /** Returns the pointer over a place. */

@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
+import nephele.editor.prove.EditorProofs;
 import nephele.lab.prove.proof.Proof;
 import org.junit.jupiter.api.Test;
 
@@ -22,7 +24,7 @@ class ProofRowsTest {
         List<String> stale = new ArrayList<>();
         for (String row : rows) {
             String[] cells = row.split(" \\| ");
-            Proof proof = Proofs.ALL.stream()
+            Proof proof = Stream.concat(Proofs.ALL.stream(), EditorProofs.ALL.stream())
                     .filter(of -> ("| " + of.claim().name()).equals(cells[0]))
                     .findFirst()
                     .orElseThrow(() -> new AssertionError("there is no such proof: " + row));

@@ -63,6 +63,11 @@ public record EditorAction(
         return new EditorAction(id, title, menu, keys, parameters, condition, effect);
     }
 
+    /** Returns this action with default keys. */
+    EditorAction keyed(String... defaults) {
+        return new EditorAction(id, title, menu, List.of(defaults), parameters, isEnabled, effect);
+    }
+
     /** Returns this action with parameters. */
     EditorAction taking(String... names) {
         return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, effect);

@@ -3,6 +3,7 @@ package nephele.editor.action;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -20,6 +21,8 @@ import nephele.editor.toolbox.Tools;
 
 /** Options of the tools: what places snap to, the shape of new brushes, what stays after a cut. */
 final class OptionActions {
+    private static final Words ON = Words.of("%s: on", "%s: ligado", "%s: ligado");
+    private static final Words OFF = Words.of("%s: off", "%s: desligado", "%s: desligado");
     private static final int STAIRS = 8;
     private static final int ARCH_SEGMENTS = 12;
     private static final int CYLINDER_SIDES = 16;
@@ -45,17 +48,18 @@ final class OptionActions {
 
     private static List<Option> options() {
         List<Option> all = new ArrayList<>();
-        snap(all, "snap-grid", Words.of("Snap to Grid", "Encaixar na grade", "Ajustar à grelha"), Snapping.GRID);
+        snap(all, Words.of("Snap to Grid", "Encaixar na grade", "Ajustar à grelha"), Snapping.GRID, "1");
+        snap(all, Words.of("Snap to Vertices", "Encaixar em vértices", "Ajustar a vértices"), Snapping.VERTEX, "2");
         snap(
                 all,
-                "snap-vertex",
-                Words.of("Snap to Vertices", "Encaixar em vértices", "Ajustar a vértices"),
-                Snapping.VERTEX);
-        snap(
-                all,
-                "snap-surface",
                 Words.of("Snap to Surfaces", "Encaixar em superfícies", "Ajustar a superfícies"),
-                Snapping.SURFACE);
+                Snapping.SURFACE,
+                "3");
+        snap(
+                all,
+                Words.of("Snap onto the Grid", "Encaixar sobre a grade", "Ajustar sobre a grelha"),
+                Snapping.ABSOLUTE,
+                "4");
         shape(all, "shape-box", Words.of("Box", "Caixa", "Caixa"), new ShapeOptions.Box());
         shape(all, "shape-wedge", Words.of("Wedge", "Cunha", "Cunha"), new ShapeOptions.Wedge(null));
         shape(all, "shape-stairs", Words.of("Stairs", "Escada", "Escada"), new ShapeOptions.Stairs(null, STAIRS));
@@ -105,16 +109,17 @@ final class OptionActions {
         return new Option(action, isOn);
     }
 
-    private static void snap(List<Option> all, String id, Words title, Snapping target) {
+    private static void snap(List<Option> all, Words title, Snapping target, String digit) {
         Consumer<EditorSession> toggle = session -> {
             Set<Snapping> targets = session.options().snapping();
-            if (!targets.remove(target)) {
-                targets.add(target);
-            }
+            boolean isOn = !targets.remove(target) && targets.add(target);
+            session.status((isOn ? ON : OFF).with(title));
         };
-        all.add(toggled(id, title, Menu.VIEW, toggle, session -> session.options()
-                .snapping()
-                .contains(target)));
+        Option option = toggled(
+                "snap-" + target.name().toLowerCase(Locale.ROOT), title, Menu.VIEW, toggle, session -> session.options()
+                        .snapping()
+                        .contains(target));
+        all.add(new Option(option.action().keyed("Alt+Shift+" + digit), option.isOn()));
     }
 
     private static void shape(List<Option> all, String id, Words title, ShapeOptions shape) {

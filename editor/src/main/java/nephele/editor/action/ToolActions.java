@@ -3,8 +3,11 @@ package nephele.editor.action;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.clip.ClipTool;
 import nephele.editor.toolbox.Tools;
 
 /** Taking a tool: one action for each. */
@@ -26,6 +29,20 @@ final class ToolActions {
                 Menu.TOOL,
                 List.of("Escape"),
                 call -> call.session().tool().cancel()));
+        actions.add(EditorAction.of(
+                        "clip-keep",
+                        Words.of("Clip: Keep Another Part", "Cortar: manter outra parte", "Cortar: manter outra parte"),
+                        Menu.TOOL,
+                        List.of("Shift+C"),
+                        call -> keepAnotherPart(call.session()))
+                .when(session -> session.tool() instanceof ClipTool));
         return List.copyOf(actions);
+    }
+
+    private static void keepAnotherPart(EditorSession session) {
+        if (session.tool() instanceof ClipTool clip) {
+            clip.cycle();
+            session.tell(Change.VIEW);
+        }
     }
 }

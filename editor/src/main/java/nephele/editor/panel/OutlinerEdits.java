@@ -10,6 +10,7 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Level;
+import nephele.engine.level.TextKind;
 
 /** The steps that the outliner makes. */
 record OutlinerEdits(EditorSession session) {
@@ -49,6 +50,11 @@ record OutlinerEdits(EditorSession session) {
     void rename(EntityRef ref, String id) {
         EntityRef renamed = new EntityRef(ref.section(), id);
         if (id.isEmpty() || id.equals(ref.id())) {
+            return;
+        }
+        if (id.length() > TextKind.ID.longest()) {
+            session.status(
+                    PanelText.LENGTH.with(id.substring(0, 8) + "…", TextKind.ID.shortest(), TextKind.ID.longest()));
             return;
         }
         if (document().entities().find(document().level(), renamed).isPresent()) {

@@ -159,8 +159,13 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
 
     private void refresh() {
         var level = session.document().level();
+        List<OutlinerRow> rows = model.rows(level, EntityStatus.of(level.editor()), query);
         isUpdating = true;
-        lines.rows(model.rows(level, EntityStatus.of(level.editor()), query));
+        if (table.isEditing() && !rows.equals(lines.rows())) {
+            // The editor belongs to a row number, at which there may be another entity now, or none.
+            table.getCellEditor().cancelCellEditing();
+        }
+        lines.rows(rows);
         selectInTable();
         isUpdating = false;
     }

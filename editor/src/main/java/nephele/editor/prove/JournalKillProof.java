@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
@@ -78,7 +77,7 @@ public final class JournalKillProof implements Proof {
                 mostLost = Math.max(mostLost, printed.lostSeconds(recovered, killedNanos));
                 edits += printed.nanosByEdit.size();
             } finally {
-                delete(folder);
+                TemporaryFolder.delete(folder);
             }
             progress.unitsDone(unit - from + 1);
         }
@@ -162,13 +161,5 @@ public final class JournalKillProof implements Proof {
             expected = EditingSession.edited(expected, edit);
         }
         return work.level().equals(expected) && work.saved().equals(EditingSession.start());
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (var all = Files.walk(folder)) {
-            for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(each);
-            }
-        }
     }
 }

@@ -28,7 +28,7 @@ import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
 
 /** Puts the panels around the viewport. */
-final class EditorParts {
+public final class EditorParts {
     private static final List<String> MAIN_ACTIONS = List.of("new", "open", "save", "undo", "redo", "play-here");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
@@ -37,8 +37,12 @@ final class EditorParts {
 
     private EditorParts() {}
 
-    /** @param parts receives the name of each part that can be shown, and what opens it */
-    static EditorPanel panel(
+    /**
+     * Returns the whole editor of a session, as its window shows it.
+     *
+     * @param parts receives the name of each part that can be shown, and what opens it
+     */
+    public static EditorPanel panel(
             EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
         session.options().material(MaterialLibrary.FIRST);
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);

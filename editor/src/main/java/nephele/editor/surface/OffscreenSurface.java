@@ -7,11 +7,15 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlKind;
 import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.render.gl.LiveObjects;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
@@ -22,6 +26,10 @@ public final class OffscreenSurface implements ViewportSurface {
     private final PictureView view = new PictureView();
     private final AtomicBoolean isDirty = new AtomicBoolean(true);
     private GlContext gl;
+    /** Of the present context, or of the last one after {@link #close}; {@code null} before the first. */
+    private LiveObjects live;
+
+    private RuntimeException failure;
     private RenderTarget target;
     private BufferedImage picture;
     private int[] fromBelow = {};
@@ -92,15 +100,17 @@ public final class OffscreenSurface implements ViewportSurface {
             prepare(size);
             painter.paint(target, size);
             read();
-        } catch (RuntimeException failure) {
-            isUnavailable |= failure instanceof GlUnavailableException;
-            painter.failed(String.valueOf(failure.getMessage()));
+        } catch (RuntimeException thrown) {
+            failure = thrown;
+            isUnavailable |= thrown instanceof GlUnavailableException;
+            painter.failed(String.valueOf(thrown.getMessage()));
         }
     }
 
     private void prepare(SurfaceSize size) {
         if (gl == null) {
             gl = contexts.get();
+            live = gl.live();
             painter.opened(gl);
         }
         if (target == null || target.width() != size.width() || target.height() != size.height()) {
@@ -118,6 +128,16 @@ public final class OffscreenSurface implements ViewportSurface {
         for (int y = 0; y < target.height(); y++) {
             System.arraycopy(fromBelow, y * width, rows, (target.height() - 1 - y) * width, width);
         }
+    }
+
+    /** Returns the number of objects of the context, after {@link #close} those that were left; empty before a picture. */
+    public Map<GlKind, Integer> liveObjects() {
+        return live == null ? Map.of() : live.counts();
+    }
+
+    /** Returns the last exception by which a picture failed; the user sees only its message. */
+    public Optional<RuntimeException> failure() {
+        return Optional.ofNullable(failure);
     }
 
     private void closeTarget() {

@@ -1,6 +1,7 @@
 package nephele.editor.tool;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import nephele.editor.pick.Grid;
 import nephele.editor.pick.Pick;
@@ -38,7 +39,15 @@ public record PointedPlace(Vec3 point, Vec3 normal) {
 
     /** Returns the point of the grid near this one, on the same surface; this one if the options snap to no grid. */
     public PointedPlace snapped(ToolContext context) {
-        return context.options().snapping().contains(Snapping.GRID) ? snapped(context.grid()) : this;
+        boolean isToGrid = Snap.is(context, Snapping.GRID) || Snap.is(context, Snapping.ABSOLUTE);
+        return isToGrid ? snapped(context.grid()) : this;
+    }
+
+    /** Returns the vertex near the pointer if the options snap to vertices, else the snapped place. */
+    public PointedPlace snapped(ToolContext context, Pointer pointer) {
+        return (Snap.is(context, Snapping.VERTEX) ? Snap.vertex(context, pointer, Set.of()) : Optional.<Vec3>empty())
+                .map(vertex -> new PointedPlace(vertex, normal))
+                .orElseGet(() -> snapped(context));
     }
 
     private PointedPlace snapped(Grid grid) {

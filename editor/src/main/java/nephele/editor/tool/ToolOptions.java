@@ -13,9 +13,14 @@ import nephele.engine.level.TextureMapping;
 public final class ToolOptions {
     /** A target of snapping; if none is set, places do not snap. */
     public enum Snapping {
+        /** Lengths and displacements are multiples of the grid's step. */
         GRID,
+        /** A vertex of a brush that is near the pointer is taken, before all others. */
         VERTEX,
-        SURFACE
+        /** What moves rests on the surface under the pointer; a place is on it, in a plan on the nearest edge. */
+        SURFACE,
+        /** What moves comes to lie on the grid, even if it lay beside it. */
+        ABSOLUTE
     }
 
     private final Set<Snapping> snapping = EnumSet.of(Snapping.GRID);

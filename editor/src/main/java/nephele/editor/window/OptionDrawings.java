@@ -28,6 +28,7 @@ final class OptionDrawings {
             Map.entry("grid-coarser", "4,4 4,20|12,4 12,20|20,4 20,20|4,12 20,12"),
             Map.entry("snap-grid", "8,3 8,21|16,3 16,21|3,8 21,8|3,16 21,16|*o 8,8,3"),
             Map.entry("snap-vertex", "3,19 12,8 21,19|*o 12,8,3.4"),
+            Map.entry("snap-absolute", "4,4 20,4 20,20 4,20 z|12,4 12,20|4,12 20,12|*o 12,12,3.4"),
             Map.entry("snap-surface", "2,17 14,20 22,14 10,11 z|12,3 12,14|9,11 12,14.5 15,11"),
             Map.entry("shape-box", CUBE),
             Map.entry("shape-wedge", "3,18 15,21 21,17 21,7 15,10 3,18|15,10 15,21|3,18 9,15 21,7"),

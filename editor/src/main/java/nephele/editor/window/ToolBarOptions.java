@@ -9,7 +9,7 @@ final class ToolBarOptions {
     static final List<List<String>> VIEW = List.of(
             List.of("lit", "unlit", "portalable", "collision", "wireframe"),
             List.of("one-pane", "two-panes", "four-panes"),
-            List.of("snap-grid", "snap-vertex", "snap-surface"));
+            List.of("snap-grid", "snap-vertex", "snap-surface", "snap-absolute"));
 
     private static final List<String> TRANSFORM = List.of("texture-lock");
 

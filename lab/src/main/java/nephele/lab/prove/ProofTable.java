@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -13,7 +14,10 @@ import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 
-/** The file docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}. A new result replaces the old row. */
+/**
+ * The file docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}, after them those of the editor, which the
+ * lab does not know. A new result replaces the old row.
+ */
 public final class ProofTable {
     private static final String HEAD =
             """
@@ -40,8 +44,12 @@ public final class ProofTable {
         rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
         rows.add(row(proof, result, found));
         var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
-        rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
+        rows.sort(Comparator.comparingInt(row -> place(order.indexOf(nameOf(row)))));
         AtomicFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static int place(int index) {
+        return index < 0 ? Integer.MAX_VALUE : index;
     }
 
     private List<String> rows() throws IOException {

@@ -2,10 +2,15 @@ package nephele.editor.tool.clip;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
+import nephele.editor.action.ActionCall;
+import nephele.editor.action.ActionFailure;
+import nephele.editor.action.Actions;
 import nephele.editor.brush.BrushText;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
@@ -88,6 +93,29 @@ class ClipToolTest {
         assertTrue(scene.tool().confirm());
         assertTrue(scene.hasVertices("cube", new Vec3(1, 2, 0), new Vec3(1, 1, 1)));
         EndedDrags.assertOneStep(start, scene);
+    }
+
+    @Test
+    void aDoubleClickTakesThePlaneOfAFace() {
+        ToolScene two = ToolScene.of(
+                        "{\"id\": \"low\", \"kind\": \"box\", \"centre\": [0, 0.5, 0], \"size\": [2, 1, 2]},"
+                                + "{\"id\": \"high\", \"kind\": \"box\", \"centre\": [-3, 2, 0], \"size\": [2, 4, 2]}")
+                .using(ClipTool.ENTRY)
+                .selecting("high");
+        two.doubleClick(new Vec3(0.2, 1, 0.3));
+        assertTrue(two.tool().confirm());
+        assertEquals(new Vec3(2, 1, 2), ((Solid.Box) two.solid("high")).size());
+    }
+
+    @Test
+    void theActionChoosesThePartAndTheHintNamesIt() throws ActionFailure {
+        cutAcross();
+        String behind = scene.tool().hint().english();
+        Actions.named("clip-keep").orElseThrow().effect().run(new ActionCall(scene.session(), null, Map.of()));
+        assertNotEquals(behind, scene.tool().hint().english());
+        assertTrue(scene.tool().hint().english().contains("in front"));
+        scene.session().use(SelectTool.ENTRY);
+        assertFalse(Actions.named("clip-keep").orElseThrow().isEnabled().test(scene.session()));
     }
 
     @Test

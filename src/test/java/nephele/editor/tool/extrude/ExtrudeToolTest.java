@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.editor.brush.BrushText;
 import nephele.editor.mark.Mark;
 import nephele.editor.pane.PaneKind;
@@ -61,6 +62,42 @@ class ExtrudeToolTest {
         assertTrue(face.corners().stream().allMatch(corner -> corner.y() == 2));
         scene.move(new Vec3(5, 0, 0));
         assertTrue(scene.tool().marks().isEmpty());
+    }
+
+    private static ToolScene three() {
+        return ToolScene.of("{\"id\": \"a\", \"kind\": \"box\", \"centre\": [0, 1, 0], \"size\": [2, 2, 2]},"
+                        + "{\"id\": \"b\", \"kind\": \"box\", \"centre\": [-3, 1, 0], \"size\": [2, 2, 2]},"
+                        + "{\"id\": \"low\", \"kind\": \"box\", \"centre\": [3, 0.5, 0], \"size\": [2, 1, 2]}")
+                .using(ExtrudeTool.ENTRY);
+    }
+
+    private static double height(ToolScene scene, String id) {
+        return ((Solid.Box) scene.solid(id)).size().y();
+    }
+
+    @Test
+    void facesOfSelectedBrushesInOnePlaneMoveTogether() {
+        ToolScene three = three().selecting("a", "b", "low");
+        Level before = three.level();
+        three.stroke(TOP, new Vec3(0, 3, 0));
+        assertEquals(List.of(3.0, 3.0, 1.0), List.of(height(three, "a"), height(three, "b"), height(three, "low")));
+        EndedDrags.assertOneStep(before, three);
+    }
+
+    @Test
+    void facesSelectedByShiftMoveTogetherAlsoAsNewBrushes() {
+        ToolScene three = three();
+        three.click(TOP, Modifier.SHIFT);
+        three.click(new Vec3(-3, 2, 0), Modifier.SHIFT);
+        assertEquals(2, three.document().selection().faces().size());
+        Level before = three.level();
+        three.stroke(TOP, new Vec3(0, 3, 0), Modifier.CONTROL);
+        assertEquals(5, three.level().solids().size());
+        assertEquals(new Vec3(-3, 2.5, 0), ((Solid.Box) three.solid("b-2")).centre());
+        EndedDrags.assertOneStep(before, three);
+        three.stroke(new Vec3(3, 1, 0), new Vec3(3, 2, 0));
+        assertEquals(2, height(three, "low"));
+        assertEquals(2, height(three, "a"), "not selected with the face that moves");
     }
 
     @Test

@@ -10,7 +10,9 @@ import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
+import nephele.engine.asset.AssetId;
 import nephele.engine.level.Spatial;
+import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
@@ -124,7 +126,13 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
             int least = declaration().text().shortest();
             int most = declaration().text().longest();
             boolean isFine = text.length() >= least && text.length() <= most;
-            return isFine ? Optional.empty() : Optional.of(PanelText.LENGTH.with(FieldWords.of(field), least, most));
+            boolean isFile = declaration().text() == TextKind.ASSET && AssetId.rejectionReason(text) == null;
+            if (!isFine) {
+                return Optional.of(PanelText.LENGTH.with(FieldWords.of(field), least, most));
+            }
+            return isFile || declaration().text() != TextKind.ASSET
+                    ? Optional.empty()
+                    : Optional.of(PanelText.NO_FILE_NAME.with(text));
         } else if (value instanceof List<?> list && list.size() > declaration().most()) {
             return Optional.of(
                     PanelText.TOO_MANY.with(FieldWords.of(field), declaration().most()));

@@ -57,6 +57,10 @@ public enum PanelText {
             "%s must have %s to %s characters",
             "%s deve ter de %s a %s caracteres", "%s tem de ter de %s a %s caracteres"),
     TOO_MANY("%s has at most %s entries", "%s tem no máximo %s entradas", "%s tem no máximo %s entradas"),
+    NO_FILE_NAME(
+            "\"%s\" names no file; write a path of letters, digits, '.', '_', '-' and '/'",
+            "\"%s\" não é nome de arquivo; escreva um caminho com letras, dígitos, '.', '_', '-' e '/'",
+            "\"%s\" não é nome de ficheiro; escreve um caminho com letras, dígitos, '.', '_', '-' e '/'"),
     ID_TAKEN("the name %s is in use", "o nome %s já está em uso", "o nome %s já está em uso"),
     NO_NUMBER(
             "\"%s\" is no number; write one, or a sum such as 128/3",

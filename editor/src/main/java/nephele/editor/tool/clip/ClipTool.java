@@ -21,6 +21,7 @@ import nephele.editor.pick.Picker;
 import nephele.editor.pick.Picker.Containment;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
+import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.PointerDrag;
@@ -43,14 +44,26 @@ public final class ClipTool implements Tool {
             "clip",
             Words.of("Clip", "Cortar", "Cortar"),
             Words.of(
-                    "Set two points in a plan or three in 3-D; Control+click: other part, Enter: cut",
-                    "Marque dois pontos em uma planta ou três em 3-D; Control+clique: outra parte, Enter: cortar",
-                    "Marca dois pontos numa planta ou três em 3-D; Control+clique: outra parte, Enter: cortar"),
+                    "Set two points in a plan or three in 3-D, or double-click a face; Enter: cut",
+                    "Marque dois pontos em uma planta ou três em 3-D, ou clique duas vezes numa face; Enter: cortar",
+                    "Marca dois pontos numa planta ou três em 3-D, ou clica duas vezes numa face; Enter: cortar"),
             "C",
             "clip",
             ClipTool::new);
 
     private static final Words CLIP = Words.of("Clip", "Cortar", "Cortar");
+    private static final Words KEEPS_BEHIND = Words.of(
+            "keeps the part behind (Control+click: the other)",
+            "fica a parte de trás (Control+clique: a outra)",
+            "fica a parte de trás (Control+clique: a outra)");
+    private static final Words KEEPS_FRONT = Words.of(
+            "keeps the part in front (Control+click: both)",
+            "fica a parte da frente (Control+clique: ambas)",
+            "fica a parte da frente (Control+clique: ambas)");
+    private static final Words KEEPS_BOTH = Words.of(
+            "keeps both parts (Control+click: one)",
+            "ficam as duas partes (Control+clique: uma)",
+            "ficam as duas partes (Control+clique: uma)");
 
     private final ToolContext context;
     private ClipPoints points = ClipPoints.none(null);
@@ -84,6 +97,10 @@ public final class ClipTool implements Tool {
             cycle();
             return;
         }
+        if (pointer.clicks() == 2 && !pointer.isPlan()) {
+            onFace(pointer).ifPresent(three -> points = three);
+            return;
+        }
         Vec3 sight = pointer.isPlan() ? pointer.camera().forward() : null;
         boolean isSamePane = sight == null ? points.sight() == null : sight.equals(points.sight());
         for (int i = 0; isSamePane && i < points.points().size(); i++) {
@@ -97,6 +114,19 @@ public final class ClipTool implements Tool {
             points = before.with(at);
             moving = points.points().size() - 1;
         });
+    }
+
+    /** Returns points that give the plane of the face under the pointer. */
+    private Optional<ClipPoints> onFace(Pointer pointer) {
+        return FacesUnderPointer.at(context, pointer)
+                .flatMap(face -> FacesUnderPointer.shape(context.document().level(), face))
+                .map(face -> {
+                    int corners = face.polygon().size();
+                    return ClipPoints.none(null)
+                            .with(face.polygon().get(0))
+                            .with(face.polygon().get(corners / 3))
+                            .with(face.polygon().get(corners * 2 / 3));
+                });
     }
 
     private Optional<Vec3> place(Pointer pointer) {
@@ -218,6 +248,16 @@ public final class ClipTool implements Tool {
 
     @Override
     public Words hint() {
-        return ENTRY.description();
+        Words how = ENTRY.description();
+        Words kept =
+                switch (keep) {
+                    case BEHIND -> KEEPS_BEHIND;
+                    case IN_FRONT -> KEEPS_FRONT;
+                    case BOTH -> KEEPS_BOTH;
+                };
+        return Words.of(
+                how.english() + "; " + kept.english(),
+                how.brazilian() + "; " + kept.brazilian(),
+                how.european() + "; " + kept.european());
     }
 }

@@ -4,11 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
-import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.pick.Picker;
-import nephele.editor.record.EntityRef;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -19,15 +18,18 @@ import nephele.editor.tool.ToolEntry;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 
-/** Moves the face under the pointer along its normal; with Control, the part that is added or cut off is a new brush. */
+/**
+ * Moves the face under the pointer along its normal, with those in its plane that are selected or belong to selected
+ * brushes if it is one of them. With Control, the part that is added or cut off is a new brush; Shift selects faces.
+ */
 public final class ExtrudeTool implements Tool {
     public static final ToolEntry ENTRY = new ToolEntry(
             "extrude",
             Words.of("Extrude", "Extrudar", "Extrudir"),
             Words.of(
-                    "Drag a face along its normal; Control: as a new brush",
-                    "Arraste uma face ao longo da sua normal; Control: como um bloco novo",
-                    "Arrasta uma face ao longo da sua normal; Control: como um bloco novo"),
+                    "Drag a face along its normal; Shift+click: several; Control: as a new brush",
+                    "Arraste uma face ao longo da sua normal; Shift+clique: várias; Control: como um bloco novo",
+                    "Arrasta uma face ao longo da sua normal; Shift+clique: várias; Control: como um bloco novo"),
             "X",
             "extrude",
             ExtrudeTool::new);
@@ -38,6 +40,9 @@ public final class ExtrudeTool implements Tool {
     private FaceUnderPointer hovered;
     /** The face of the drag in progress; {@code null} without one. */
     private FaceUnderPointer taken;
+
+    /** The faces that the drag moves, the taken one first. */
+    private List<MovedFace> moving = List.of();
 
     private Pointer start;
 
@@ -53,7 +58,12 @@ public final class ExtrudeTool implements Tool {
     @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
+        if (hovered != null && pointer.isHeld(Modifier.SHIFT)) {
+            context.document().select(context.document().selection().toggled(hovered.ref()));
+            return;
+        }
         taken = hovered;
+        moving = taken == null ? List.of() : MovedFace.with(context, taken);
         start = pointer;
     }
 
@@ -71,35 +81,31 @@ public final class ExtrudeTool implements Tool {
             context.document().cancelDrag();
             return;
         }
-        EntityRef ref = new EntityRef(Picker.SOLIDS, taken.brush().solidId());
         context.document().drag(before -> {
-            Optional<Solid> solid =
-                    context.document().entities().find(before.level(), ref).map(Solid.class::cast);
-            return solid.map(found -> isNew ? withNew(before, found, metres) : grown(found, metres))
-                    .map(edit -> replaced(before, ref, edit))
-                    .orElse(before);
+            BrushEdit<Level> edit = BrushEdit.done(before.level());
+            for (MovedFace face : moving) {
+                edit = edit.flatMap(level -> moved(level, face, metres, isNew));
+            }
+            context.status(edit.refusal().map(why -> why.words()).orElse(Words.NONE));
+            return edit.result().map(before::with).orElse(before);
         });
     }
 
-    private BrushEdit<List<Solid>> grown(Solid solid, double metres) {
-        return FaceExtrude.extruded(solid, taken.index(), metres).map(List::of);
-    }
-
-    private BrushEdit<List<Solid>> withNew(Snapshot before, Solid solid, double metres) {
-        String id = context.document().entities().freshId(before.level(), Picker.SOLIDS, solid.id());
-        return FaceExtrude.extrudedAsNew(solid, taken.index(), metres, id);
-    }
-
-    private Snapshot replaced(Snapshot before, EntityRef ref, BrushEdit<List<Solid>> edit) {
-        context.status(edit.refusal().map(why -> why.words()).orElse(Words.NONE));
-        return edit.result()
-                .map(solids -> before.with((Level) context.document()
-                        .entities()
-                        .replaced(
-                                before.level(),
-                                ref,
-                                solids.stream().map(Record.class::cast).toList())))
-                .orElse(before);
+    private BrushEdit<Level> moved(Level level, MovedFace face, double metres, boolean isNew) {
+        Entities entities = context.document().entities();
+        Optional<Solid> found = entities.find(level, face.solid()).map(Solid.class::cast);
+        if (found.isEmpty()) {
+            return BrushEdit.done(level);
+        }
+        BrushEdit<List<Solid>> edit = isNew
+                ? FaceExtrude.extrudedAsNew(
+                        found.get(),
+                        face.index(),
+                        metres,
+                        entities.freshId(level, Picker.SOLIDS, face.solid().id()))
+                : FaceExtrude.extruded(found.get(), face.index(), metres).map(List::of);
+        return edit.map(solids -> (Level) entities.replaced(
+                level, face.solid(), solids.stream().map(Record.class::cast).toList()));
     }
 
     @Override
@@ -123,8 +129,10 @@ public final class ExtrudeTool implements Tool {
         if (taken != null || hovered == null) {
             return List.of();
         }
-        return List.of(
-                new Mark.Polygon(hovered.face().polygon(), MarkColour.HOVERED, Mark.Visibility.HIDDEN_BY_SURFACES));
+        return MovedFace.with(context, hovered).stream()
+                .map(face ->
+                        (Mark) new Mark.Polygon(face.polygon(), MarkColour.HOVERED, Mark.Visibility.HIDDEN_BY_SURFACES))
+                .toList();
     }
 
     @Override

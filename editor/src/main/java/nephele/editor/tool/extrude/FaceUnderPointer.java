@@ -2,8 +2,10 @@ package nephele.editor.tool.extrude;
 
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.pick.Pick;
 import nephele.editor.pick.Picker;
+import nephele.editor.record.EntityRef;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.PointerDrag;
 import nephele.editor.tool.ScreenDistance;
@@ -69,6 +71,11 @@ record FaceUnderPointer(Brush brush, int index, Vec3 grabbed) {
             least = Math.min(least, ScreenDistance.toSegment(pointer, ring.get(i), next));
         }
         return least;
+    }
+
+    /** Returns the face's name in a selection. */
+    FaceRef ref() {
+        return new FaceRef(new EntityRef(Picker.SOLIDS, brush.solidId()), face().name());
     }
 
     BrushFace face() {

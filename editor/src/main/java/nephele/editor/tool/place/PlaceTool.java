@@ -85,7 +85,10 @@ public final class PlaceTool implements Tool {
                         pointer,
                         entity -> isPressed && ghost != null && ghost.ref().equals(entity))
                 .flatMap(place -> NewEntity.of(
-                        before.level(), context.document().entities(), context.options(), place.snapped(context)));
+                        before.level(),
+                        context.document().entities(),
+                        context.options(),
+                        place.snapped(context, pointer)));
     }
 
     @Override

@@ -15,6 +15,7 @@ import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.PointerDrag;
+import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
@@ -86,7 +87,7 @@ public final class SelectTool implements Tool {
     private void move(Pointer pointer) {
         Optional<Vec3> by = pointer.isHeld(Modifier.ALT) && !pointer.isPlan() ? vertical(pointer) : inPlane(pointer);
         by.ifPresent(offset -> {
-            Vec3 snapped = context.grid().snapped(offset);
+            Vec3 snapped = new SnappedMove(context, grabbed).offset(pointer, offset);
             context.document()
                     .drag(before -> before.with(EntityTransform.moved(
                             before.level(),

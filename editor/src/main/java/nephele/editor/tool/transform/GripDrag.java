@@ -6,6 +6,7 @@ import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.PointerDrag;
 import nephele.editor.tool.Snap;
+import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.WorldAxis;
 import nephele.editor.transform.EntityTransform;
@@ -28,8 +29,12 @@ record GripDrag(ToolContext context, Grip.Constraint constraint, Pointer start) 
         };
     }
 
+    private SnappedMove move() {
+        return new SnappedMove(context, constraint.origin());
+    }
+
     private Optional<Double> along(Pointer now) {
-        return between(now).map(metres -> Snap.length(context, metres));
+        return between(now).map(metres -> move().length(now, constraint.direction(), metres));
     }
 
     /** Returns the movement along the direction, in lengths of it. */
@@ -44,7 +49,7 @@ record GripDrag(ToolContext context, Grip.Constraint constraint, Pointer start) 
         WorldAxis axis = WorldAxis.nearest(normal);
         return PointerDrag.onPlane(start, constraint.origin(), normal)
                 .flatMap(from -> PointerDrag.onPlane(now, constraint.origin(), normal)
-                        .map(to -> axis.with(Snap.offset(context, to.minus(from)), 0)));
+                        .map(to -> axis.with(move().offset(now, to.minus(from)), 0)));
     }
 
     private Optional<Double> degrees(Pointer now) {

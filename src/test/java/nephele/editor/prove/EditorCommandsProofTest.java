@@ -1,0 +1,22 @@
+package nephele.editor.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+
+/** Random commands undone and redone; {@code prove editor-commands} has ten thousand. */
+@Execution(ExecutionMode.CONCURRENT)
+class EditorCommandsProofTest {
+    @Test
+    void undoingAndRedoingEverythingGivesTheSameTexts() throws Exception {
+        ProofResult result = new EditorCommandsProof().run(0, 400, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertTrue(result.value("steps undone and redone") > 100, result.toString());
+    }
+}
