@@ -67,6 +67,7 @@ final class EditCommand implements Command {
         DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
+        session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {
             return runScript(session, terminal);
         }

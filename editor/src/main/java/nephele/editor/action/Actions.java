@@ -14,7 +14,8 @@ public final class Actions {
                     BrushActions.ALL,
                     ViewActions.ALL,
                     ToolActions.ALL,
-                    PlayActions.ALL)
+                    PlayActions.ALL,
+                    ProvingActions.ALL)
             .flatMap(List::stream)
             .toList();
 

@@ -25,7 +25,10 @@ final class ToolActions {
                 Words.of("Cancel the Drag", "Cancelar o arraste", "Cancelar o arrasto"),
                 Menu.TOOL,
                 List.of("Escape"),
-                call -> call.session().tool().cancel()));
+                call -> {
+                    call.session().tool().cancel();
+                    call.session().proving().dismiss();
+                }));
         return List.copyOf(actions);
     }
 }

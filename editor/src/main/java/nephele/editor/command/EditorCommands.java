@@ -11,6 +11,7 @@ import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Desk;
 import nephele.editor.action.EditorAction;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.ProvingActions;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.ToolEntry;
 
@@ -51,7 +52,8 @@ public final class EditorCommands {
                 action.menu(),
                 action.keys(),
                 () -> action.isEnabled().test(session),
-                () -> (EditorCommand.TOOL + session.toolEntry().id()).equals(action.id()),
+                () -> (EditorCommand.TOOL + session.toolEntry().id()).equals(action.id())
+                        || ProvingActions.isOn(session, action.id()),
                 () -> run(action));
     }
 

@@ -60,6 +60,9 @@ public final class ProblemsPanel extends JPanel {
         add(new JScrollPane(list));
         add(buttons);
         session.listen(change -> {
+            if (change == Change.VIEW || change == Change.DOCUMENT) {
+                followChosen();
+            }
             if (change == Change.SETTINGS) {
                 translate();
             } else if (change != Change.STATUS && !session.document().isDragging()) {
@@ -92,6 +95,19 @@ public final class ProblemsPanel extends JPanel {
         }
         isUpdating = false;
         translate();
+        session.proving().problems().found(found);
+    }
+
+    /** Selects the problem whose place is marked, which keys choose, too. */
+    private void followChosen() {
+        LevelProblem chosen = session.proving().problems().chosen().orElse(null);
+        isUpdating = true;
+        if (chosen == null) {
+            list.clearSelection();
+        } else if (!chosen.equals(list.getSelectedValue())) {
+            list.setSelectedValue(chosen, true);
+        }
+        isUpdating = false;
     }
 
     private void translate() {

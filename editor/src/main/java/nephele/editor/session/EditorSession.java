@@ -10,6 +10,7 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pick.Grid;
 import nephele.editor.play.WarmGame;
+import nephele.editor.proving.Proving;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
@@ -32,6 +33,7 @@ public final class EditorSession {
     private final Document document;
     private final ToolOptions options = new ToolOptions();
     private final ToolContext context;
+    private final Proving proving;
     private final List<SessionListener> listeners = new ArrayList<>();
     private EditorSettings settings;
     private DocumentFile file;
@@ -52,6 +54,7 @@ public final class EditorSession {
         this.settings = settings;
         document = new Document(level);
         context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
+        proving = new Proving(new ProvedSession(this));
         document.listen((before, after) -> tell(Change.DOCUMENT));
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
@@ -64,6 +67,9 @@ public final class EditorSession {
 
     /** Tells all listeners of a change. */
     public void tell(Change change) {
+        if (change != Change.STATUS && change != Change.SETTINGS) {
+            proving.follow();
+        }
         List.copyOf(listeners).forEach(listener -> listener.changed(change));
     }
 
@@ -73,6 +79,11 @@ public final class EditorSession {
 
     public ToolContext context() {
         return context;
+    }
+
+    /** Returns the proofs about the level. */
+    public Proving proving() {
+        return proving;
     }
 
     public ToolOptions options() {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
+import nephele.editor.action.ProvingActions;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
 import nephele.editor.panel.HistoryPanel;
@@ -21,10 +22,12 @@ import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
+import nephele.editor.window.WindowDesk;
 
 /** Puts the panels around the viewport. */
 final class EditorParts {
-    private static final List<String> MAIN_ACTIONS = List.of("new", "open", "save", "undo", "redo", "play-here");
+    private static final List<String> MAIN_ACTIONS =
+            List.of("new", "open", "save", "undo", "redo", "play-here", "check", "heat", "path-trace", "explain");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
     private static final Words PROBLEMS = Words.of("Problems", "Problemas", "Problemas");
@@ -40,6 +43,9 @@ final class EditorParts {
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("", new ProblemsPanel(session, problem -> choose(session, problem)));
         bottom.addTab("", new HistoryPanel(session));
+        if (desk instanceof WindowDesk window) {
+            window.part("problems", () -> bottom.setSelectedIndex(0));
+        }
         Runnable titles = () -> {
             title(left, session, OUTLINE, PALETTE);
             title(bottom, session, PROBLEMS, HISTORY);
@@ -67,17 +73,6 @@ final class EditorParts {
     }
 
     private static void choose(EditorSession session, LevelProblem problem) {
-        if (problem.entity() != null) {
-            session.document().select(Selection.of(named(session, EntityRef.of(problem.entity()))));
-        }
-    }
-
-    /** Returns the reference with the whole path of its section: a problem names a nested one by its last word. */
-    private static EntityRef named(EditorSession session, EntityRef ref) {
-        return session.document().entities().structure().lists().stream()
-                .filter(section -> section.title().equals(ref.section()))
-                .map(section -> new EntityRef(section.path(), ref.id()))
-                .findFirst()
-                .orElse(ref);
+        ProvingActions.choose(session, problem);
     }
 }

@@ -12,6 +12,7 @@ import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.document.Document;
 import nephele.editor.play.PlayEnd;
+import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.SaveMessage;
 import nephele.editor.save.journal.Journal;
@@ -27,6 +28,7 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
 import nephele.editor.window.WindowDesk;
 import nephele.editor.window.WindowLook;
+import nephele.editor.window.proving.ProvingWindow;
 import nephele.engine.level.Language;
 
 /** The editor with a window: its journal, the waiting game, and what happens when it closes. */
@@ -57,6 +59,7 @@ public final class WindowedEditing {
             WindowLook.apply(session.settings());
             WindowDesk desk = new WindowDesk(session);
             EditorPanel panel = EditorParts.panel(session, desk, surface);
+            ProvingWindow.connect(session, desk, panel);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             openJournal();
@@ -108,6 +111,7 @@ public final class WindowedEditing {
 
     private void closed(Runnable ended) {
         game.close();
+        session.proving().close();
         if (journal != null) {
             journal.discard();
         }
@@ -152,10 +156,7 @@ public final class WindowedEditing {
 
         @Override
         public void ended(PlayEnd end) {
-            tell(
-                    end.exitReached()
-                            ? Words.of("Exit reached", "Saída alcançada", "Saída alcançada")
-                            : Words.of("Back from play", "De volta do jogo", "De volta do jogo"));
+            tell(PlayText.of(end));
         }
 
         @Override
