@@ -147,7 +147,7 @@ public final class HeatRegions {
             }
         }
         if (ends.size() == 2) {
-            marks.add(new Mark.Line(ends.get(0), ends.get(1), region.colour(), Mark.Visibility.HIDDEN_BY_SURFACES));
+            marks.add(new Mark.Stroke(ends.get(0), ends.get(1), region.colour()));
         }
     }
 }

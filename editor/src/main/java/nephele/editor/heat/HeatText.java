@@ -33,6 +33,9 @@ public enum HeatText {
             "Sem portal: algo está no portal antigo",
             "Sem portal: algo está no portal antigo");
 
+    private static final Words LEGEND_SLIDES =
+            Words.of("A portal slides to fit", "Um portal desliza para caber", "Um portal desliza para caber");
+
     private final String english;
     private final String brazilian;
     private final String european;
@@ -51,6 +54,11 @@ public enum HeatText {
     /** Returns the text in all languages; a number of metres fills its place, if it has one. */
     public Words words(double metres) {
         return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
+    }
+
+    /** Returns the text in a language for a legend, without a number. */
+    public String legend(Language language) {
+        return (this == SLIDES ? LEGEND_SLIDES : words(0)).in(language);
     }
 
     /** Returns the text in a language; a number of metres fills its place, if it has one. */

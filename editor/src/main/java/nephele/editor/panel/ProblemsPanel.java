@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.problem.HiddenProblems;
@@ -95,7 +96,10 @@ public final class ProblemsPanel extends JPanel {
         }
         isUpdating = false;
         translate();
-        session.proving().problems().found(found);
+        boolean isPresent = !work.isNew(session.document().level(), session.assets());
+        if (isPresent && SwingUtilities.getWindowAncestor(this) != null) {
+            session.proving().problems().found(found);
+        }
     }
 
     /** Selects the problem whose place is marked, which keys choose, too. */

@@ -1,5 +1,6 @@
 package nephele.editor.proving;
 
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -7,9 +8,9 @@ import nephele.editor.heat.HeatCell;
 import nephele.editor.heat.HeatMemory;
 import nephele.editor.heat.HeatRegions;
 import nephele.editor.heat.HeatSettings;
+import nephele.editor.heat.HeatText;
 import nephele.editor.heat.PlacementHeatMap;
 import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -28,7 +29,7 @@ public final class HeatOverlay {
     private AssetSource computedWith;
     private HeatMemory memory;
     private List<Mark> marks = List.of();
-    private Map<MarkColour, Integer> counts = Map.of();
+    private Map<HeatText, Integer> counts = Map.of();
     private Words told = Words.NONE;
     private Run running = new Run();
 
@@ -116,12 +117,13 @@ public final class HeatOverlay {
         }
         memory = result;
         marks = drawn;
-        Map<MarkColour, Integer> number = new EnumMap<>(MarkColour.class);
-        result.all().forEach(cell -> number.merge(cell.colour(), 1, Integer::sum));
-        counts = number;
-        subject.status(ProvingText.HEAT_DONE
-                .words()
-                .with(count(MarkColour.ALLOWED), count(MarkColour.SLIDES), count(MarkColour.REFUSED)));
+        Map<HeatText, Integer> number = new EnumMap<>(HeatText.class);
+        result.all().forEach(cell -> number.merge(cell.text(), 1, Integer::sum));
+        counts = Collections.unmodifiableMap(number);
+        int fit = number.getOrDefault(HeatText.FITS, 0);
+        int slide = number.getOrDefault(HeatText.SLIDES, 0);
+        int refused = number.values().stream().mapToInt(Integer::intValue).sum() - fit - slide;
+        subject.status(ProvingText.HEAT_DONE.words().with(fit, slide, refused));
         subject.redraw();
     }
 
@@ -135,9 +137,9 @@ public final class HeatOverlay {
         }
     }
 
-    /** Returns the number of cells with a result. */
-    public int count(MarkColour colour) {
-        return counts.getOrDefault(colour, 0);
+    /** Returns the number of cells with each result that occurs. */
+    public Map<HeatText, Integer> counts() {
+        return counts;
     }
 
     /** Returns the marks for perspective panes: the same list until the map changes. */

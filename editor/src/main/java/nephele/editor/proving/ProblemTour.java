@@ -17,7 +17,6 @@ public final class ProblemTour {
     private final ProvingSubject subject;
     private List<LevelProblem> found = List.of();
     private Level foundOf;
-    private boolean isFed;
     private LevelProblem chosen;
     private Selection chosenWith = Selection.NONE;
 
@@ -25,13 +24,8 @@ public final class ProblemTour {
         this.subject = subject;
     }
 
-    /** Takes the result of a search that another part makes after each edit; from now on none is made here. */
+    /** Takes the result of a search of the present level, as a panel makes it after each edit. */
     public void found(List<LevelProblem> problems) {
-        isFed = true;
-        keep(problems);
-    }
-
-    private void keep(List<LevelProblem> problems) {
         foundOf = subject.level();
         found = List.copyOf(problems);
         if (chosen != null) {
@@ -44,9 +38,9 @@ public final class ProblemTour {
         }
     }
 
-    /** Returns the problems that are not hidden; of a level that was not searched yet, after a search. */
+    /** Returns the problems that are not hidden; of a level whose search has no result yet, after one. */
     public List<LevelProblem> shown() {
-        if (!isFed && foundOf != subject.level()) {
+        if (foundOf != subject.level()) {
             foundOf = subject.level();
             found = ProblemSearch.of(foundOf, subject.assets());
         }

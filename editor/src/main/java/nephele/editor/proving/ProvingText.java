@@ -12,9 +12,6 @@ public enum ProvingText {
             "Portals: %s places fit, %s slide, %s refused",
             "Portais: %s lugares servem, %s deslizam, %s recusados",
             "Portais: %s lugares servem, %s deslizam, %s recusados"),
-    FITS("fits: %s", "cabe: %s", "cabe: %s"),
-    SLIDES("slides: %s", "desliza: %s", "desliza: %s"),
-    REFUSED("refused: %s", "recusado: %s", "recusado: %s"),
     TRACED(
             "Path traced: %s samples per pixel",
             "Raios traçados: %s amostras por pixel", "Raios traçados: %s amostras por píxel"),

@@ -1,9 +1,11 @@
 package nephele.editor.window.viewport;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.draw.PaneInset;
 import nephele.editor.draw.PaneInset.LegendLine;
 import nephele.editor.draw.PaneInset.Pattern;
+import nephele.editor.heat.HeatText;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.pane.PaneKind;
@@ -43,18 +45,18 @@ final class ProvingInset {
         if (!heat.isShown()) {
             return List.of();
         }
-        return List.of(
-                new LegendLine(
-                        MarkColour.ALLOWED,
-                        Pattern.PLAIN,
-                        ProvingText.FITS.in(language, heat.count(MarkColour.ALLOWED))),
-                new LegendLine(
-                        MarkColour.SLIDES,
-                        Pattern.SLANTED,
-                        ProvingText.SLIDES.in(language, heat.count(MarkColour.SLIDES))),
-                new LegendLine(
-                        MarkColour.REFUSED,
-                        Pattern.CROSSED,
-                        ProvingText.REFUSED.in(language, heat.count(MarkColour.REFUSED))));
+        List<LegendLine> lines = new ArrayList<>();
+        heat.counts().forEach((text, count) -> lines.add(line(text, count, language)));
+        return lines;
+    }
+
+    private static LegendLine line(HeatText text, int count, Language language) {
+        String words = count + "  " + text.legend(language);
+        return switch (text) {
+            case FITS -> new LegendLine(MarkColour.ALLOWED, Pattern.PLAIN, words);
+            case SLIDES -> new LegendLine(MarkColour.SLIDES, Pattern.SLANTED, words);
+            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE, NOT_PORTALABLE, OVERLAPS_OTHER, TOO_SMALL, EDGE, OCCUPIED ->
+                new LegendLine(MarkColour.REFUSED, Pattern.CROSSED, words);
+        };
     }
 }
