@@ -21,7 +21,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** A heat map follows edits: what it keeps is what a fresh map computes. */
 @Execution(ExecutionMode.CONCURRENT)
 class HeatMemoryTest {
-    private static final HeatSettings COARSE = new HeatSettings(0.5, 0, 40_000);
+    private static final HeatSettings COARSE = new HeatSettings(0.8, 0, 40_000);
 
     private static Level hall() {
         return RoomLevel.hall()
@@ -63,7 +63,7 @@ class HeatMemoryTest {
         HeatMemory memory = computed(new PlacementHeatMap(placed, COARSE));
         Random random = new Random(3);
         int kept = 0;
-        for (int i = 0; i < 12; i++) {
+        for (int i = 0; i < 6; i++) {
             placed = placed.edited(edited(placed.level(), random));
             PlacementHeatMap next = new PlacementHeatMap(placed, COARSE, memory);
             memory = computed(next);

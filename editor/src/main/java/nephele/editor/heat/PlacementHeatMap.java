@@ -121,31 +121,52 @@ public final class PlacementHeatMap {
      * @return false if cancelled
      */
     public boolean compute(BooleanSupplier isCancelled, Consumer<List<HeatCell>> part) {
-        List<HeatCell> cells = new ArrayList<>();
+        Parts parts = new Parts(part);
         int left = settings.mostCells();
         for (HeatSurface surface : surfaces) {
-            List<HeatCell> known = kept.get(surface);
-            List<HeatCell> its = known == null ? cells(surface, left, isCancelled) : known;
+            List<HeatCell> its = kept.get(surface);
+            if (its == null) {
+                its = cells(surface, left, isCancelled, parts);
+            } else {
+                its.forEach(parts::add);
+            }
             if (its == null) {
                 return false;
             }
             computed.put(surface, its);
             dealtWith++;
             left -= its.size();
-            cells.addAll(its);
+        }
+        parts.end();
+        return true;
+    }
+
+    /** Passes cells on in parts of one size. */
+    private static final class Parts {
+        private final Consumer<List<HeatCell>> part;
+        private final List<HeatCell> cells = new ArrayList<>();
+
+        Parts(Consumer<List<HeatCell>> part) {
+            this.part = part;
+        }
+
+        void add(HeatCell cell) {
+            cells.add(cell);
             if (cells.size() >= CHUNK_CELLS) {
+                end();
+            }
+        }
+
+        void end() {
+            if (!cells.isEmpty()) {
                 part.accept(List.copyOf(cells));
                 cells.clear();
             }
         }
-        if (!cells.isEmpty()) {
-            part.accept(List.copyOf(cells));
-        }
-        return true;
     }
 
     /** Returns {@code null} if cancelled. */
-    private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled) {
+    private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled, Parts parts) {
         List<HeatCell> cells = new ArrayList<>();
         Basis view = surface.view(settings.yawRadians());
         for (List<Vec3> piece : surface.portalable() ? surface.pieces(spacing) : List.of(surface.corners())) {
@@ -155,6 +176,7 @@ public final class PlacementHeatMap {
             HeatCell cell = cells.size() < most ? cell(surface, piece, view) : null;
             if (cell != null) {
                 cells.add(cell);
+                parts.add(cell);
             }
         }
         return List.copyOf(cells);
