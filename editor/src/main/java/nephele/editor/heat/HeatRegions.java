@@ -1,6 +1,7 @@
 package nephele.editor.heat;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -20,14 +21,21 @@ public final class HeatRegions {
     private static final double WIDE_METRES = 1;
     /** Lines of one direction on one area; beyond, they are farther apart. */
     private static final int MOST_LINES = 48;
+    /** Beyond, lines are farther apart, as every frame of a flight draws them all. */
+    private static final int MANY_SURFACES = 5000;
 
     private final List<Mark> marks = new ArrayList<>();
 
-    private HeatRegions() {}
+    private final double coarser;
+
+    private HeatRegions(double coarser) {
+        this.coarser = coarser;
+    }
 
     /** Returns the marks of a map, areas and lines. */
     public static List<Mark> of(HeatMemory map) {
-        HeatRegions regions = new HeatRegions();
+        double coarser = map.cells().size() > MANY_SURFACES ? 3 : 1;
+        HeatRegions regions = new HeatRegions(coarser);
         for (Map.Entry<HeatSurface, List<HeatCell>> entry : map.cells().entrySet()) {
             for (Region region : merged(entry.getKey(), entry.getValue())) {
                 regions.add(entry.getKey(), region);
@@ -83,7 +91,7 @@ public final class HeatRegions {
         all.sort(Comparator.<Vec3>comparingDouble(p -> Math.rint(right.dot(p) * 1e6))
                 .thenComparingDouble(p -> Math.rint(up.dot(p) * 1e6)));
         List<Vec3> hull = new ArrayList<>(chain(all, surface.normal()));
-        java.util.Collections.reverse(all);
+        Collections.reverse(all);
         hull.addAll(chain(all, surface.normal()));
         return hull;
     }
@@ -108,7 +116,7 @@ public final class HeatRegions {
 
     private void add(HeatSurface surface, Region region) {
         marks.add(new Mark.Polygon(region.corners(), region.colour(), Mark.Visibility.HIDDEN_BY_SURFACES));
-        double spacing = region.text() == HeatText.NOT_PORTALABLE ? WIDE_METRES : CLOSE_METRES;
+        double spacing = coarser * (region.text() == HeatText.NOT_PORTALABLE ? WIDE_METRES : CLOSE_METRES);
         if (region.text() != HeatText.FITS) {
             hatch(region, surface.axes().right().plus(surface.axes().up()).scaled(Math.sqrt(0.5)), spacing);
         }

@@ -33,8 +33,8 @@ public enum HeatText {
             "Sem portal: algo está no portal antigo",
             "Sem portal: algo está no portal antigo");
 
-    private static final Words LEGEND_SLIDES =
-            Words.of("A portal slides to fit", "Um portal desliza para caber", "Um portal desliza para caber");
+    private static final Words LEGEND_FITS = Words.of("fits", "cabe", "cabe");
+    private static final Words LEGEND_SLIDES = Words.of("slides to fit", "desliza para caber", "desliza para caber");
 
     private final String english;
     private final String brazilian;
@@ -56,9 +56,23 @@ public enum HeatText {
         return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
     }
 
-    /** Returns the text in a language for a legend, without a number. */
+    /** Returns the text in a language for a legend: without a number, and a refusal by its reason alone. */
     public String legend(Language language) {
-        return (this == SLIDES ? LEGEND_SLIDES : words(0)).in(language);
+        return switch (this) {
+            case FITS -> LEGEND_FITS.in(language);
+            case SLIDES -> LEGEND_SLIDES.in(language);
+            case NOTHING_HIT,
+                    OUT_OF_RANGE,
+                    MOVING_SURFACE,
+                    NOT_PORTALABLE,
+                    OVERLAPS_OTHER,
+                    TOO_SMALL,
+                    EDGE,
+                    OCCUPIED -> {
+                String text = words(0).in(language);
+                yield text.substring(text.indexOf(": ") + 2);
+            }
+        };
     }
 
     /** Returns the text in a language; a number of metres fills its place, if it has one. */

@@ -2,6 +2,8 @@ package nephele.editor.window.proving;
 
 import java.awt.Component;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -26,6 +28,13 @@ final class ExplanationDialog {
                         event -> dialog.dispose(),
                         KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                         JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                // Not every window system gives the focus back by itself.
+                owner.requestFocus();
+            }
+        });
         dialog.pack();
         dialog.setLocationRelativeTo(owner);
         return dialog;
