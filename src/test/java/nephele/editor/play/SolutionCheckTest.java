@@ -90,7 +90,7 @@ class SolutionCheckTest {
         assertEquals(1.4, deviation.seconds(), 0.3);
         assertEquals(-3.45, deviation.place().z(), 0.02);
         assertTrue(deviation.expected().z() < deviation.place().z() - 0.01);
-        assertTrue(PlayText.of(verdict, Language.EN).startsWith("Not solved; first astray at 1."));
+        assertTrue(PlayText.of(verdict, Language.EN).startsWith("Not solved; first astray at tick 1"));
     }
 
     @Test

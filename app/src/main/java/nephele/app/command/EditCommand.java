@@ -74,6 +74,7 @@ final class EditCommand implements Command {
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
         session.filing(Filing.of(files).with(EditCommand::importScene));
+        session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {
             return runScript(session, terminal);
         }

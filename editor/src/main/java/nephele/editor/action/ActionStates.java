@@ -48,6 +48,7 @@ public final class ActionStates {
     /** Returns true if the choice that an action makes holds now; false for an action that makes none. */
     public static boolean isChosen(String action, EditorSession session) {
         return ("tool-" + session.toolEntry().id()).equals(action)
+                || ProvingActions.isOn(session, action)
                 || VIEWS.getOrDefault(action, any -> false).test(session)
                 || OptionActions.CHOSEN.getOrDefault(action, any -> false).test(session);
     }

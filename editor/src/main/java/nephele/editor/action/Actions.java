@@ -17,6 +17,7 @@ public final class Actions {
                     OptionActions.ALL,
                     ToolActions.ALL,
                     PlayActions.ALL,
+                    ProvingActions.ALL,
                     WindowActions.ALL)
             .flatMap(List::stream)
             .toList();

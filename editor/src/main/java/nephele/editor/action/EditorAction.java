@@ -29,6 +29,7 @@ public record EditorAction(
         VIEW(Words.of("View", "Exibir", "Ver")),
         TOOL(Words.of("Tool", "Ferramenta", "Ferramenta")),
         PLAY(Words.of("Play", "Jogar", "Jogar")),
+        PROVE(Words.of("Prove", "Provar", "Provar")),
         HELP(Words.of("Help", "Ajuda", "Ajuda"));
 
         private final Words title;

@@ -28,7 +28,10 @@ final class ToolActions {
                 Words.of("Cancel the Drag", "Cancelar o arraste", "Cancelar o arrasto"),
                 Menu.TOOL,
                 List.of("Escape"),
-                call -> call.session().tool().cancel()));
+                call -> {
+                    call.session().tool().cancel();
+                    call.session().proving().dismiss();
+                }));
         actions.add(EditorAction.of(
                         "clip-keep",
                         Words.of("Clip: Keep Another Part", "Cortar: manter outra parte", "Cortar: manter outra parte"),

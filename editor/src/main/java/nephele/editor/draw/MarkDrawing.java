@@ -44,6 +44,12 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
         }
         marks.forEach(mark -> line(mark, LINE_POINTS, null));
         for (Mark mark : marks) {
+            if (mark instanceof Mark.Stroke stroke) {
+                LineColour colour = palette.of(stroke.colour());
+                lines.line(stroke.from(), stroke.to(), colour, pixelsPerPoint, LineLayer.BEHIND_SURFACES);
+            }
+        }
+        for (Mark mark : marks) {
             if (mark instanceof Mark.Handle handle) {
                 handle(handle);
             }

@@ -77,6 +77,7 @@ final class PaneDrawing implements AutoCloseable {
         if (!pane.caption().isEmpty()) {
             marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, CAPTION);
         }
+        new InsetDrawing(texts, frame.look().pixelsPerPoint()).add(pane.inset(), picture.width(), picture.height());
         drawing.draw(lines, picture);
         overlay.draw(texts, picture);
     }

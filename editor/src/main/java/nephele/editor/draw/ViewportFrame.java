@@ -28,7 +28,12 @@ public record ViewportFrame(
      * @param caption in the user's language; empty for none
      * @param marks drawn in this pane only
      */
-    public record Pane(PaneRectangle place, PaneView view, String caption, List<Mark> marks) {}
+    public record Pane(PaneRectangle place, PaneView view, String caption, List<Mark> marks, PaneInset inset) {
+        /** Makes a pane without an inset. */
+        public Pane(PaneRectangle place, PaneView view, String caption, List<Mark> marks) {
+            this(place, view, caption, marks, PaneInset.NONE);
+        }
+    }
 
     /**
      * How the viewport looks.

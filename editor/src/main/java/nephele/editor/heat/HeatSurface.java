@@ -22,6 +22,8 @@ record HeatSurface(List<Vec3> corners, boolean portalable, Basis axes) {
     /** |N.y| from which a view straight at a surface has no heading of its own. */
     private static final double LEVEL = 0.999;
 
+    private static final double ON_METRES = 0.01;
+
     private static final double LEAST_SQUARE_METRES = 1e-6;
 
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -58,6 +60,22 @@ record HeatSurface(List<Vec3> corners, boolean portalable, Basis axes) {
 
     Vec3 normal() {
         return axes.back();
+    }
+
+    /** Returns true if a point lies on the surface, within a centimetre. */
+    boolean holds(Vec3 point) {
+        Vec3 first = corners.get(0);
+        if (Math.abs(point.minus(first).dot(normal())) > ON_METRES) {
+            return false;
+        }
+        for (int i = 0; i < corners.size(); i++) {
+            Vec3 side = corners.get((i + 1) % corners.size()).minus(corners.get(i));
+            double inside = normal().cross(side).dot(point.minus(corners.get(i)));
+            if (inside < -ON_METRES * side.length()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Returns the view straight at the surface. */

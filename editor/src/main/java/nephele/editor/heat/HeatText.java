@@ -33,6 +33,9 @@ public enum HeatText {
             "Sem portal: algo está no portal antigo",
             "Sem portal: algo está no portal antigo");
 
+    private static final Words LEGEND_FITS = Words.of("fits", "cabe", "cabe");
+    private static final Words LEGEND_SLIDES = Words.of("slides to fit", "desliza para caber", "desliza para caber");
+
     private final String english;
     private final String brazilian;
     private final String european;
@@ -51,6 +54,25 @@ public enum HeatText {
     /** Returns the text in all languages; a number of metres fills its place, if it has one. */
     public Words words(double metres) {
         return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
+    }
+
+    /** Returns the text in a language for a legend: without a number, and a refusal by its reason alone. */
+    public String legend(Language language) {
+        return switch (this) {
+            case FITS -> LEGEND_FITS.in(language);
+            case SLIDES -> LEGEND_SLIDES.in(language);
+            case NOTHING_HIT,
+                    OUT_OF_RANGE,
+                    MOVING_SURFACE,
+                    NOT_PORTALABLE,
+                    OVERLAPS_OTHER,
+                    TOO_SMALL,
+                    EDGE,
+                    OCCUPIED -> {
+                String text = words(0).in(language);
+                yield text.substring(text.indexOf(": ") + 2);
+            }
+        };
     }
 
     /** Returns the text in a language; a number of metres fills its place, if it has one. */

@@ -1,7 +1,9 @@
 package nephele.editor.heat;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import nephele.editor.mark.Mark;
@@ -36,6 +38,9 @@ public final class PlacementHeatMap {
     /** Slide up to which a portal is where it was aimed. */
     private static final double AIMED_METRES = 1e-6;
 
+    /** What the engine tolerates beside the portal itself. */
+    private static final double REACH_METRES = 0.25;
+
     private static final int CHUNK_CELLS = 500;
 
     /** The greatest number of doublings of the cells' size; the remaining excess is left out. */
@@ -49,17 +54,45 @@ public final class PlacementHeatMap {
     private final Placement placement;
     private final List<Portal> fixed;
     private final double spacing;
+    private final PlacedLevel placed;
+    private final Map<HeatSurface, List<HeatCell>> kept;
+    private final Map<HeatSurface, List<HeatCell>> computed = new LinkedHashMap<>();
+    private volatile int dealtWith;
 
     /** Prepares the map of a level; the shots are made by {@link #compute}. */
     public PlacementHeatMap(PlacedLevel placed, HeatSettings settings) {
+        this(placed, settings, null);
+    }
+
+    /** @param before a map of the level before an edit, with the same settings, or {@code null} */
+    public PlacementHeatMap(PlacedLevel placed, HeatSettings settings, HeatMemory before) {
         this.settings = settings;
+        this.placed = placed;
         Level level = placed.level();
         surfaces = HeatSurface.all(placed.statics());
         solids = new BrushIndex(placed.statics());
-        Gun gun = Gun.of(level.portalGun() == null ? DEFAULT_GUN : level.portalGun());
+        PortalGun said = level.portalGun() == null ? DEFAULT_GUN : level.portalGun();
+        Gun gun = Gun.of(said);
         placement = new Placement(PlacementSurfaces.of(placed.statics()), gun);
         fixed = level.portals().stream().map(Portal::of).toList();
         spacing = spacing();
+        double reach = REACH_METRES + gun.slideMetres() + said.widthMetres() + said.heightMetres();
+        kept = before != null && before.spacingMetres() == spacing ? before.kept(placed, surfaces, reach) : Map.of();
+    }
+
+    /** Returns the map after {@link #compute}. */
+    public HeatMemory memory() {
+        return new HeatMemory(placed, spacing, computed);
+    }
+
+    /** Returns the share of the surfaces that have been dealt with, 0–1. */
+    public double done() {
+        return surfaces.isEmpty() ? 1 : (double) dealtWith / surfaces.size();
+    }
+
+    /** Returns the number of surfaces that an edit has left as they were. */
+    public int keptSurfaces() {
+        return kept.size();
     }
 
     /** Returns the side of the cells, in metres. */
@@ -88,29 +121,65 @@ public final class PlacementHeatMap {
      * @return false if cancelled
      */
     public boolean compute(BooleanSupplier isCancelled, Consumer<List<HeatCell>> part) {
-        List<HeatCell> cells = new ArrayList<>();
+        Parts parts = new Parts(part);
         int left = settings.mostCells();
         for (HeatSurface surface : surfaces) {
-            Basis view = surface.view(settings.yawRadians());
-            for (List<Vec3> piece : surface.portalable() ? surface.pieces(spacing) : List.of(surface.corners())) {
-                if (isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted()) {
-                    return false;
-                }
-                HeatCell cell = left > 0 ? cell(surface, piece, view) : null;
-                if (cell != null) {
-                    cells.add(cell);
-                    left--;
-                }
-                if (cells.size() >= CHUNK_CELLS) {
-                    part.accept(List.copyOf(cells));
-                    cells.clear();
-                }
+            List<HeatCell> its = kept.get(surface);
+            if (its == null) {
+                its = cells(surface, left, isCancelled, parts);
+            } else {
+                its.forEach(parts::add);
+            }
+            if (its == null) {
+                return false;
+            }
+            computed.put(surface, its);
+            dealtWith++;
+            left -= its.size();
+        }
+        parts.end();
+        return true;
+    }
+
+    /** Passes cells on in parts of one size. */
+    private static final class Parts {
+        private final Consumer<List<HeatCell>> part;
+        private final List<HeatCell> cells = new ArrayList<>();
+
+        Parts(Consumer<List<HeatCell>> part) {
+            this.part = part;
+        }
+
+        void add(HeatCell cell) {
+            cells.add(cell);
+            if (cells.size() >= CHUNK_CELLS) {
+                end();
             }
         }
-        if (!cells.isEmpty()) {
-            part.accept(List.copyOf(cells));
+
+        void end() {
+            if (!cells.isEmpty()) {
+                part.accept(List.copyOf(cells));
+                cells.clear();
+            }
         }
-        return true;
+    }
+
+    /** Returns {@code null} if cancelled. */
+    private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled, Parts parts) {
+        List<HeatCell> cells = new ArrayList<>();
+        Basis view = surface.view(settings.yawRadians());
+        for (List<Vec3> piece : surface.portalable() ? surface.pieces(spacing) : List.of(surface.corners())) {
+            if (isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted()) {
+                return null;
+            }
+            HeatCell cell = cells.size() < most ? cell(surface, piece, view) : null;
+            if (cell != null) {
+                cells.add(cell);
+                parts.add(cell);
+            }
+        }
+        return List.copyOf(cells);
     }
 
     /** Returns {@code null} for a cell that a solid hides. */

@@ -16,6 +16,9 @@ public sealed interface Mark {
     /** A line, one or two pixels wide. */
     record Line(Vec3 from, Vec3 to, MarkColour colour, Visibility visibility) implements Mark {}
 
+    /** A thin line of a pattern on a surface, without an outline; surfaces hide it. */
+    record Stroke(Vec3 from, Vec3 to, MarkColour colour) implements Mark {}
+
     /** A translucent convex polygon, seen from both sides; corners in order around it. */
     record Polygon(List<Vec3> corners, MarkColour colour, Visibility visibility) implements Mark {}
 

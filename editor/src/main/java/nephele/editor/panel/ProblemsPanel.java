@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
@@ -62,6 +63,9 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         add(new JScrollPane(list));
         add(buttons);
         registration = session.listen(change -> {
+            if (change == Change.VIEW || change == Change.DOCUMENT) {
+                followChosen();
+            }
             if (change == Change.SETTINGS) {
                 translate();
             } else if (change != Change.STATUS && !session.document().isDragging()) {
@@ -94,6 +98,22 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         }
         isUpdating = false;
         translate();
+        boolean isPresent = !work.isNew(session.document().level(), session.assets());
+        if (isPresent && SwingUtilities.getWindowAncestor(this) != null) {
+            session.proving().problems().found(found);
+        }
+    }
+
+    /** Selects the problem whose place is marked, which keys choose, too. */
+    private void followChosen() {
+        LevelProblem chosen = session.proving().problems().chosen().orElse(null);
+        isUpdating = true;
+        if (chosen == null) {
+            list.clearSelection();
+        } else if (!chosen.equals(list.getSelectedValue())) {
+            list.setSelectedValue(chosen, true);
+        }
+        isUpdating = false;
     }
 
     private void translate() {

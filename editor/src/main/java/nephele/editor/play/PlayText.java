@@ -1,6 +1,7 @@
 package nephele.editor.play;
 
 import java.util.Locale;
+import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 
 /** A text of play and solutions in English, Brazilian and European Portuguese. */
@@ -22,9 +23,11 @@ public enum PlayText {
             "A saída não foi alcançada: não foi gravada nenhuma solução"),
     CHECKING("Replaying the solution: %s %%", "Repetindo a solução: %s %%", "A repetir a solução: %s %%"),
     SOLVED(
-            "Solved after %s s with %s portals",
-            "Resolvido após %s s com %s portais", "Resolvido ao fim de %s s com %s portais"),
-    STRAYS_AT_FIRST("first astray at %s s: %s", "primeiro desvio aos %s s: %s", "primeiro desvio aos %s s: %s"),
+            "Solved at tick %s, after %s s with %s portals",
+            "Resolvido no tique %s, após %s s com %s portais", "Resolvido no tique %s, ao fim de %s s com %s portais"),
+    STRAYS_AT_FIRST(
+            "first astray at tick %s, %s s: %s",
+            "primeiro desvio no tique %s, aos %s s: %s", "primeiro desvio no tique %s, aos %s s: %s"),
     NOT_SOLVED("Not solved", "Não resolvido", "Não resolvido"),
     ELSEWHERE(
             "the player is %s m from the recorded place",
@@ -62,12 +65,24 @@ public enum PlayText {
     /** Returns the sentence for a verdict. */
     public static String of(SolutionVerdict verdict, Language language) {
         String result = verdict.exit()
-                .map(exit -> SOLVED.in(language, number(exit.seconds()), exit.portals()))
+                .map(exit -> SOLVED.in(language, exit.tick(), number(exit.seconds()), exit.portals()))
                 .orElse(NOT_SOLVED.in(language));
         return verdict.deviation()
-                .map(first ->
-                        result + "; " + STRAYS_AT_FIRST.in(language, number(first.seconds()), cause(first, language)))
+                .map(first -> result + "; "
+                        + STRAYS_AT_FIRST.in(language, first.tick(), number(first.seconds()), cause(first, language)))
                 .orElse(result);
+    }
+
+    /** Returns the sentence for the end of a play. */
+    public static Words of(PlayEnd end) {
+        return end.recorded() != null
+                ? RECORDED.words(end.recorded())
+                : end.exitReached() ? EXIT_REACHED.words(number(end.exitSeconds()), end.portals()) : ENDED.words();
+    }
+
+    /** Returns the text in all languages, with its values filled in. */
+    public Words words(Object... values) {
+        return Words.of(in(Language.EN, values), in(Language.PT_BR, values), in(Language.PT_PT, values));
     }
 
     private static String cause(SolutionVerdict.Deviation deviation, Language language) {

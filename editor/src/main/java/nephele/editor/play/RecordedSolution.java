@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
@@ -63,12 +64,22 @@ public final class RecordedSolution {
      * @param progress receives the completed share, 0–1, on that thread
      */
     public static Running check(Path level, Supplier<SimLevel> present, DoubleConsumer progress, Outcome outcome) {
+        return check(level, present, progress, outcome, RecordedSolution::onThread);
+    }
+
+    /** Replays a solution as the other {@code check} does, by an executor. */
+    public static Running check(
+            Path level, Supplier<SimLevel> present, DoubleConsumer progress, Outcome outcome, Executor executor) {
         var running = new Running();
-        var thread = new Thread(() -> run(running, level, present, running.until(progress), outcome), "solution");
+        executor.execute(() -> run(running, level, present, running.until(progress), outcome));
+        return running;
+    }
+
+    private static void onThread(Runnable check) {
+        var thread = new Thread(check, "solution");
         thread.setDaemon(true);
         thread.setPriority(Thread.MIN_PRIORITY);
         thread.start();
-        return running;
     }
 
     private static void run(

@@ -61,7 +61,7 @@ public final class SolutionCheck {
         }
         boolean isEnd = state.world().trace().events().stream().anyMatch(TickEvent.ExitReached.class::isInstance);
         if (isEnd) {
-            exit = Optional.of(new AtExit(seconds(state), portals));
+            exit = Optional.of(new AtExit(state.tick(), seconds(state), portals));
         }
     }
 
@@ -73,8 +73,8 @@ public final class SolutionCheck {
         boolean isRefused = !Waypoint.opened(state).containsAll(expected.opened());
         if (isElsewhere || isRefused) {
             Cause cause = isElsewhere ? Cause.ELSEWHERE : Cause.PORTAL_REFUSED;
-            deviation = Optional.of(
-                    new Deviation(cause, seconds(state), state.player().feet(), expected.feet()));
+            deviation = Optional.of(new Deviation(
+                    cause, state.tick(), seconds(state), state.player().feet(), expected.feet()));
         }
     }
 
@@ -82,7 +82,7 @@ public final class SolutionCheck {
         progress.accept(1);
         if (exit.isEmpty() && deviation.isEmpty()) {
             var feet = last.player().feet();
-            deviation = Optional.of(new Deviation(Cause.EXIT_NOT_REACHED, seconds(last), feet, feet));
+            deviation = Optional.of(new Deviation(Cause.EXIT_NOT_REACHED, last.tick(), seconds(last), feet, feet));
         }
         return new SolutionVerdict(exit, deviation);
     }

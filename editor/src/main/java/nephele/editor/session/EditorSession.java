@@ -11,6 +11,7 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pick.Grid;
 import nephele.editor.play.WarmGame;
+import nephele.editor.proving.Proving;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
@@ -33,6 +34,7 @@ public final class EditorSession {
     private final Document document;
     private final ToolOptions options = new ToolOptions();
     private final ToolContext context;
+    private final Proving proving;
     private final List<SessionListener> listeners = new ArrayList<>();
     private Filing filing = Filing.ofThisUser();
     private EditorSettings settings;
@@ -54,6 +56,7 @@ public final class EditorSession {
         this.settings = settings;
         document = new Document(level);
         context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
+        proving = new Proving(new ProvedSession(this));
         document.listen((before, after) -> tell(Change.DOCUMENT));
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
@@ -67,6 +70,9 @@ public final class EditorSession {
 
     /** Tells all listeners of a change. */
     public void tell(Change change) {
+        if (change != Change.STATUS && change != Change.SETTINGS) {
+            proving.follow();
+        }
         List.copyOf(listeners).forEach(listener -> listener.changed(change));
     }
 
@@ -76,6 +82,11 @@ public final class EditorSession {
 
     public ToolContext context() {
         return context;
+    }
+
+    /** Returns the proofs about the level. */
+    public Proving proving() {
+        return proving;
     }
 
     public ToolOptions options() {

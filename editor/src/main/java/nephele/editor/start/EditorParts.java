@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
+import nephele.editor.action.ProvingActions;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
@@ -16,7 +17,6 @@ import nephele.editor.panel.InspectorPanel;
 import nephele.editor.panel.OutlinerPanel;
 import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
-import nephele.editor.problem.LevelProblem;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
@@ -29,7 +29,8 @@ import nephele.editor.window.dialog.AssetDialog;
 
 /** Puts the panels around the viewport. */
 public final class EditorParts {
-    private static final List<String> MAIN_ACTIONS = List.of("new", "open", "save", "undo", "redo", "play-here");
+    private static final List<String> MAIN_ACTIONS =
+            List.of("new", "open", "save", "undo", "redo", "play-here", "check", "heat", "path-trace", "explain");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
     private static final Words PROBLEMS = Words.of("Problems", "Problemas", "Problemas");
@@ -51,8 +52,9 @@ public final class EditorParts {
         left.addTab("", outliner);
         left.addTab("", new PalettePanel(session));
         JTabbedPane bottom = new JTabbedPane();
-        bottom.addTab("", new ProblemsPanel(session, problem -> choose(session, problem)));
+        bottom.addTab("", new ProblemsPanel(session, problem -> ProvingActions.choose(session, problem)));
         bottom.addTab("", new HistoryPanel(session));
+        parts.accept("problems", () -> bottom.setSelectedIndex(0));
         Runnable titles = () -> {
             title(left, session, OUTLINE, PALETTE);
             title(bottom, session, PROBLEMS, HISTORY);
@@ -86,20 +88,5 @@ public final class EditorParts {
     private static void focus(EditorCommands commands, EditorSession session, EntityRef ref) {
         session.document().select(Selection.of(ref));
         commands.named("focus").ifPresent(command -> command.run());
-    }
-
-    private static void choose(EditorSession session, LevelProblem problem) {
-        if (problem.entity() != null) {
-            session.document().select(Selection.of(named(session, EntityRef.of(problem.entity()))));
-        }
-    }
-
-    /** Returns the reference with the whole path of its section: a problem names a nested one by its last word. */
-    private static EntityRef named(EditorSession session, EntityRef ref) {
-        return session.document().entities().structure().lists().stream()
-                .filter(section -> section.title().equals(ref.section()))
-                .map(section -> new EntityRef(section.path(), ref.id()))
-                .findFirst()
-                .orElse(ref);
     }
 }

@@ -10,6 +10,7 @@ import nephele.editor.action.ActionCall;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.play.PlayEnd;
+import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorSession;
@@ -23,6 +24,7 @@ import nephele.editor.window.EditorWindow;
 import nephele.editor.window.WindowDesk;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.file.WindowFiles;
+import nephele.editor.window.proving.ProvingWindow;
 
 /** The editor with a window: its journal, the waiting game, and what happens when it closes. */
 public final class WindowedEditing {
@@ -50,6 +52,7 @@ public final class WindowedEditing {
             WindowLook.apply(session.settings());
             WindowDesk desk = new WindowDesk(session);
             EditorPanel panel = EditorParts.panel(session, desk, surface, desk::part);
+            ProvingWindow.connect(session, desk, panel);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, desk, journals());
@@ -77,6 +80,7 @@ public final class WindowedEditing {
     private void closed(Runnable ended) {
         game.close();
         work.close();
+        session.proving().close();
         try {
             files.save(session.settings());
         } catch (IOException problem) {
@@ -105,10 +109,7 @@ public final class WindowedEditing {
 
         @Override
         public void ended(PlayEnd end) {
-            tell(
-                    end.exitReached()
-                            ? Words.of("Exit reached", "Saída alcançada", "Saída alcançada")
-                            : Words.of("Back from play", "De volta do jogo", "De volta do jogo"));
+            tell(PlayText.of(end));
         }
 
         @Override

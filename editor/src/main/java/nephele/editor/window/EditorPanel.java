@@ -24,6 +24,7 @@ import nephele.editor.text.Words;
 import nephele.editor.window.viewport.ViewportPanel;
 import nephele.editor.window.viewport.ViewportPanel.Told;
 import nephele.engine.level.Language;
+import nephele.engine.math.Vec3;
 
 /**
  * The whole editor as one component: menus, toolbar, viewport between slots, status bar. It needs no display if its
@@ -52,8 +53,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         this.slots = slots;
         options = new OptionBar(session, commands);
         status = new StatusBar(session);
-        viewport =
-                new ViewportPanel(session, mode, new Told(status::pointed, line -> session.status(Words.same(line))));
+        viewport = new ViewportPanel(session, mode, new Told(this::pointed, line -> session.status(Words.same(line))));
         middle = new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);
@@ -82,6 +82,11 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         both.add(top, BorderLayout.PAGE_START);
         both.add(viewport, BorderLayout.CENTER);
         return both;
+    }
+
+    private void pointed(Optional<Vec3> place) {
+        status.pointed(place);
+        session.proving().pointed(place);
     }
 
     private void follow(Change change) {

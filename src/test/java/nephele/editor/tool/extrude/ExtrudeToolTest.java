@@ -13,6 +13,7 @@ import nephele.editor.tool.EndedDrags;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.ToolScene;
 import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;

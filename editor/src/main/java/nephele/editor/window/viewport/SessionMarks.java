@@ -51,6 +51,7 @@ final class SessionMarks {
         }
         List<Mark> all = new ArrayList<>(marks);
         all.addAll(session.tool().marks());
+        all.addAll(session.proving().marks());
         return all;
     }
 

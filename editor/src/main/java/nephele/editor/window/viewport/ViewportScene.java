@@ -93,7 +93,12 @@ final class ViewportScene implements SurfacePainter {
 
     private Pane pane(PaneRectangle place) {
         PaneView view = session.panes().views().get(place.index());
-        return new Pane(place, view, PaneCaption.of(view).in(session.language()), List.of());
+        return new Pane(
+                place,
+                view,
+                PaneCaption.of(view).in(session.language()),
+                ProvingInset.marks(session, view),
+                ProvingInset.of(session, place));
     }
 
     @Override

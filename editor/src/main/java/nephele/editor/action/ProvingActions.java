@@ -1,0 +1,240 @@
+package nephele.editor.action;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.document.Selection;
+import nephele.editor.play.SolutionVerdict;
+import nephele.editor.problem.LevelProblem;
+import nephele.editor.problem.ProblemSeverity;
+import nephele.editor.proving.PixelExplanation;
+import nephele.editor.proving.Proving;
+import nephele.editor.proving.ProvingText;
+import nephele.editor.proving.SolutionProof;
+import nephele.editor.proving.TradeReport;
+import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorSession;
+import nephele.editor.text.Words;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Language;
+
+/** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
+public final class ProvingActions {
+    static final List<EditorAction> ALL = List.of(
+            EditorAction.of(
+                    "check",
+                    Words.of("Check the Level", "Verificar a fase", "Verificar o nível"),
+                    Menu.PROVE,
+                    List.of("F7"),
+                    ProvingActions::check),
+            EditorAction.of(
+                    "next-problem",
+                    Words.of("Next Problem", "Próximo problema", "Problema seguinte"),
+                    Menu.PROVE,
+                    List.of("F8"),
+                    call -> step(call.session(), 1)),
+            EditorAction.of(
+                    "previous-problem",
+                    Words.of("Previous Problem", "Problema anterior", "Problema anterior"),
+                    Menu.PROVE,
+                    List.of("Shift+F8"),
+                    call -> step(call.session(), -1)),
+            EditorAction.of(
+                            "heat",
+                            Words.of("Where Portals Fit", "Onde cabem portais", "Onde cabem portais"),
+                            Menu.PROVE,
+                            List.of("F9"),
+                            ProvingActions::heat)
+                    .taking("show"),
+            EditorAction.of(
+                    "check-solution",
+                    Words.of("Check the Solution", "Verificar a solução", "Verificar a solução"),
+                    Menu.PROVE,
+                    List.of("Shift+F6"),
+                    ProvingActions::checkSolution),
+            EditorAction.of(
+                            "path-trace",
+                            Words.of(
+                                    "Path-Traced Picture",
+                                    "Imagem por traçado de raios",
+                                    "Imagem por traçado de raios"),
+                            Menu.PROVE,
+                            List.of("F11"),
+                            ProvingActions::pathTrace)
+                    .taking("show", "spp"),
+            EditorAction.of(
+                            "explain",
+                            Words.of("Explain the Pixel…", "Explicar o pixel…", "Explicar o píxel…"),
+                            Menu.PROVE,
+                            List.of("Ctrl+E"),
+                            ProvingActions::explain)
+                    .taking("file", "at"),
+            EditorAction.of(
+                            "trade",
+                            Words.of(
+                                    "Speed against Accuracy…",
+                                    "Velocidade contra precisão…",
+                                    "Velocidade contra precisão…"),
+                            Menu.PROVE,
+                            List.of(),
+                            ProvingActions::trade)
+                    .taking("out"));
+
+    private ProvingActions() {}
+
+    /** Returns true for an action whose effect is shown now, such as the heat map. */
+    public static boolean isOn(EditorSession session, String action) {
+        Proving proving = session.proving();
+        return action.equals("heat") && proving.heat().isShown()
+                || action.equals("path-trace") && proving.corner().isShown()
+                || action.equals("trade") && proving.trade().isRunning();
+    }
+
+    /** Selects the entity of a problem, and shows its place. */
+    public static void choose(EditorSession session, LevelProblem problem) {
+        Selection selection = problem.entity() == null
+                ? Selection.NONE
+                : Selection.of(named(session, EntityRef.of(problem.entity())));
+        session.document().select(selection);
+        session.proving().problems().choose(problem);
+    }
+
+    /** Returns the reference with the whole path of its section: a problem names a nested one by its last word. */
+    private static EntityRef named(EditorSession session, EntityRef ref) {
+        return session.document().entities().structure().lists().stream()
+                .filter(section -> section.title().equals(ref.section()))
+                .map(section -> new EntityRef(section.path(), ref.id()))
+                .findFirst()
+                .orElse(ref);
+    }
+
+    private static void step(EditorSession session, int steps) {
+        Optional<LevelProblem> problem = session.proving().problems().step(steps);
+        problem.ifPresentOrElse(found -> choose(session, found), () -> session.status(ProvingText.NO_PROBLEMS.words()));
+    }
+
+    /** A script fails at the first error of the level. */
+    private static void check(ActionCall call) throws ActionFailure {
+        List<LevelProblem> problems = call.session().proving().problems().shown();
+        Words words = problems.isEmpty()
+                ? ProvingText.NO_PROBLEMS.words()
+                : ProvingText.PROBLEMS
+                        .words()
+                        .with(
+                                count(problems, ProblemSeverity.ERROR),
+                                count(problems, ProblemSeverity.WARNING),
+                                count(problems, ProblemSeverity.HINT));
+        call.session().status(words);
+        call.desk().show("problems");
+        Optional<LevelProblem> error = problems.stream()
+                .filter(problem -> problem.severity() == ProblemSeverity.ERROR)
+                .findFirst();
+        if (error.isPresent()) {
+            throw new ActionFailure(told(words, error.get()));
+        }
+    }
+
+    private static long count(List<LevelProblem> problems, ProblemSeverity severity) {
+        return problems.stream()
+                .filter(problem -> problem.severity() == severity)
+                .count();
+    }
+
+    private static Words told(Words count, LevelProblem first) {
+        String at = "  –  " + first.path() + ": ";
+        return Words.of(
+                count.english() + at + first.message(Language.EN),
+                count.brazilian() + at + first.message(Language.PT_BR),
+                count.european() + at + first.message(Language.PT_PT));
+    }
+
+    private static boolean shown(ActionCall call, boolean now) {
+        return call.text("show").map(Boolean::parseBoolean).orElse(!now);
+    }
+
+    private static void heat(ActionCall call) {
+        var heat = call.session().proving().heat();
+        heat.show(shown(call, heat.isShown()));
+    }
+
+    private static void pathTrace(ActionCall call) throws ActionFailure {
+        var corner = call.session().proving().corner();
+        boolean shown = shown(call, corner.isShown());
+        if (call.text("spp").isPresent()) {
+            corner.show(shown, (int) Math.max(1, call.number("spp", 1)));
+        } else {
+            corner.show(shown);
+        }
+    }
+
+    private static Path file(ActionCall call, ProvingText because) throws ActionFailure {
+        Words reason = because.words();
+        Words said = ProvingText.UNSAVED.words();
+        return call.session()
+                .file()
+                .path()
+                .orElseThrow(() -> new ActionFailure(Words.of(
+                        String.format(said.english(), reason.english()),
+                        String.format(said.brazilian(), reason.brazilian()),
+                        String.format(said.european(), reason.european()))));
+    }
+
+    /** A script fails if the solution does not reach the exit. */
+    private static void checkSolution(ActionCall call) throws ActionFailure {
+        SolutionProof solution = call.session().proving().solution();
+        solution.check(file(call, ProvingText.NEEDS_SOLUTION));
+        Optional<String> failure = solution.failure();
+        Optional<SolutionVerdict> verdict = solution.verdict();
+        if (failure.isPresent()) {
+            throw new ActionFailure(Words.same(failure.get()));
+        }
+        if (verdict.isPresent() && !verdict.get().isSolved()) {
+            throw new ActionFailure(SolutionProof.told(verdict.get()));
+        }
+    }
+
+    private static void explain(ActionCall call) throws ActionFailure {
+        Proving proving = call.session().proving();
+        if (call.text("at").isPresent()) {
+            proving.pointed(Optional.of(call.vector("at")));
+        }
+        if (call.text("file").isEmpty()) {
+            call.desk().show("explanation");
+            return;
+        }
+        List<String> failures = new ArrayList<>();
+        Path file = Path.of(call.needed("file"));
+        proving.explain(found -> written(file, found).ifPresent(failures::add));
+        if (!failures.isEmpty()) {
+            throw new ActionFailure(Words.same(failures.get(0)));
+        }
+    }
+
+    /** Returns the failure, if any. */
+    private static Optional<String> written(Path file, PixelExplanation explanation) {
+        try {
+            AtomicFile.write(file, (explanation.text() + "\n").getBytes(StandardCharsets.UTF_8));
+            return Optional.empty();
+        } catch (IOException problem) {
+            return Optional.of(file + ": " + AtomicFile.reason(problem));
+        }
+    }
+
+    private static void trade(ActionCall call) throws ActionFailure {
+        TradeReport trade = call.session().proving().trade();
+        if (trade.isRunning()) {
+            trade.stop();
+            return;
+        }
+        Path level = file(call, ProvingText.NEEDS_FILE);
+        Path out = call.text("out").map(Path::of).orElse(TradeReport.folder(level));
+        trade.start(level, out, () -> call.desk().show("trade-page"));
+        if (trade.page().isEmpty() && !trade.isRunning()) {
+            throw new ActionFailure(call.session().status());
+        }
+    }
+}

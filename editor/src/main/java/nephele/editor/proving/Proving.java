@@ -1,0 +1,115 @@
+package nephele.editor.proving;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import nephele.editor.mark.Mark;
+import nephele.engine.math.Vec3;
+
+/** The proofs of a session and what the viewport shows of them. Used by the session's thread. */
+public final class Proving {
+    private final ProblemTour problems;
+    private final HeatOverlay heat;
+    private final SolutionProof solution;
+    private final TracedCorner corner;
+    private final TradeReport trade;
+    private final ProvingSubject subject;
+    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private Vec3 pointed;
+
+    /** Creates the proofs, with nothing shown; they run at once until {@link #runOn}. */
+    public Proving(ProvingSubject subject) {
+        this.subject = subject;
+        problems = new ProblemTour(subject);
+        heat = new HeatOverlay(subject);
+        solution = new SolutionProof(subject);
+        corner = new TracedCorner(subject);
+        trade = new TradeReport(subject);
+    }
+
+    /** Sets the threads of all further proofs. */
+    public void runOn(ProvingThreads others) {
+        threads = others;
+        heat.runOn(others);
+        solution.runOn(others);
+        corner.runOn(others);
+        trade.runOn(others);
+    }
+
+    public ProblemTour problems() {
+        return problems;
+    }
+
+    public HeatOverlay heat() {
+        return heat;
+    }
+
+    public SolutionProof solution() {
+        return solution;
+    }
+
+    public TracedCorner corner() {
+        return corner;
+    }
+
+    public TradeReport trade() {
+        return trade;
+    }
+
+    /** Follows a change of level, selection, panes or files. */
+    public void follow() {
+        problems.follow();
+        solution.follow();
+        heat.follow();
+        corner.follow();
+    }
+
+    /** Takes away the marks of the chosen problem and of the solution. */
+    public void dismiss() {
+        problems.dismiss();
+        solution.dismiss();
+    }
+
+    /** Ends everything that runs. */
+    public void close() {
+        heat.show(false);
+        corner.show(false);
+        trade.stop();
+    }
+
+    /** Returns the marks for all panes. */
+    public List<Mark> marks() {
+        List<Mark> marks = new ArrayList<>(problems.marks());
+        marks.addAll(solution.marks());
+        return marks;
+    }
+
+    /** Notes the place under the pointer, and tells what the heat map says about it. */
+    public void pointed(Optional<Vec3> place) {
+        place.ifPresent(at -> {
+            pointed = at;
+            heat.pointed(at);
+        });
+    }
+
+    /** Returns the place that was under the pointer last; empty if there was none. */
+    public Optional<Vec3> pointed() {
+        return Optional.ofNullable(pointed);
+    }
+
+    /**
+     * Explains the pixel of the perspective pane under the pointer, or else its middle.
+     *
+     * @param told receives the explanation on the session's thread
+     */
+    public void explain(Consumer<PixelExplanation> told) {
+        PaneEye eye = PaneEye.of(subject);
+        PixelExplanation.Asked asked = new PixelExplanation.Asked(
+                subject.level(), subject.assets(), subject.language(), eye, eye.pixel(pointed));
+        threads.work().execute(() -> {
+            PixelExplanation found = PixelExplanation.of(asked);
+            threads.session().execute(() -> told.accept(found));
+        });
+    }
+}

@@ -1,0 +1,150 @@
+package nephele.editor.proving;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.mark.MarkOutline;
+import nephele.editor.play.PlayText;
+import nephele.editor.play.RecordedSolution;
+import nephele.editor.play.RecordedSolution.Outcome;
+import nephele.editor.play.SolutionVerdict;
+import nephele.editor.play.SolutionVerdict.Deviation;
+import nephele.editor.text.Words;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Language;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.SimLevel;
+
+/** The check of the level's recorded solution, and the mark where it first goes astray. */
+public final class SolutionProof {
+    private static final Vec3 BODY = new Vec3(0.6, 1.8, 0.6);
+
+    private final ProvingSubject subject;
+    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private RecordedSolution.Running running;
+    private SolutionVerdict verdict;
+    private String failure;
+    private Level checked;
+    private List<Mark> marks = List.of();
+
+    SolutionProof(ProvingSubject subject) {
+        this.subject = subject;
+    }
+
+    void runOn(ProvingThreads other) {
+        threads = other;
+    }
+
+    /** Replays the solution beside a level's file in the level as it is now; a check in progress ends. */
+    public void check(Path file) {
+        if (running != null) {
+            running.cancel();
+        }
+        verdict = null;
+        failure = null;
+        marks = List.of();
+        checked = subject.level();
+        AssetSource assets = subject.assets();
+        Level level = checked;
+        Supplier<SimLevel> present = () -> SimLevel.of(PlacedLevel.of(level, assets));
+        running = RecordedSolution.check(
+                file,
+                () -> usable(present),
+                share -> onSession(level, () -> subject.status(PlayText.CHECKING.words(Math.round(100 * share)))),
+                new Outcome(
+                        result -> onSession(level, () -> checked(result)),
+                        message -> onSession(level, () -> failed(message))),
+                threads.work());
+    }
+
+    private static SimLevel usable(Supplier<SimLevel> present) {
+        try {
+            return present.get();
+        } catch (AssetException | IllegalArgumentException unusable) {
+            throw nephele.engine.terminal.CommandFailure.input(unusable.getMessage());
+        }
+    }
+
+    private void onSession(Level level, Runnable told) {
+        threads.session().execute(() -> {
+            if (checked == level) {
+                told.run();
+            }
+        });
+    }
+
+    private void checked(SolutionVerdict result) {
+        verdict = result;
+        marks = result.deviation().map(SolutionProof::marks).orElse(List.of());
+        subject.status(told(result));
+        ProblemSight.of(subject, marks).ifPresent(subject::panes);
+        subject.redraw();
+    }
+
+    /** Returns the sentence for a verdict. */
+    public static Words told(SolutionVerdict verdict) {
+        return Words.of(
+                PlayText.of(verdict, Language.EN),
+                PlayText.of(verdict, Language.PT_BR),
+                PlayText.of(verdict, Language.PT_PT));
+    }
+
+    private void failed(String message) {
+        failure = message;
+        subject.status(Words.same(message));
+    }
+
+    private static List<Mark> marks(Deviation first) {
+        List<Mark> marks = new ArrayList<>(body(first.place(), MarkColour.PROBLEM));
+        if (!first.expected().equals(first.place())) {
+            marks.addAll(body(first.expected(), MarkColour.ALLOWED));
+            marks.add(new Mark.Line(first.expected(), first.place(), MarkColour.PROBLEM, Mark.Visibility.ALWAYS));
+        }
+        return List.copyOf(marks);
+    }
+
+    private static List<Mark> body(Vec3 feet, MarkColour colour) {
+        return MarkOutline.box(
+                Aabb.around(feet.addScaled(BODY.y() / 2, new Vec3(0, 1, 0)), BODY), colour, Mark.Visibility.ALWAYS);
+    }
+
+    /** Returns the result of the last check; empty before its end. */
+    public Optional<SolutionVerdict> verdict() {
+        return Optional.ofNullable(verdict);
+    }
+
+    /** Returns why the last check was not possible; empty if it was. */
+    public Optional<String> failure() {
+        return Optional.ofNullable(failure);
+    }
+
+    /** A verdict is about the level that was checked: an edit takes its marks away and ends a check in progress. */
+    void follow() {
+        if (checked != null && subject.level() != checked) {
+            if (running != null) {
+                running.cancel();
+            }
+            checked = null;
+            dismiss();
+        }
+    }
+
+    void dismiss() {
+        if (!marks.isEmpty()) {
+            marks = List.of();
+            subject.redraw();
+        }
+    }
+
+    List<Mark> marks() {
+        return marks;
+    }
+}

@@ -1,0 +1,182 @@
+package nephele.editor.proving;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import nephele.editor.text.Words;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
+import nephele.engine.level.Level;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.reference.ReferencePicture;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedLevel;
+
+/**
+ * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
+ * level, coarse at first, and becomes finer by itself.
+ */
+public final class TracedCorner {
+    /** Samples per pixel after which the picture is finished. */
+    private static final int ENOUGH_SAMPLES = 1024;
+
+    private static final double SHARE_OF_PANE = 0.38;
+    private static final int WIDEST_PIXELS = 400;
+    private static final int MOST_SAMPLES_AT_ONCE = 16;
+    private static final int PREVIEW_DIVISOR = 4;
+
+    private final ProvingSubject subject;
+    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private boolean isShown;
+    private int enough = ENOUGH_SAMPLES;
+    private Wanted wanted;
+    private Run running;
+    private Traced traced;
+    /** The last level prepared for tracing; camera movements use it again. */
+    private volatile Prepared prepared;
+
+    /** The inputs of the picture. */
+    private record Wanted(Level level, AssetSource assets, PaneEye eye) {
+        boolean isSame(Wanted other) {
+            return other != null && level == other.level && assets == other.assets && eye.equals(other.eye);
+        }
+    }
+
+    private record Prepared(Level level, AssetSource assets, TracedLevel traced) {}
+
+    /**
+     * The picture as far as it is.
+     *
+     * @param samples per pixel; 0 for the coarse picture at the beginning
+     */
+    public record Traced(Picture picture, int samples) {}
+
+    private static final class Run {
+        private volatile boolean isCancelled;
+
+        void requireWanted() {
+            if (isCancelled) {
+                throw new CancellationException("the camera or the level has changed");
+            }
+        }
+    }
+
+    TracedCorner(ProvingSubject subject) {
+        this.subject = subject;
+    }
+
+    void runOn(ProvingThreads other) {
+        threads = other;
+    }
+
+    public boolean isShown() {
+        return isShown;
+    }
+
+    /** Shows the picture or takes it away. */
+    public void show(boolean shown) {
+        show(shown, ENOUGH_SAMPLES);
+    }
+
+    /** Shows the picture up to a number of samples per pixel, or takes it away. */
+    public void show(boolean shown, int samples) {
+        isShown = shown;
+        enough = samples;
+        wanted = null;
+        traced = null;
+        if (running != null) {
+            running.isCancelled = true;
+        }
+        if (isShown) {
+            follow();
+        }
+        subject.redraw();
+    }
+
+    /** Returns the picture; empty while there is none. */
+    public Optional<Traced> traced() {
+        return isShown ? Optional.ofNullable(traced) : Optional.empty();
+    }
+
+    /** Returns the picture if it belongs to a pane. */
+    public Optional<Traced> traced(int pane) {
+        return PaneEye.of(subject).pane() == pane ? traced() : Optional.empty();
+    }
+
+    void follow() {
+        if (!isShown || !subject.isSettled()) {
+            return;
+        }
+        Wanted next = new Wanted(subject.level(), subject.assets(), PaneEye.of(subject));
+        if (next.isSame(wanted)) {
+            return;
+        }
+        wanted = next;
+        if (running != null) {
+            running.isCancelled = true;
+        }
+        Run run = new Run();
+        running = run;
+        int most = enough;
+        threads.work().execute(() -> trace(run, next, most));
+    }
+
+    private void trace(Run run, Wanted what, int most) {
+        try {
+            TracedLevel level = prepared(what);
+            run.requireWanted();
+            int width = (int) Math.min(
+                    WIDEST_PIXELS, Math.max(16, SHARE_OF_PANE * what.eye.size().width()));
+            int height = (int) Math.max(9, Math.round(width / what.eye.size().aspect()));
+            TraceProgress sum = new TraceProgress(width, height);
+            float[] coarse = rays(
+                    run, level, what, new TraceSettings(width / PREVIEW_DIVISOR, height / PREVIEW_DIVISOR, 1, 1, 1));
+            show(run, new Traced(TraceProgress.picture(coarse, width / PREVIEW_DIVISOR, what.level), 0));
+            while (sum.samples() < most) {
+                int samples =
+                        Math.min(Math.min(MOST_SAMPLES_AT_ONCE, Math.max(1, sum.samples())), most - sum.samples());
+                sum.add(
+                        rays(run, level, what, new TraceSettings(width, height, samples, sum.samples() + 1, 1)),
+                        samples);
+                show(run, new Traced(sum.picture(what.level), sum.samples()));
+            }
+        } catch (CancellationException cancelled) {
+            return;
+        } catch (AssetException | IllegalArgumentException unusable) {
+            threads.session().execute(() -> subject.status(Words.same(unusable.getMessage())));
+        }
+    }
+
+    private TracedLevel prepared(Wanted what) {
+        Prepared known = prepared;
+        if (known == null || known.level != what.level || known.assets != what.assets) {
+            PlacedLevel placed = PlacedLevel.of(what.level, what.assets);
+            known = new Prepared(what.level, what.assets, TracedLevel.of(placed, ColourDecoding.SRGB));
+            prepared = known;
+        }
+        return known.traced;
+    }
+
+    /** Traces on one thread, and gives way to everything else. */
+    private static float[] rays(Run run, TracedLevel level, Wanted what, TraceSettings settings) {
+        try {
+            return ReferencePicture.trace(level, what.eye.pinhole(), settings, share -> {
+                Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
+                run.requireWanted();
+            });
+        } catch (IllegalStateException stopped) {
+            run.requireWanted();
+            throw stopped;
+        }
+    }
+
+    private void show(Run run, Traced next) {
+        threads.session().execute(() -> {
+            if (run == running && !run.isCancelled) {
+                traced = next;
+                subject.redraw();
+            }
+        });
+    }
+}
