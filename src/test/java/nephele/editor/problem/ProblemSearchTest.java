@@ -14,7 +14,6 @@ import java.util.Optional;
 import nephele.editor.mark.Mark;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
@@ -138,7 +137,7 @@ class ProblemSearchTest {
         for (int i = 0; i < fixes; i++) {
             ProblemFix fix = problems(level).get(0).fixes().get(i);
             Level repaired = problems(level).get(0).fixes().get(i).change().apply(level);
-            assertEquals(List.of(), keys(repaired), fix.label(Language.EN));
+            assertEquals(List.of(), keys(repaired), fix.label().english());
             assertSame(repaired, fix.change().apply(repaired), "what it repairs is gone");
         }
     }
@@ -298,14 +297,5 @@ class ProblemSearchTest {
                 found.stream()
                         .filter(each -> each.severity() != ProblemSeverity.HINT)
                         .toList());
-    }
-
-    @Test
-    void textsAreInThreeLanguages() {
-        for (ProblemText text : ProblemText.values()) {
-            for (Language language : Language.values()) {
-                assertFalse(text.in(language, "x").isBlank());
-            }
-        }
     }
 }

@@ -12,14 +12,12 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.save.Backups;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.DocumentSaver;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.userfile.UserFolders;
 
@@ -118,7 +116,7 @@ final class FileActions {
         } else {
             SaveResult result = saver().save(session.file(), session.document().level());
             if (result instanceof SaveResult.ChangedOutside changed) {
-                if (call.desk().isAgreed(words(changed.question()))) {
+                if (call.desk().isAgreed(changed.question())) {
                     finish(
                             session,
                             saver().saveAs(
@@ -149,18 +147,14 @@ final class FileActions {
 
     private static void finish(EditorSession session, SaveResult result) throws ActionFailure {
         if (result instanceof SaveResult.Failed failed) {
-            throw new ActionFailure(words(failed.message()));
+            throw new ActionFailure(failed.message());
         } else if (result instanceof SaveResult.Saved saved) {
             session.saved(saved.file());
             session.status(
                     saved.notices().isEmpty()
                             ? SAVED.with(saved.file().path().orElseThrow())
-                            : words(saved.notices().get(0)));
+                            : saved.notices().get(0));
         }
-    }
-
-    private static Words words(SaveMessage message) {
-        return Words.of(message.in(Language.EN), message.in(Language.PT_BR), message.in(Language.PT_PT));
     }
 
     private static void screenshot(ActionCall call) throws ActionFailure {

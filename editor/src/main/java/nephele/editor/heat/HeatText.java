@@ -1,12 +1,12 @@
 package nephele.editor.heat;
 
 import java.util.Locale;
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 import nephele.engine.portal.placement.Refusal;
 
 /** A text of the heat map in English, Brazilian and European Portuguese. */
-public enum HeatText {
+public enum HeatText implements Text {
     FITS("A portal fits here", "Um portal cabe aqui", "Um portal cabe aqui"),
     SLIDES("A portal slides %s m to fit", "Um portal desliza %s m para caber", "Um portal desliza %s m para caber"),
     NOTHING_HIT("No portal: nothing is there", "Sem portal: não há nada ali", "Sem portal: não há nada ali"),
@@ -33,14 +33,15 @@ public enum HeatText {
             "Sem portal: algo está no portal antigo",
             "Sem portal: algo está no portal antigo");
 
-    private final String english;
-    private final String brazilian;
-    private final String european;
+    private final Words words;
 
     HeatText(String english, String brazilian, String european) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.european = european;
+        words = Words.of(english, brazilian, european);
+    }
+
+    @Override
+    public Words words() {
+        return words;
     }
 
     /** Returns the text for a refusal. */
@@ -50,13 +51,8 @@ public enum HeatText {
 
     /** Returns the text in all languages; a number of metres fills its place, if it has one. */
     public Words words(double metres) {
-        return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
-    }
-
-    /** Returns the text in a language; a number of metres fills its place, if it has one. */
-    String in(Language language, double metres) {
-        String text = language == Language.EN ? english : language == Language.PT_BR ? brazilian : european;
         String number = String.format(Locale.ROOT, "%.2f", metres);
-        return String.format(Locale.ROOT, text, language == Language.EN ? number : number.replace('.', ','));
+        String withComma = number.replace('.', ',');
+        return words.with(Words.of(number, withComma, withComma));
     }
 }

@@ -21,7 +21,7 @@ final class ProblemCell extends DefaultListCellRenderer {
         super.getListCellRendererComponent(list, "", index, isSelected, hasFocus);
         LevelProblem problem = (LevelProblem) value;
         String place = problem.entity() == null ? problem.path() : problem.entity();
-        setText(problem.message(session.language()) + "  –  " + place);
+        setText(problem.message().in(session.language()) + "  –  " + place);
         setToolTipText(getText());
         PanelText severity =
                 switch (problem.severity()) {

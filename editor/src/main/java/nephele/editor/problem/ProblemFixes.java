@@ -36,7 +36,7 @@ final class ProblemFixes {
         if (problem.path().startsWith("player") && topic == Topic.ENTITY_IN_SOLID) {
             return moveStart();
         } else if (problem.path().startsWith("environment.sky") && topic == Topic.MISSING_ASSET) {
-            return List.of(new ProblemFix(ProblemText.REMOVE_FILE, "", this::withoutSky));
+            return List.of(new ProblemFix(ProblemText.REMOVE_FILE.words(), this::withoutSky));
         } else if (place.isEmpty() || !(place.get().entity(level) instanceof Record)) {
             return List.of();
         }
@@ -77,7 +77,7 @@ final class ProblemFixes {
 
     private ProblemFix replace(ProblemText text, EntityPath place, Object other) {
         Object known = place.entity(level);
-        return new ProblemFix(text, place.id(level), now -> place.replaced(now, known, other));
+        return new ProblemFix(text.with(place.id(level)), now -> place.replaced(now, known, other));
     }
 
     private ProblemFix rename(EntityPath place) {
@@ -94,7 +94,7 @@ final class ProblemFixes {
         Record record = (Record) place.entity(level);
         Record renamed = RecordMembers.with(record, "id", name);
         // Duplicates may be one object, so that only the place tells them apart.
-        return new ProblemFix(ProblemText.RENAME, name, now -> renamedLast(place, now, record, renamed));
+        return new ProblemFix(ProblemText.RENAME.with(name), now -> renamedLast(place, now, record, renamed));
     }
 
     private static Level renamedLast(EntityPath place, Level now, Record record, Record renamed) {
@@ -111,7 +111,7 @@ final class ProblemFixes {
         RecordMembers.collectReferences(entity, "materials", missing);
         missing.removeAll(known);
         ProblemFix create = new ProblemFix(
-                ProblemText.CREATE_MATERIAL, String.join(", ", missing), now -> withMaterials(now, missing));
+                ProblemText.CREATE_MATERIAL.with(String.join(", ", missing)), now -> withMaterials(now, missing));
         return List.of(
                 create,
                 replace(
@@ -146,7 +146,7 @@ final class ProblemFixes {
         for (String path : paths(problem)) {
             EntityPath.of(level, path).ifPresent(place -> changes.add(now -> refusing(now, place)));
         }
-        return new ProblemFix(ProblemText.TAKE_NO_PORTALS, "", now -> {
+        return new ProblemFix(ProblemText.TAKE_NO_PORTALS.words(), now -> {
             Level changed = now;
             for (UnaryOperator<Level> change : changes) {
                 changed = change.apply(changed);
@@ -182,8 +182,8 @@ final class ProblemFixes {
             if (to.isPresent() && material != null && to.get().entity(level) instanceof Solid solid) {
                 EntityPath place = to.get();
                 Solid changed = FaceEdit.withMaterial(solid, place.rest(), material);
-                fixes.add(
-                        new ProblemFix(ProblemText.ONE_MATERIAL, material, now -> place.replaced(now, solid, changed)));
+                fixes.add(new ProblemFix(
+                        ProblemText.ONE_MATERIAL.with(material), now -> place.replaced(now, solid, changed)));
             }
         }
         return fixes;
@@ -202,7 +202,7 @@ final class ProblemFixes {
         if (box == null || statics == null) {
             return List.of(delete(place));
         }
-        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, entity)
+        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, entity)
                 .nearest(box)
                 .map(way -> place.replaced(now, entity, EntityBox.moved(entity, way)))
                 .orElse(now));
@@ -214,7 +214,7 @@ final class ProblemFixes {
         if (statics == null) {
             return List.of();
         }
-        return List.of(new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, start)
+        return List.of(new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, start)
                 .nearest(EntityBox.of(start))
                 .filter(way -> now.player() == start)
                 .map(way -> RecordMembers.with(now, "player", EntityBox.moved(start, way)))

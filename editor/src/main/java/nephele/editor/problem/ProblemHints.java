@@ -19,11 +19,11 @@ final class ProblemHints {
     static List<LevelProblem> of(Level level, StaticShapes statics) {
         List<LevelProblem> hints = new ArrayList<>();
         if (level.player() == null) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_START, "", now -> withStart(now, statics));
+            ProblemFix fix = new ProblemFix(ProblemText.ADD_START.words(), now -> withStart(now, statics));
             hints.add(hint("player", ProblemText.NO_START, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         if (level.exits().isEmpty()) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_EXIT, "", now -> withExit(now, statics));
+            ProblemFix fix = new ProblemFix(ProblemText.ADD_EXIT.words(), now -> withExit(now, statics));
             hints.add(hint("exits", ProblemText.NO_EXIT, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         boolean hasOutside =
@@ -40,8 +40,7 @@ final class ProblemHints {
                 ProblemKey.word(text) + " " + path,
                 ProblemSeverity.HINT,
                 path,
-                null,
-                text,
+                text.words(),
                 ProblemMarks.line(line),
                 line.isEmpty() ? null : "player",
                 fixes);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -147,8 +148,7 @@ public final class ProblemSearch {
                 ProblemKey.of(level, problem),
                 problem.isError() ? ProblemSeverity.ERROR : ProblemSeverity.WARNING,
                 problem.path(),
-                problem.message(),
-                null,
+                Words.same(problem.message()),
                 ProblemMarks.of(level, problem),
                 entity,
                 fixes.of(problem));

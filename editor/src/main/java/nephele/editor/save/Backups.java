@@ -13,6 +13,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 
 /**
@@ -48,7 +49,7 @@ public final class Backups {
      *
      * @return a notice if that failed
      */
-    Optional<SaveMessage> keep(Path file) {
+    Optional<Words> keep(Path file) {
         if (!Files.isRegularFile(file)) {
             return Optional.empty();
         }
@@ -62,7 +63,7 @@ public final class Backups {
             }
             return Optional.empty();
         } catch (IOException problem) {
-            return Optional.of(SaveMessage.of(SaveText.NO_BACKUP, own, AtomicFile.reason(problem)));
+            return Optional.of(SaveText.NO_BACKUP.with(own, AtomicFile.reason(problem)));
         }
     }
 

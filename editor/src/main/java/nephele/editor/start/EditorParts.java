@@ -12,6 +12,7 @@ import nephele.editor.panel.InspectorPanel;
 import nephele.editor.panel.OutlinerPanel;
 import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
+import nephele.editor.panel.model.PanelText;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -27,8 +28,6 @@ final class EditorParts {
     private static final List<String> MAIN_ACTIONS = List.of("new", "open", "save", "undo", "redo", "play-here");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
-    private static final Words PROBLEMS = Words.of("Problems", "Problemas", "Problemas");
-    private static final Words HISTORY = Words.of("History", "Histórico", "Histórico");
 
     private EditorParts() {}
 
@@ -42,7 +41,7 @@ final class EditorParts {
         bottom.addTab("", new HistoryPanel(session));
         Runnable titles = () -> {
             title(left, session, OUTLINE, PALETTE);
-            title(bottom, session, PROBLEMS, HISTORY);
+            title(bottom, session, PanelText.PROBLEMS.words(), PanelText.HISTORY.words());
         };
         titles.run();
         session.listen(change -> {

@@ -12,8 +12,8 @@ import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.document.Document;
 import nephele.editor.play.PlayEnd;
+import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.journal.Journal;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.save.journal.JournalListener;
@@ -27,7 +27,6 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
 import nephele.editor.window.WindowDesk;
 import nephele.editor.window.WindowLook;
-import nephele.engine.level.Language;
 
 /** The editor with a window: its journal, the waiting game, and what happens when it closes. */
 public final class WindowedEditing {
@@ -81,7 +80,7 @@ public final class WindowedEditing {
     private void record(Document document) {
         if (journal != null && !document.isDragging() && document.isModified()) {
             Words label = document.history().undoLabel().orElse(Words.NONE);
-            journal.record(label.in(Language.EN), document.level());
+            journal.record(label.english(), document.level());
         }
     }
 
@@ -122,8 +121,8 @@ public final class WindowedEditing {
     /** Tells of a journal that cannot be written; the work itself is not in danger yet. */
     private final class JournalTrouble implements JournalListener {
         @Override
-        public void failed(SaveMessage message) {
-            tell(Words.of(message.in(Language.EN), message.in(Language.PT_BR), message.in(Language.PT_PT)));
+        public void failed(Words message) {
+            tell(message);
         }
 
         @Override
@@ -141,21 +140,17 @@ public final class WindowedEditing {
 
         @Override
         public void playing(long millis) {
-            tell(Words.of("Playing; Esc returns", "Jogando; Esc volta", "A jogar; Esc volta"));
+            tell(PlayText.PLAYING.words());
         }
 
         @Override
         public void baking(int percent) {
-            tell(Words.of("Baking light: %s %%", "Calculando a luz: %s %%", "A calcular a luz: %s %%")
-                    .with(percent));
+            tell(PlayText.BAKING.with(percent));
         }
 
         @Override
         public void ended(PlayEnd end) {
-            tell(
-                    end.exitReached()
-                            ? Words.of("Exit reached", "Saída alcançada", "Saída alcançada")
-                            : Words.of("Back from play", "De volta do jogo", "De volta do jogo"));
+            tell(PlayText.of(end));
         }
 
         @Override
