@@ -4,12 +4,10 @@ import java.util.List;
 import java.util.Set;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
-import nephele.editor.document.Snapshot;
 import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.engine.level.Level;
 
 /** The steps that the outliner makes. */
 record OutlinerEdits(EditorSession session) {
@@ -41,8 +39,7 @@ record OutlinerEdits(EditorSession session) {
 
     void delete(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document().edit(PanelText.DELETE_MANY.with(named(refs)), level ->
-                    (Level) document().entities().without(level, refs));
+            document().edit(PanelText.DELETE_MANY.with(named(refs)), null, now -> now.without(refs));
         }
     }
 
@@ -55,13 +52,7 @@ record OutlinerEdits(EditorSession session) {
             session.status(PanelText.ID_TAKEN.with(id));
             return;
         }
-        document()
-                .edit(
-                        PanelText.RENAME_TO.with(id),
-                        null,
-                        now -> new Snapshot(
-                                (Level) document().entities().renamed(now.level(), ref, id),
-                                now.selection().renamed(ref, renamed)));
+        document().edit(PanelText.RENAME_TO.with(id), null, now -> now.renamed(ref, id));
     }
 
     /** Selects what refers to an entity, and says how much it is. */

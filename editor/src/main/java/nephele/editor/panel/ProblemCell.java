@@ -20,7 +20,8 @@ final class ProblemCell extends DefaultListCellRenderer {
             JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
         super.getListCellRendererComponent(list, "", index, isSelected, hasFocus);
         LevelProblem problem = (LevelProblem) value;
-        String place = problem.entity() == null ? problem.path() : problem.entity();
+        String place =
+                problem.entity() == null ? problem.path() : problem.entity().text();
         setText(problem.message().in(session.language()) + "  –  " + place);
         setToolTipText(getText());
         PanelText severity =

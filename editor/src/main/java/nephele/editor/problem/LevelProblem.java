@@ -2,6 +2,7 @@ package nephele.editor.problem;
 
 import java.util.List;
 import nephele.editor.mark.Mark;
+import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 
 /**
@@ -12,7 +13,7 @@ import nephele.editor.text.Words;
  * @param path JSON path
  * @param message what is wrong and what to do; a rule's message is English in all languages
  * @param marks its place in the world; may be empty
- * @param entity {@code section/id} of what it is about, {@code player} for the start, or {@code null}
+ * @param entity what it is about, or {@code null}
  * @param fixes the best first
  */
 public record LevelProblem(
@@ -21,7 +22,7 @@ public record LevelProblem(
         String path,
         Words message,
         List<Mark> marks,
-        String entity,
+        EntityRef entity,
         List<ProblemFix> fixes) {
     public LevelProblem {
         marks = List.copyOf(marks);

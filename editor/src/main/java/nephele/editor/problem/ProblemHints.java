@@ -2,6 +2,8 @@ package nephele.editor.problem;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
@@ -42,7 +44,7 @@ final class ProblemHints {
                 path,
                 text.words(),
                 ProblemMarks.line(line),
-                line.isEmpty() ? null : "player",
+                line.isEmpty() ? null : EntityRef.single("player"),
                 fixes);
     }
 
@@ -50,7 +52,7 @@ final class ProblemHints {
         Vec3 feet = new Floors(now, statics).middle();
         return now.player() != null
                 ? now
-                : RecordMembers.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
+                : RecordKind.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
     }
 
     private static Level withExit(Level now, StaticShapes statics) {

@@ -14,7 +14,7 @@ final class ProblemKey {
 
     static String of(Level level, Problem problem) {
         String place = EntityPath.of(level, problem.path())
-                .map(path -> path.reference(level) + path.rest())
+                .map(path -> path.reference(level).text() + path.rest())
                 .orElse(problem.path());
         return word(problem.subject().topic()) + " " + place;
     }

@@ -67,16 +67,7 @@ final class EditorParts {
 
     private static void choose(EditorSession session, LevelProblem problem) {
         if (problem.entity() != null) {
-            session.document().select(Selection.of(named(session, EntityRef.of(problem.entity()))));
+            session.document().select(Selection.of(problem.entity()));
         }
-    }
-
-    /** Returns the reference with the whole path of its section: a problem names a nested one by its last word. */
-    private static EntityRef named(EditorSession session, EntityRef ref) {
-        return session.document().entities().structure().lists().stream()
-                .filter(section -> section.title().equals(ref.section()))
-                .map(section -> new EntityRef(section.path(), ref.id()))
-                .findFirst()
-                .orElse(ref);
     }
 }
