@@ -3,8 +3,8 @@ package nephele.editor.panel;
 import java.util.List;
 import java.util.Set;
 import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
-import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -21,19 +21,13 @@ record OutlinerEdits(EditorSession session) {
 
     void toggleHidden(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document()
-                    .edit(
-                            PanelText.SHOW_OR_HIDE.with(named(refs)),
-                            level -> level.with(EntityStatus.hiddenToggled(level.editor(), refs)));
+            document().edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> Notes.hiddenToggled(level, refs));
         }
     }
 
     void toggleLocked(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document()
-                    .edit(
-                            PanelText.LOCK_OR_UNLOCK.with(named(refs)),
-                            level -> level.with(EntityStatus.lockedToggled(level.editor(), refs)));
+            document().edit(PanelText.LOCK_OR_UNLOCK.with(named(refs)), level -> Notes.lockedToggled(level, refs));
         }
     }
 

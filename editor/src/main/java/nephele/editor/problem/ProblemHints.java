@@ -7,6 +7,7 @@ import nephele.editor.record.RecordKind;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
@@ -39,7 +40,7 @@ final class ProblemHints {
 
     private static LevelProblem hint(String path, ProblemText text, List<Vec3> line, List<ProblemFix> fixes) {
         return new LevelProblem(
-                ProblemKey.word(text) + " " + path,
+                WordFormats.Choice.word(text) + " " + path,
                 ProblemSeverity.HINT,
                 path,
                 text.words(),
