@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import nephele.engine.level.BoxFace;
-import nephele.engine.level.Language;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
 import nephele.engine.level.TextureMapping;
@@ -19,7 +18,6 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 @Execution(ExecutionMode.CONCURRENT)
@@ -95,13 +93,5 @@ class BrushCheckTest {
         Solid.Planes open = (Solid.Planes) slab(1);
         Solid without = PlaneForm.with(open, "o", open.planes().subList(0, 5));
         assertTrue(BrushCheck.reason(without).orElseThrow().contains("enclose no volume"));
-    }
-
-    @ParameterizedTest
-    @EnumSource(Language.class)
-    void everyReasonIsSaidInEveryLanguage(Language language) {
-        for (BrushText text : BrushText.values()) {
-            assertFalse(text.in(language).isBlank());
-        }
     }
 }

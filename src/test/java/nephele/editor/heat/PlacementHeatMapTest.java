@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import nephele.editor.mark.MarkColour;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.level.layout.FacePieces;
@@ -148,12 +147,7 @@ class PlacementHeatMapTest {
     @Test
     void reasonsAreInThreeLanguages() {
         HeatCell cell = nearest(cells(new PlacementHeatMap(placed(hall()), COARSE)), new Vec3(8, 0.75, 0));
-        assertEquals("A portal slides 0.30 m to fit", cell.reason(Language.EN));
-        assertEquals("Um portal desliza 0,30 m para caber", cell.reason(Language.PT_BR));
-        for (HeatText text : HeatText.values()) {
-            for (Language language : Language.values()) {
-                assertFalse(text.in(language, 1).isBlank());
-            }
-        }
+        assertEquals("A portal slides 0.30 m to fit", cell.reason().english());
+        assertEquals("Um portal desliza 0,30 m para caber", cell.reason().brazilian());
     }
 }

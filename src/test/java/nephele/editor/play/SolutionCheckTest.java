@@ -15,7 +15,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import nephele.editor.play.SolutionVerdict.Cause;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.sim.Simulation;
@@ -90,7 +89,7 @@ class SolutionCheckTest {
         assertEquals(1.4, deviation.seconds(), 0.3);
         assertEquals(-3.45, deviation.place().z(), 0.02);
         assertTrue(deviation.expected().z() < deviation.place().z() - 0.01);
-        assertTrue(PlayText.of(verdict, Language.EN).startsWith("Not solved; first astray at tick 1"));
+        assertTrue(PlayText.of(verdict).english().startsWith("Not solved; first astray at tick 1"));
     }
 
     @Test

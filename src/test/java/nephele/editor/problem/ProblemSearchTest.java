@@ -11,10 +11,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.document.Notes;
 import nephele.editor.mark.Mark;
+import nephele.editor.record.EntityRef;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
@@ -131,16 +132,28 @@ class ProblemSearchTest {
     void eachFixRemovesItsProblemAndMakesNoOther(String kind, String key, String entity, int fixes) {
         LevelProblem problem = only(solids(kind), sections(kind));
         assertEquals(key, problem.key());
-        assertEquals(entity, problem.entity());
+        assertEquals(EntityRef.of(entity), problem.entity());
         assertEquals(fixes, problem.fixes().size());
         assertTrue(kind.equals("volume") || !problem.marks().isEmpty(), "its place is shown");
         Level level = level(solids(kind), sections(kind) + EXIT);
         for (int i = 0; i < fixes; i++) {
             ProblemFix fix = problems(level).get(0).fixes().get(i);
             Level repaired = problems(level).get(0).fixes().get(i).change().apply(level);
-            assertEquals(List.of(), keys(repaired), fix.label(Language.EN));
+            assertEquals(List.of(), keys(repaired), fix.label().english());
             assertSame(repaired, fix.change().apply(repaired), "what it repairs is gone");
         }
+    }
+
+    @Test
+    void aDeletedEntityLeavesTheNotes() {
+        EntityRef crate = EntityRef.of("solids/crate");
+        List<EntityRef> two = List.of(crate, EntityRef.of("solids/floor"));
+        Level plain = level(solids("inside"), START + EXIT);
+        Level noted = Notes.grouped(Notes.locked(Notes.hidden(plain, two), two), "g", two);
+        Level repaired = problems(noted).get(0).fixes().get(0).change().apply(noted);
+        assertEquals(List.of("solids/floor"), repaired.editor().hidden());
+        assertEquals(List.of("solids/floor"), repaired.editor().locked());
+        assertEquals(List.of(), repaired.editor().groups());
     }
 
     @Test
@@ -206,9 +219,9 @@ class ProblemSearchTest {
                         + ", \"environment\": {\"clouds\": [{\"id\": \"c\", \"kind\": \"volume\", \"centre\": [0, 99,"
                         + " 0], \"size\": [9, 9, 9], \"density\": {\"kind\": \"grid\", \"file\": \"c.vol\"},"
                         + " \"extinctionPerMetre\": 1, \"albedo\": 1, \"phaseG\": 0}]}");
-        assertEquals(List.of("missing-asset clouds/c.density.file"), keys(cloudy));
+        assertEquals(List.of("missing-asset environment.clouds/c.density.file"), keys(cloudy));
         LevelProblem problem = problems(cloudy).get(0);
-        assertEquals("clouds/c", problem.entity());
+        assertEquals(EntityRef.of("environment.clouds/c"), problem.entity());
         assertEquals(List.of(), keys(problem.fixes().get(0).change().apply(cloudy)));
     }
 
@@ -298,14 +311,5 @@ class ProblemSearchTest {
                 found.stream()
                         .filter(each -> each.severity() != ProblemSeverity.HINT)
                         .toList());
-    }
-
-    @Test
-    void textsAreInThreeLanguages() {
-        for (ProblemText text : ProblemText.values()) {
-            for (Language language : Language.values()) {
-                assertFalse(text.in(language, "x").isBlank());
-            }
-        }
     }
 }

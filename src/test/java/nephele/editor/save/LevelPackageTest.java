@@ -140,7 +140,7 @@ class LevelPackageTest {
         Files.writeString(there.resolve("mine.txt"), "mine");
         Path zip = zip("room.json", LEVEL);
         var told = assertThrows(PackageException.class, () -> LevelPackage.extract(zip, there));
-        assertEquals(SaveText.PACKAGE_TARGET, told.told().text());
+        assertEquals(SaveText.PACKAGE_TARGET.with(there), told.told());
         assertEquals("mine", Files.readString(there.resolve("mine.txt")));
     }
 

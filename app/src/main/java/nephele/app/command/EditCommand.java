@@ -102,9 +102,7 @@ final class EditCommand implements Command {
     }
 
     private SurfaceMode surface(EditorSettings settings) {
-        return viewport != null
-                ? viewport
-                : SurfaceMode.valueOf(settings.get(EditorSetting.VIEWPORT).name());
+        return viewport != null ? viewport : settings.get(EditorSetting.VIEWPORT);
     }
 
     private ExitCode runScript(EditorSession session, Terminal terminal) {

@@ -24,7 +24,6 @@ import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
@@ -120,8 +119,7 @@ final class BrushActions {
     private static <T> T done(BrushEdit<T> edit) throws ActionFailure {
         Optional<BrushText> refusal = edit.refusal();
         if (refusal.isPresent()) {
-            BrushText why = refusal.get();
-            throw new ActionFailure(Words.of(why.in(Language.EN), why.in(Language.PT_BR), why.in(Language.PT_PT)));
+            throw new ActionFailure(refusal.get().words());
         }
         return edit.result().orElseThrow();
     }

@@ -5,13 +5,10 @@ import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Clip;
 import nephele.editor.document.Document;
-import nephele.editor.document.Notes;
-import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
-import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.math.Vec3;
 
@@ -114,12 +111,7 @@ final class EditActions {
     private static void delete(ActionCall call, Words label) {
         Document document = call.session().document();
         List<EntityRef> refs = new ArrayList<>(document.selection().entities());
-        document.edit(
-                label,
-                null,
-                before -> new Snapshot(
-                        Notes.without((Level) document.entities().without(before.level(), refs), refs),
-                        Selection.NONE));
+        document.edit(label, null, before -> before.without(refs));
     }
 
     private static void rename(ActionCall call) throws ActionFailure {
@@ -140,10 +132,6 @@ final class EditActions {
         if (document.entities().find(document.level(), after).isPresent()) {
             throw new ActionFailure(TAKEN.with(after.id()));
         }
-        document.edit(RENAME, null, snapshot -> {
-            Level renamed = (Level) document.entities().renamed(snapshot.level(), before, after.id());
-            return new Snapshot(
-                    Notes.renamed(renamed, before, after), snapshot.selection().renamed(before, after));
-        });
+        document.edit(RENAME, null, snapshot -> snapshot.renamed(before, after.id()));
     }
 }

@@ -6,6 +6,7 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.panel.model.FieldType;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
@@ -169,7 +170,7 @@ final class EntityActions {
             Optional<RecordField> field = RecordKind.of(entity).field(name).filter(EntityActions::isSettable);
             if (field.isPresent()) {
                 isKnown = true;
-                if (FieldText.read(field.get(), text).isEmpty()) {
+                if (FieldType.of(field.get()).read(text).isEmpty()) {
                     throw new ActionFailure(NOT_PERMITTED.with(text, name));
                 }
             }
@@ -179,8 +180,8 @@ final class EntityActions {
         }
         change(call, SET, entity -> RecordKind.of(entity)
                 .field(name)
-                .flatMap(field -> FieldText.read(field, text)
-                        .map(value -> RecordKind.of(entity).with(entity, field, value)))
+                .flatMap(field -> FieldType.of(field).read(text).map(value -> RecordKind.of(entity)
+                        .with(entity, field, value)))
                 .orElse(entity));
     }
 

@@ -10,7 +10,6 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.BackupList;
 import nephele.editor.file.DroppedFile;
 import nephele.editor.file.FileText;
-import nephele.editor.file.SessionJournal;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.LevelPackage;
 import nephele.editor.save.PackageException;
@@ -74,7 +73,7 @@ final class ExchangeActions {
         try {
             LevelPackage.export(asked.get(), name, session.document().level(), session.assets());
         } catch (PackageException problem) {
-            throw new ActionFailure(SessionJournal.words(problem.told()));
+            throw new ActionFailure(problem.told());
         }
         session.status(FileText.EXPORTED.with(asked.get()));
     }

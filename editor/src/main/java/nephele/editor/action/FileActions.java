@@ -12,11 +12,9 @@ import javax.imageio.ImageIO;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.file.FileText;
 import nephele.editor.file.LevelOpening;
-import nephele.editor.file.SessionJournal;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.DocumentSaver;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
@@ -121,7 +119,7 @@ final class FileActions {
             SaveResult result = saver.save(session.file(), session.document().level());
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
-                if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(words(changed.question()))) {
+                if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
                     return;
                 }
                 result = saver.saveAs(path, session.document().level());
@@ -148,7 +146,7 @@ final class FileActions {
     private static void finish(ActionCall call, SaveResult result) throws ActionFailure {
         EditorSession session = call.session();
         if (result instanceof SaveResult.Failed failed) {
-            Words reason = words(failed.message());
+            Words reason = failed.message();
             if (!call.desk().isRemedied(reason, FileText.SAVE_AS.words())) {
                 throw new ActionFailure(reason);
             }
@@ -159,12 +157,8 @@ final class FileActions {
             session.status(
                     saved.notices().isEmpty()
                             ? SAVED.with(saved.file().path().orElseThrow())
-                            : words(saved.notices().get(0)));
+                            : saved.notices().get(0));
         }
-    }
-
-    private static Words words(SaveMessage message) {
-        return SessionJournal.words(message);
     }
 
     private static void screenshot(ActionCall call) throws ActionFailure {

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.play.PlayText;
 import nephele.editor.play.RecordedSolution;
 import nephele.editor.play.WarmGame;
 import nephele.editor.session.EditorSession;
@@ -17,7 +18,6 @@ final class PlayActions {
             "save the level first: its solution is kept beside it",
             "salve a fase antes: a solução fica ao lado dela",
             "guarda primeiro o nível: a solução fica ao lado dele");
-    private static final Words STARTING = Words.of("Starting the game", "Iniciando o jogo", "A iniciar o jogo");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
@@ -53,7 +53,7 @@ final class PlayActions {
     }
 
     private static void play(EditorSession session, PlayerStart from, Path record) {
-        session.status(STARTING);
+        session.status(PlayText.STARTING.words());
         Path file = session.file().path().orElse(Path.of("untitled.json"));
         session.play(new WarmGame.Request(session.document().level(), file, from, null, record));
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Selection;
+import nephele.editor.play.PlayText;
 import nephele.editor.play.SolutionVerdict;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSeverity;
@@ -16,11 +17,9 @@ import nephele.editor.proving.Proving;
 import nephele.editor.proving.ProvingText;
 import nephele.editor.proving.SolutionProof;
 import nephele.editor.proving.TradeReport;
-import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.level.Language;
 
 /** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
 public final class ProvingActions {
@@ -96,20 +95,9 @@ public final class ProvingActions {
 
     /** Selects the entity of a problem, and shows its place. */
     public static void choose(EditorSession session, LevelProblem problem) {
-        Selection selection = problem.entity() == null
-                ? Selection.NONE
-                : Selection.of(named(session, EntityRef.of(problem.entity())));
+        Selection selection = problem.entity() == null ? Selection.NONE : Selection.of(problem.entity());
         session.document().select(selection);
         session.proving().problems().choose(problem);
-    }
-
-    /** Returns the reference with the whole path of its section: a problem names a nested one by its last word. */
-    private static EntityRef named(EditorSession session, EntityRef ref) {
-        return session.document().entities().structure().lists().stream()
-                .filter(section -> section.title().equals(ref.section()))
-                .map(section -> new EntityRef(section.path(), ref.id()))
-                .findFirst()
-                .orElse(ref);
     }
 
     private static void step(EditorSession session, int steps) {
@@ -145,11 +133,7 @@ public final class ProvingActions {
     }
 
     private static Words told(Words count, LevelProblem first) {
-        String at = "  –  " + first.path() + ": ";
-        return Words.of(
-                count.english() + at + first.message(Language.EN),
-                count.brazilian() + at + first.message(Language.PT_BR),
-                count.european() + at + first.message(Language.PT_PT));
+        return Words.same("%s  –  %s: %s").with(count, first.path(), first.message());
     }
 
     private static boolean shown(ActionCall call, boolean now) {
@@ -193,7 +177,7 @@ public final class ProvingActions {
             throw new ActionFailure(Words.same(failure.get()));
         }
         if (verdict.isPresent() && !verdict.get().isSolved()) {
-            throw new ActionFailure(SolutionProof.told(verdict.get()));
+            throw new ActionFailure(PlayText.of(verdict.get()));
         }
     }
 

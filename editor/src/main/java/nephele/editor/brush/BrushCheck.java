@@ -2,7 +2,6 @@ package nephele.editor.brush;
 
 import java.util.Optional;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Language;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
@@ -34,7 +33,7 @@ public final class BrushCheck {
                 return Optional.of(told.getMessage());
             }
         }
-        return refusal.map(why -> why.in(Language.EN));
+        return refusal.map(why -> why.words().english());
     }
 
     /** Returns why a solid is degenerate; empty for a valid one. */

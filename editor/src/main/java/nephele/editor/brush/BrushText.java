@@ -1,10 +1,10 @@
 package nephele.editor.brush;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A reason for refusing an edit of brushes, in English, Brazilian and European Portuguese. */
-public enum BrushText {
+public enum BrushText implements Text {
     NOTHING_LEFT("Nothing would be left of the brush", "Não sobraria nada do bloco", "Não sobrava nada do bloco"),
     TOO_THIN(
             "The brush would be thinner than 0.1 mm",
@@ -44,27 +44,14 @@ public enum BrushText {
             "Estes números da forma não cabem na caixa",
             "Estes números da forma não cabem na caixa");
 
-    private final String english;
-    private final String brazilian;
-    private final String portuguese;
+    private final Words words;
 
-    BrushText(String english, String brazilian, String portuguese) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.portuguese = portuguese;
+    BrushText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text in a language. */
-    public String in(Language language) {
-        return switch (language) {
-            case EN -> english;
-            case PT_BR -> brazilian;
-            case PT_PT -> portuguese;
-        };
-    }
-
-    /** Returns the text in all languages, for the status bar. */
+    @Override
     public Words words() {
-        return Words.of(english, brazilian, portuguese);
+        return words;
     }
 }

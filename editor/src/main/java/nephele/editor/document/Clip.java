@@ -122,7 +122,8 @@ public final class Clip {
         Record result = entity;
         for (Map.Entry<String, Map<String, String>> section : newIds.entrySet()) {
             if (!section.getKey().equals(MATERIALS)) {
-                result = Entities.withReferences(result, section.getKey(), section.getValue());
+                result = Entities.withReferences(
+                        result, section.getKey(), id -> section.getValue().getOrDefault(id, id));
             }
         }
         return result;

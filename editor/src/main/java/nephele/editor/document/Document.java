@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 
@@ -22,7 +21,7 @@ public final class Document {
         void changed(Snapshot before, Snapshot after);
     }
 
-    private final Entities entities = new Entities(LevelStructure.LEVEL);
+    private final Entities entities = Entities.LEVEL;
     private final List<Listener> listeners = new ArrayList<>();
     private History history;
     /** The state that a drag shows and has not made a step yet; {@code null} without a drag. */

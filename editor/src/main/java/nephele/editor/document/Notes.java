@@ -18,32 +18,32 @@ public final class Notes {
 
     /** Returns the level with entities hidden. */
     public static Level hidden(Level level, Collection<EntityRef> refs) {
-        EditorNotes notes = level.editor();
-        return level.with(
-                new EditorNotes(notes.groups(), plus(notes.hidden(), refs), notes.locked(), notes.ignoredProblems()));
+        return withHidden(level, plus(level.editor().hidden(), refs));
+    }
+
+    /** Returns the level with entities hidden, or all of them shown if they were hidden. */
+    public static Level hiddenToggled(Level level, Collection<EntityRef> refs) {
+        return withHidden(level, toggled(level.editor().hidden(), refs));
     }
 
     /** Returns the level with entities locked. */
     public static Level locked(Level level, Collection<EntityRef> refs) {
-        EditorNotes notes = level.editor();
-        return level.with(
-                new EditorNotes(notes.groups(), notes.hidden(), plus(notes.locked(), refs), notes.ignoredProblems()));
+        return withLocked(level, plus(level.editor().locked(), refs));
+    }
+
+    /** Returns the level with entities locked, or all of them unlocked if they were locked. */
+    public static Level lockedToggled(Level level, Collection<EntityRef> refs) {
+        return withLocked(level, toggled(level.editor().locked(), refs));
     }
 
     /** Returns the level with nothing hidden. */
     public static Level allShown(Level level) {
-        EditorNotes notes = level.editor();
-        return notes.hidden().isEmpty()
-                ? level
-                : level.with(new EditorNotes(notes.groups(), List.of(), notes.locked(), notes.ignoredProblems()));
+        return level.editor().hidden().isEmpty() ? level : withHidden(level, List.of());
     }
 
     /** Returns the level with nothing locked. */
     public static Level allUnlocked(Level level) {
-        EditorNotes notes = level.editor();
-        return notes.locked().isEmpty()
-                ? level
-                : level.with(new EditorNotes(notes.groups(), notes.hidden(), List.of(), notes.ignoredProblems()));
+        return level.editor().locked().isEmpty() ? level : withLocked(level, List.of());
     }
 
     /** Returns the level with a new group of entities, which leave their former groups. */
@@ -109,6 +109,23 @@ public final class Notes {
         EditorNotes notes = level.editor();
         return level.with(
                 new EditorNotes(List.copyOf(groups), notes.hidden(), notes.locked(), notes.ignoredProblems()));
+    }
+
+    private static Level withHidden(Level level, List<String> hidden) {
+        EditorNotes notes = level.editor();
+        return level.with(new EditorNotes(notes.groups(), hidden, notes.locked(), notes.ignoredProblems()));
+    }
+
+    private static Level withLocked(Level level, List<String> locked) {
+        EditorNotes notes = level.editor();
+        return level.with(new EditorNotes(notes.groups(), notes.hidden(), locked, notes.ignoredProblems()));
+    }
+
+    private static List<String> toggled(List<String> names, Collection<EntityRef> refs) {
+        List<String> meant = refs.stream().map(EntityRef::text).toList();
+        return names.containsAll(meant)
+                ? names.stream().filter(name -> !meant.contains(name)).toList()
+                : plus(names, refs);
     }
 
     private static List<String> plus(List<String> names, Collection<EntityRef> refs) {

@@ -32,7 +32,7 @@ public final class LevelOpening {
         } catch (LevelFormatException noLevel) {
             throw new FileRefusal(Words.same(noLevel.getMessage()));
         } catch (PackageException noPackage) {
-            throw new FileRefusal(SessionJournal.words(noPackage.told()));
+            throw new FileRefusal(noPackage.told());
         }
     }
 

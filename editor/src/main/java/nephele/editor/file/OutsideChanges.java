@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import nephele.editor.document.Document;
 import nephele.editor.save.DocumentFile;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.asset.LevelAssets;
@@ -135,8 +134,7 @@ public final class OutsideChanges {
 
     private void keepMine(Path path) {
         byte[] mine = LevelJson.write(session.document().level()).getBytes(StandardCharsets.UTF_8);
-        Optional<SaveMessage> notice = session.filing().backups().keep(path, mine);
-        notice.map(SessionJournal::words).ifPresent(session::status);
+        session.filing().backups().keep(path, mine).ifPresent(session::status);
     }
 
     private void load(Level theirs, DocumentFile file) {

@@ -6,7 +6,6 @@ import java.util.function.Consumer;
 import nephele.editor.document.Document;
 import nephele.editor.document.History;
 import nephele.editor.document.Registration;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.journal.Journal;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.save.journal.JournalListener;
@@ -15,7 +14,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
 import nephele.engine.asset.LevelAssets;
-import nephele.engine.level.Language;
 
 /** Records a session's edits in a journal, and takes up work that another session has lost. */
 public final class SessionJournal implements AutoCloseable {
@@ -37,14 +35,9 @@ public final class SessionJournal implements AutoCloseable {
     public SessionJournal(EditorSession session, JournalFolder journals, Consumer<Words> trouble) {
         this.session = session;
         this.journals = journals;
-        listener = message -> trouble.accept(words(message));
+        listener = message -> trouble.accept(message);
         begin();
         registrations = List.of(session.document().listen((before, after) -> record()), session.listen(this::follow));
-    }
-
-    /** Returns a message of the packages that save in the editor's languages. */
-    public static Words words(SaveMessage message) {
-        return Words.of(message.in(Language.EN), message.in(Language.PT_BR), message.in(Language.PT_PT));
     }
 
     private void begin() {

@@ -2,7 +2,7 @@ package nephele.editor.heat;
 
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
-import nephele.engine.level.Language;
+import nephele.editor.text.Words;
 import nephele.engine.math.Vec3;
 
 /**
@@ -15,8 +15,8 @@ import nephele.engine.math.Vec3;
  */
 public record HeatCell(Mark.Polygon mark, Vec3 aim, HeatText text, double slideMetres) {
     /** Returns the result in words, for the status line. */
-    public String reason(Language language) {
-        return text.in(language, slideMetres);
+    public Words reason() {
+        return text.words(slideMetres);
     }
 
     /** Returns the result as a colour. */

@@ -1,12 +1,12 @@
 package nephele.editor.heat;
 
 import java.util.Locale;
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 import nephele.engine.portal.placement.Refusal;
 
 /** A text of the heat map in English, Brazilian and European Portuguese. */
-public enum HeatText {
+public enum HeatText implements Text {
     FITS("A portal fits here", "Um portal cabe aqui", "Um portal cabe aqui"),
     SLIDES("A portal slides %s m to fit", "Um portal desliza %s m para caber", "Um portal desliza %s m para caber"),
     NOTHING_HIT("No portal: nothing is there", "Sem portal: não há nada ali", "Sem portal: não há nada ali"),
@@ -36,14 +36,15 @@ public enum HeatText {
     private static final Words LEGEND_FITS = Words.of("fits", "cabe", "cabe");
     private static final Words LEGEND_SLIDES = Words.of("slides to fit", "desliza para caber", "desliza para caber");
 
-    private final String english;
-    private final String brazilian;
-    private final String european;
+    private final Words words;
 
     HeatText(String english, String brazilian, String european) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.european = european;
+        words = Words.of(english, brazilian, european);
+    }
+
+    @Override
+    public Words words() {
+        return words;
     }
 
     /** Returns the text for a refusal. */
@@ -53,32 +54,21 @@ public enum HeatText {
 
     /** Returns the text in all languages; a number of metres fills its place, if it has one. */
     public Words words(double metres) {
-        return Words.of(in(Language.EN, metres), in(Language.PT_BR, metres), in(Language.PT_PT, metres));
+        String number = String.format(Locale.ROOT, "%.2f", metres);
+        String withComma = number.replace('.', ',');
+        return words.with(Words.of(number, withComma, withComma));
     }
 
-    /** Returns the text in a language for a legend: without a number, and a refusal by its reason alone. */
-    public String legend(Language language) {
+    /** Returns the text for a legend: without a number, and a refusal by its reason alone. */
+    public Words legend() {
         return switch (this) {
-            case FITS -> LEGEND_FITS.in(language);
-            case SLIDES -> LEGEND_SLIDES.in(language);
-            case NOTHING_HIT,
-                    OUT_OF_RANGE,
-                    MOVING_SURFACE,
-                    NOT_PORTALABLE,
-                    OVERLAPS_OTHER,
-                    TOO_SMALL,
-                    EDGE,
-                    OCCUPIED -> {
-                String text = words(0).in(language);
-                yield text.substring(text.indexOf(": ") + 2);
-            }
+            case FITS -> LEGEND_FITS;
+            case SLIDES -> LEGEND_SLIDES;
+            default -> Words.of(reason(words.english()), reason(words.brazilian()), reason(words.european()));
         };
     }
 
-    /** Returns the text in a language; a number of metres fills its place, if it has one. */
-    String in(Language language, double metres) {
-        String text = language == Language.EN ? english : language == Language.PT_BR ? brazilian : european;
-        String number = String.format(Locale.ROOT, "%.2f", metres);
-        return String.format(Locale.ROOT, text, language == Language.EN ? number : number.replace('.', ','));
+    private static String reason(String refusal) {
+        return refusal.substring(refusal.indexOf(": ") + 2);
     }
 }

@@ -3,13 +3,11 @@ package nephele.editor.panel;
 import java.util.List;
 import java.util.Set;
 import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
-import nephele.editor.document.Snapshot;
-import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.engine.level.Level;
 import nephele.engine.level.TextKind;
 
 /** The steps that the outliner makes. */
@@ -24,26 +22,19 @@ record OutlinerEdits(EditorSession session) {
 
     void toggleHidden(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document()
-                    .edit(
-                            PanelText.SHOW_OR_HIDE.with(named(refs)),
-                            level -> level.with(EntityStatus.hiddenToggled(level.editor(), refs)));
+            document().edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> Notes.hiddenToggled(level, refs));
         }
     }
 
     void toggleLocked(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document()
-                    .edit(
-                            PanelText.LOCK_OR_UNLOCK.with(named(refs)),
-                            level -> level.with(EntityStatus.lockedToggled(level.editor(), refs)));
+            document().edit(PanelText.LOCK_OR_UNLOCK.with(named(refs)), level -> Notes.lockedToggled(level, refs));
         }
     }
 
     void delete(List<EntityRef> refs) {
         if (!refs.isEmpty()) {
-            document().edit(PanelText.DELETE_MANY.with(named(refs)), level ->
-                    (Level) document().entities().without(level, refs));
+            document().edit(PanelText.DELETE_MANY.with(named(refs)), null, now -> now.without(refs));
         }
     }
 
@@ -61,13 +52,7 @@ record OutlinerEdits(EditorSession session) {
             session.status(PanelText.ID_TAKEN.with(id));
             return;
         }
-        document()
-                .edit(
-                        PanelText.RENAME_TO.with(id),
-                        null,
-                        now -> new Snapshot(
-                                (Level) document().entities().renamed(now.level(), ref, id),
-                                now.selection().renamed(ref, renamed)));
+        document().edit(PanelText.RENAME_TO.with(id), null, now -> now.renamed(ref, id));
     }
 
     /** Selects what refers to an entity, and says how much it is. */

@@ -20,8 +20,9 @@ final class ProblemCell extends DefaultListCellRenderer {
             JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
         super.getListCellRendererComponent(list, "", index, isSelected, hasFocus);
         LevelProblem problem = (LevelProblem) value;
-        String place = problem.entity() == null ? problem.path() : problem.entity();
-        setText(problem.message(session.language()) + "  –  " + place);
+        String place =
+                problem.entity() == null ? problem.path() : problem.entity().text();
+        setText(problem.message().in(session.language()) + "  –  " + place);
         setToolTipText(getText());
         PanelText severity =
                 switch (problem.severity()) {

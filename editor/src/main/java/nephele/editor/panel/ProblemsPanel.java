@@ -19,7 +19,6 @@ import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemFix;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -138,10 +137,8 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private JPopupMenu fixes() {
         JPopupMenu menu = new JPopupMenu();
         for (ProblemFix remedy : list.getSelectedValue().fixes()) {
-            Words label =
-                    Words.of(remedy.label(Language.EN), remedy.label(Language.PT_BR), remedy.label(Language.PT_PT));
-            menu.add(label.in(session.language()))
-                    .addActionListener(event -> session.document().edit(label, remedy.change()));
+            menu.add(remedy.label().in(session.language()))
+                    .addActionListener(event -> session.document().edit(remedy.label(), remedy.change()));
         }
         return menu;
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Exit;
 import nephele.engine.level.ModelPlacement;
@@ -14,14 +15,12 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.Spatial;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.PlayerDimensions;
 
 /** The box around an entity, from the meaning of its components in the world. */
 public final class EntityBounds {
     /** Half the side of the box around an entity that has a place and no size. */
     public static final double SYMBOL_METRES = 0.2;
-
-    private static final double PLAYER_RADIUS_METRES = 0.3;
-    private static final double PLAYER_HEIGHT_METRES = 1.8;
 
     private EntityBounds() {}
 
@@ -30,9 +29,11 @@ public final class EntityBounds {
         if (entity instanceof Solid solid) {
             return solid(solid);
         } else if (entity instanceof PlayerStart start) {
-            return standing(start.feet(), PLAYER_RADIUS_METRES, PLAYER_HEIGHT_METRES);
+            return standing(start.feet());
         } else if (entity instanceof Exit exit) {
             return standing(exit.feet(), exit.radiusMetres(), exit.heightMetres());
+        } else if (entity instanceof Body body) {
+            return Aabb.around(body.centre(), size(body));
         } else if (entity instanceof PortalSpec portal) {
             double half = Math.max(portal.widthMetres(), portal.heightMetres()) / 2;
             return Aabb.around(portal.centre(), portal.normal()).union(cube(portal.centre(), half / 2));
@@ -50,6 +51,11 @@ public final class EntityBounds {
         }
     }
 
+    /** Returns the box of a player who stands here. */
+    public static Aabb standing(Vec3 feet) {
+        return standing(feet, PlayerDimensions.RADIUS_METRES, PlayerDimensions.Stance.STANDING.heightMetres());
+    }
+
     private static Aabb standing(Vec3 feet, double radius, double height) {
         return new Aabb(
                 feet.x() - radius,
@@ -58,6 +64,18 @@ public final class EntityBounds {
                 feet.x() + radius,
                 feet.y() + height,
                 feet.z() + radius);
+    }
+
+    private static Vec3 size(Body body) {
+        if (body instanceof Body.Box box) {
+            return box.size();
+        } else if (body instanceof Body.Sphere sphere) {
+            double side = 2 * sphere.radiusMetres();
+            return new Vec3(side, side, side);
+        }
+        Body.Capsule capsule = (Body.Capsule) body;
+        double side = 2 * capsule.radiusMetres();
+        return new Vec3(side, capsule.heightMetres(), side);
     }
 
     private static Aabb cube(Vec3 centre, double half) {

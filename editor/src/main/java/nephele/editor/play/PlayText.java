@@ -1,11 +1,11 @@
 package nephele.editor.play;
 
 import java.util.Locale;
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of play and solutions in English, Brazilian and European Portuguese. */
-public enum PlayText {
+public enum PlayText implements Text {
     STARTING("Starting the game …", "Abrindo o jogo …", "A abrir o jogo …"),
     PLAYING(
             "Playing; Esc in the game comes back here",
@@ -41,58 +41,43 @@ public enum PlayText {
             "a gravação termina antes da saída",
             "a gravação termina antes da saída");
 
-    private final String english;
-    private final String brazilian;
-    private final String european;
+    private final Words words;
 
     PlayText(String english, String brazilian, String european) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.european = european;
+        words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text with its values filled in. */
-    public String in(Language language, Object... values) {
-        String text =
-                switch (language) {
-                    case EN -> english;
-                    case PT_BR -> brazilian;
-                    case PT_PT -> european;
-                };
-        return values.length == 0 ? text : String.format(Locale.ROOT, text, values);
+    @Override
+    public Words words() {
+        return words;
+    }
+
+    /** Returns the sentence for a play that has ended. */
+    public static Words of(PlayEnd end) {
+        if (end.recorded() != null) {
+            return RECORDED.with(end.recorded());
+        }
+        return end.exitReached() ? EXIT_REACHED.with(number(end.exitSeconds()), end.portals()) : ENDED.words;
     }
 
     /** Returns the sentence for a verdict. */
-    public static String of(SolutionVerdict verdict, Language language) {
-        String result = verdict.exit()
-                .map(exit -> SOLVED.in(language, exit.tick(), number(exit.seconds()), exit.portals()))
-                .orElse(NOT_SOLVED.in(language));
+    public static Words of(SolutionVerdict verdict) {
+        Words result = verdict.exit()
+                .map(exit -> SOLVED.with(exit.tick(), number(exit.seconds()), exit.portals()))
+                .orElse(NOT_SOLVED.words);
         return verdict.deviation()
-                .map(first -> result + "; "
-                        + STRAYS_AT_FIRST.in(language, first.tick(), number(first.seconds()), cause(first, language)))
+                .map(first -> Words.same("%s; %s")
+                        .with(result, STRAYS_AT_FIRST.with(first.tick(), number(first.seconds()), cause(first))))
                 .orElse(result);
     }
 
-    /** Returns the sentence for the end of a play. */
-    public static Words of(PlayEnd end) {
-        return end.recorded() != null
-                ? RECORDED.words(end.recorded())
-                : end.exitReached() ? EXIT_REACHED.words(number(end.exitSeconds()), end.portals()) : ENDED.words();
-    }
-
-    /** Returns the text in all languages, with its values filled in. */
-    public Words words(Object... values) {
-        return Words.of(in(Language.EN, values), in(Language.PT_BR, values), in(Language.PT_PT, values));
-    }
-
-    private static String cause(SolutionVerdict.Deviation deviation, Language language) {
+    private static Words cause(SolutionVerdict.Deviation deviation) {
         return switch (deviation.cause()) {
             case ELSEWHERE ->
-                ELSEWHERE.in(
-                        language,
+                ELSEWHERE.with(
                         number(deviation.place().minus(deviation.expected()).length()));
-            case PORTAL_REFUSED -> PORTAL_REFUSED.in(language);
-            case EXIT_NOT_REACHED -> EXIT_NOT_REACHED.in(language);
+            case PORTAL_REFUSED -> PORTAL_REFUSED.words;
+            case EXIT_NOT_REACHED -> EXIT_NOT_REACHED.words;
         };
     }
 

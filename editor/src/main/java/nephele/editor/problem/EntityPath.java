@@ -2,55 +2,45 @@ package nephele.editor.problem;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.EntitySection;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Level;
 
 /**
  * The place of an entity in a level's records, from a JSON path such as {@code environment.clouds[2].size}.
  *
- * @param section names of the members that lead to the list, such as {@code environment.clouds}
- * @param index in the list
+ * @param index in the section's list
  * @param rest the path inside the entity, with its leading dot; empty for the entity itself
  */
-public record EntityPath(String section, int index, String rest) {
+record EntityPath(EntitySection section, int index, String rest) {
     private static final Pattern ENTRY = Pattern.compile("([A-Za-z.]+)\\[(\\d{1,9})\\](.*)");
 
-    /** Returns the place; empty for a path that leads to no entry of a list of the level. */
-    public static Optional<EntityPath> of(Level level, String path) {
+    /** Returns the place; empty for a path that leads to no entity of the level. */
+    static Optional<EntityPath> of(Level level, String path) {
         Matcher matcher = ENTRY.matcher(path);
         if (!matcher.matches()) {
             return Optional.empty();
         }
-        EntityPath place = new EntityPath(matcher.group(1), Integer.parseInt(matcher.group(2)), matcher.group(3));
-        return place.index < place.list(level).size() ? Optional.of(place) : Optional.empty();
+        int index = Integer.parseInt(matcher.group(2));
+        return LevelStructure.LEVEL
+                .list(matcher.group(1))
+                .filter(section -> index < section.entities(level).size())
+                .map(section -> new EntityPath(section, index, matcher.group(3)));
     }
 
-    /** Returns {@code section/id}, such as {@code solids/north-wall}; of a nested section, its last name. */
-    public String reference(Level level) {
-        Object id = entity(level) instanceof Record record ? RecordMembers.get(record, "id") : null;
-        return section.substring(section.lastIndexOf('.') + 1) + "/" + (id == null ? index : id);
-    }
-
-    /** Returns the entity's id or, if its record has none, its place in the list. */
-    public String id(Level level) {
-        String reference = reference(level);
-        return reference.substring(reference.indexOf('/') + 1);
+    /** Returns the entity's name, such as {@code solids/north-wall}. */
+    EntityRef reference(Level level) {
+        return new EntityRef(section.path(), RecordKind.id(entity(level)));
     }
 
     /** Returns the entity's record. */
-    public Object entity(Level level) {
-        return list(level).get(index);
-    }
-
-    List<?> list(Level level) {
-        Object at = level;
-        for (String name : section.split("\\.")) {
-            at = at instanceof Record record ? RecordMembers.get(record, name) : null;
-        }
-        return at instanceof List<?> list ? list : List.of();
+    Record entity(Level level) {
+        return section.entities(level).get(index);
     }
 
     /**
@@ -60,38 +50,24 @@ public record EntityPath(String section, int index, String rest) {
      * @param other {@code null} to delete it
      * @return the same level if the list does not hold it
      */
-    Level replaced(Level level, Object known, Object other) {
-        List<Object> changed = new ArrayList<>();
+    Level replaced(Level level, Record known, Record other) {
+        List<Record> changed = new ArrayList<>();
         boolean isThere = false;
-        for (Object each : list(level)) {
+        for (Record each : section.entities(level)) {
             boolean isIt = each == known && !isThere;
             isThere |= isIt;
-            Object kept = isIt ? other : each;
+            Record kept = isIt ? other : each;
             if (kept != null) {
                 changed.add(kept);
             }
         }
-        return isThere ? (Level) with(level, section.split("\\."), 0, changed) : level;
+        return isThere ? (Level) section.with(level, changed) : level;
     }
 
     /** Returns a level with another record at this place of the list. */
-    Level replacedAt(Level level, Object other) {
-        List<Object> changed = new ArrayList<>(list(level));
+    Level replacedAt(Level level, Record other) {
+        List<Record> changed = new ArrayList<>(section.entities(level));
         changed.set(index, other);
-        return (Level) with(level, section.split("\\."), 0, changed);
-    }
-
-    /** Returns a level with one more record at the end of the list. */
-    Level appended(Level level, Object entity) {
-        List<Object> changed = new ArrayList<>(list(level));
-        changed.add(Objects.requireNonNull(entity));
-        return (Level) with(level, section.split("\\."), 0, changed);
-    }
-
-    private static Record with(Record owner, String[] names, int depth, Object value) {
-        Object inner = depth == names.length - 1
-                ? List.copyOf((List<?>) value)
-                : with((Record) RecordMembers.get(owner, names[depth]), names, depth + 1, value);
-        return RecordMembers.with(owner, names[depth], inner);
+        return (Level) section.with(level, changed);
     }
 }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -44,7 +45,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(said.material(), refusal, said.texture()),
-                whole -> RecordMembers.with(whole, "portalable", false));
+                whole -> RecordKind.with(whole, "portalable", false));
     }
 
     static Solid withMaterial(Solid solid, String rest, String material) {
@@ -52,7 +53,7 @@ final class FaceEdit {
                 solid,
                 rest,
                 said -> new Solid.Face(material, said.portalable(), said.texture()),
-                whole -> RecordMembers.with(whole, "material", material));
+                whole -> RecordKind.with(whole, "material", material));
     }
 
     /** A solid of which the path names a face that it has not stays as it is. */

@@ -3,6 +3,7 @@ package nephele.editor.problem;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import nephele.editor.pick.EntityBounds;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -95,7 +96,7 @@ final class Floors {
         for (int i = -reachX; i <= reachX; i++) {
             for (int j = -reachZ; j <= reachZ; j++) {
                 Vec3 at = new Vec3(middle.x() + i * stepX, box.maxY(), middle.z() + j * stepZ);
-                if (isOn(face, at) && free.isFree(EntityBox.standing(at))) {
+                if (isOn(face, at) && free.isFree(EntityBounds.standing(at))) {
                     places.add(at);
                 }
             }

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.pick.EntityBounds;
 import nephele.engine.level.Body;
+import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.layout.BrushIndex;
 import nephele.engine.level.placed.PlacedModel;
@@ -42,11 +44,11 @@ final class FreePlace {
         solids = new BrushIndex(statics);
         for (Body body : level.bodies()) {
             if (body != entity) {
-                others.add(EntityBox.of(body));
+                others.add(EntityBounds.of((Record) body));
             }
         }
         if (level.player() != null && level.player() != entity && entity instanceof Body) {
-            others.add(EntityBox.of(level.player()));
+            others.add(EntityBounds.of(level.player()));
         }
         for (PlacedModel model : statics.models().sheets()) {
             WorldTriangles mesh = model.triangles();
@@ -55,6 +57,11 @@ final class FreePlace {
             }
         }
         otherIndex = SpatialIndex.of(others);
+    }
+
+    /** Returns the box that an entity has to have free: at an exit, that of a player; empty for one without a place. */
+    static Aabb room(Record entity) {
+        return entity instanceof Exit exit ? EntityBounds.standing(exit.feet()) : EntityBounds.of(entity);
     }
 
     /** Returns true if a box is free; beside slanted faces, only if its surroundings are. */

@@ -2,7 +2,8 @@ package nephele.editor.problem;
 
 import java.util.List;
 import nephele.editor.mark.Mark;
-import nephele.engine.level.Language;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
 
 /**
  * A problem or a hint about the open level.
@@ -10,32 +11,25 @@ import nephele.engine.level.Language;
  * @param key names it in {@link nephele.engine.level.EditorNotes#ignoredProblems}; stays while entities are added,
  *     removed or sorted
  * @param path JSON path
- * @param rule the rule's message in English; {@code null} for a hint
- * @param hint the hint; {@code null} for a rule's message
+ * @param message what is wrong and what to do; a rule's message is English in all languages
  * @param marks its place in the world; may be empty
- * @param entity {@code section/id} of what it is about, {@code player} for the start, or {@code null}
+ * @param entity what it is about, or {@code null}
  * @param fixes the best first
  */
 public record LevelProblem(
         String key,
         ProblemSeverity severity,
         String path,
-        String rule,
-        ProblemText hint,
+        Words message,
         List<Mark> marks,
-        String entity,
+        EntityRef entity,
         List<ProblemFix> fixes) {
     public LevelProblem {
         marks = List.copyOf(marks);
         fixes = List.copyOf(fixes);
     }
 
-    /** Returns what is wrong and what to do; messages of rules are in English. */
-    public String message(Language language) {
-        return hint == null ? rule : hint.in(language);
-    }
-
     LevelProblem withKey(String other) {
-        return new LevelProblem(other, severity, path, rule, hint, marks, entity, fixes);
+        return new LevelProblem(other, severity, path, message, marks, entity, fixes);
     }
 }

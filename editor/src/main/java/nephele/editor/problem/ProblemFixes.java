@@ -7,6 +7,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import nephele.editor.document.Notes;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
+import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -19,6 +24,7 @@ import nephele.engine.math.Vec3;
 
 /** The remedies for the rules' problems. Each finds its records in the level that it is applied to by identity. */
 final class ProblemFixes {
+    private static final String MATERIALS = "materials";
     private static final Vec3 LIGHT_GREY = new Vec3(0.5, 0.5, 0.5);
 
     private final Level level;
@@ -36,8 +42,8 @@ final class ProblemFixes {
         if (problem.path().startsWith("player") && topic == Topic.ENTITY_IN_SOLID) {
             return moveStart();
         } else if (problem.path().startsWith("environment.sky") && topic == Topic.MISSING_ASSET) {
-            return List.of(new ProblemFix(ProblemText.REMOVE_FILE, "", this::withoutSky));
-        } else if (place.isEmpty() || !(place.get().entity(level) instanceof Record)) {
+            return List.of(new ProblemFix(ProblemText.REMOVE_FILE.words(), ProblemFixes::withoutSky));
+        } else if (place.isEmpty()) {
             return List.of();
         }
         return of(topic, place.get(), problem);
@@ -72,33 +78,31 @@ final class ProblemFixes {
     }
 
     private ProblemFix delete(EntityPath place) {
-        return replace(ProblemText.DELETE, place, null);
+        Record known = place.entity(level);
+        EntityRef ref = place.reference(level);
+        return new ProblemFix(ProblemText.DELETE.with(ref.id()), now -> {
+            Level without = place.replaced(now, known, null);
+            // Of two with one id, the other one keeps the notes.
+            boolean isLast = Entities.LEVEL.find(without, ref).isEmpty();
+            return isLast ? Notes.without(without, List.of(ref)) : without;
+        });
     }
 
-    private ProblemFix replace(ProblemText text, EntityPath place, Object other) {
-        Object known = place.entity(level);
-        return new ProblemFix(text, place.id(level), now -> place.replaced(now, known, other));
+    private ProblemFix replace(ProblemText text, EntityPath place, Record other) {
+        Record known = place.entity(level);
+        return new ProblemFix(text.words(), now -> place.replaced(now, known, other));
     }
 
     private ProblemFix rename(EntityPath place) {
-        Set<Object> taken = new HashSet<>();
-        for (Object each : place.list(level)) {
-            taken.add(RecordMembers.get((Record) each, "id"));
-        }
-        String id = place.id(level);
-        int number = 2;
-        while (taken.contains(id + "-" + number)) {
-            number++;
-        }
-        String name = id + "-" + number;
-        Record record = (Record) place.entity(level);
-        Record renamed = RecordMembers.with(record, "id", name);
+        Record record = place.entity(level);
+        String name = Entities.LEVEL.freshId(level, place.section().path(), RecordKind.id(record));
+        Record renamed = Entities.withId(record, name);
         // Duplicates may be one object, so that only the place tells them apart.
-        return new ProblemFix(ProblemText.RENAME, name, now -> renamedLast(place, now, record, renamed));
+        return new ProblemFix(ProblemText.RENAME.with(name), now -> renamedLast(place, now, record, renamed));
     }
 
     private static Level renamedLast(EntityPath place, Level now, Record record, Record renamed) {
-        List<?> list = place.list(now);
+        List<Record> list = place.section().entities(now);
         boolean isThere = place.index() < list.size() && list.get(place.index()) == record;
         return isThere ? place.replacedAt(now, renamed) : now;
     }
@@ -106,18 +110,17 @@ final class ProblemFixes {
     private List<ProblemFix> missingMaterial(EntityPath place) {
         Set<String> known = new HashSet<>();
         level.materials().forEach(material -> known.add(material.id()));
-        Set<String> missing = new TreeSet<>();
-        Object entity = place.entity(level);
-        RecordMembers.collectReferences(entity, "materials", missing);
+        Record entity = place.entity(level);
+        Set<String> missing = Entities.references(entity, MATERIALS);
         missing.removeAll(known);
         ProblemFix create = new ProblemFix(
-                ProblemText.CREATE_MATERIAL, String.join(", ", missing), now -> withMaterials(now, missing));
+                ProblemText.CREATE_MATERIAL.with(String.join(", ", missing)), now -> withMaterials(now, missing));
         return List.of(
                 create,
                 replace(
                         ProblemText.USE_NO_MATERIAL,
                         place,
-                        RecordMembers.withoutReferences(entity, "materials", known)));
+                        Entities.withReferences(entity, MATERIALS, id -> known.contains(id) ? id : null)));
     }
 
     private static Level withMaterials(Level now, Set<String> missing) {
@@ -131,14 +134,14 @@ final class ProblemFixes {
     /** Leaves an optional file out; a record that is nothing without its file is deleted. */
     private ProblemFix withoutFile(EntityPath place) {
         String name = place.rest().substring(Math.min(1, place.rest().length()));
-        Record record = (Record) place.entity(level);
-        return record instanceof Material && RecordMembers.has(record, name)
-                ? replace(ProblemText.REMOVE_FILE, place, RecordMembers.with(record, name, null))
+        Record record = place.entity(level);
+        return record instanceof Material && RecordKind.of(record).field(name).isPresent()
+                ? replace(ProblemText.REMOVE_FILE, place, RecordKind.with(record, name, null))
                 : delete(place);
     }
 
-    private Level withoutSky(Level now) {
-        return RecordMembers.with(now, "environment", RecordMembers.with(now.environment(), "sky", null));
+    private static Level withoutSky(Level now) {
+        return (Level) Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
     }
 
     private ProblemFix withoutPortals(Problem problem) {
@@ -146,7 +149,7 @@ final class ProblemFixes {
         for (String path : paths(problem)) {
             EntityPath.of(level, path).ifPresent(place -> changes.add(now -> refusing(now, place)));
         }
-        return new ProblemFix(ProblemText.TAKE_NO_PORTALS, "", now -> {
+        return new ProblemFix(ProblemText.TAKE_NO_PORTALS.words(), now -> {
             Level changed = now;
             for (UnaryOperator<Level> change : changes) {
                 changed = change.apply(changed);
@@ -162,7 +165,7 @@ final class ProblemFixes {
         }
         Solid solid = now.solids().get(place.index());
         Solid changed = FaceEdit.withoutPortals(solid, place.rest());
-        return changed.equals(solid) ? now : place.replacedAt(now, changed);
+        return changed.equals(solid) ? now : place.replacedAt(now, (Record) changed);
     }
 
     private static List<String> paths(Problem problem) {
@@ -182,8 +185,9 @@ final class ProblemFixes {
             if (to.isPresent() && material != null && to.get().entity(level) instanceof Solid solid) {
                 EntityPath place = to.get();
                 Solid changed = FaceEdit.withMaterial(solid, place.rest(), material);
-                fixes.add(
-                        new ProblemFix(ProblemText.ONE_MATERIAL, material, now -> place.replaced(now, solid, changed)));
+                fixes.add(new ProblemFix(
+                        ProblemText.ONE_MATERIAL.with(material),
+                        now -> place.replaced(now, (Record) solid, (Record) changed)));
             }
         }
         return fixes;
@@ -197,14 +201,14 @@ final class ProblemFixes {
     }
 
     private List<ProblemFix> moveOut(EntityPath place) {
-        Record entity = (Record) place.entity(level);
-        Aabb box = EntityBox.of(entity);
-        if (box == null || statics == null) {
+        Record entity = place.entity(level);
+        Aabb box = FreePlace.room(entity);
+        if (box.isEmpty() || statics == null) {
             return List.of(delete(place));
         }
-        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, entity)
+        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, entity)
                 .nearest(box)
-                .map(way -> place.replaced(now, entity, EntityBox.moved(entity, way)))
+                .map(way -> place.replaced(now, entity, EntityTransform.moved(entity, way)))
                 .orElse(now));
         return List.of(move, delete(place));
     }
@@ -214,10 +218,10 @@ final class ProblemFixes {
         if (statics == null) {
             return List.of();
         }
-        return List.of(new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, start)
-                .nearest(EntityBox.of(start))
+        return List.of(new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, start)
+                .nearest(FreePlace.room(start))
                 .filter(way -> now.player() == start)
-                .map(way -> RecordMembers.with(now, "player", EntityBox.moved(start, way)))
+                .map(way -> RecordKind.with(now, "player", EntityTransform.moved(start, way)))
                 .orElse(now)));
     }
 }

@@ -2,9 +2,12 @@ package nephele.editor.problem;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
@@ -19,11 +22,11 @@ final class ProblemHints {
     static List<LevelProblem> of(Level level, StaticShapes statics) {
         List<LevelProblem> hints = new ArrayList<>();
         if (level.player() == null) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_START, "", now -> withStart(now, statics));
+            ProblemFix fix = new ProblemFix(ProblemText.ADD_START.words(), now -> withStart(now, statics));
             hints.add(hint("player", ProblemText.NO_START, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         if (level.exits().isEmpty()) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_EXIT, "", now -> withExit(now, statics));
+            ProblemFix fix = new ProblemFix(ProblemText.ADD_EXIT.words(), now -> withExit(now, statics));
             hints.add(hint("exits", ProblemText.NO_EXIT, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         boolean hasOutside =
@@ -37,13 +40,12 @@ final class ProblemHints {
 
     private static LevelProblem hint(String path, ProblemText text, List<Vec3> line, List<ProblemFix> fixes) {
         return new LevelProblem(
-                ProblemKey.word(text) + " " + path,
+                WordFormats.Choice.word(text) + " " + path,
                 ProblemSeverity.HINT,
                 path,
-                null,
-                text,
+                text.words(),
                 ProblemMarks.line(line),
-                line.isEmpty() ? null : "player",
+                line.isEmpty() ? null : EntityRef.single("player"),
                 fixes);
     }
 
@@ -51,7 +53,7 @@ final class ProblemHints {
         Vec3 feet = new Floors(now, statics).middle();
         return now.player() != null
                 ? now
-                : RecordMembers.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
+                : RecordKind.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
     }
 
     private static Level withExit(Level now, StaticShapes statics) {

@@ -3,10 +3,10 @@ package nephele.editor.problem;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.json.WordFormats;
 
 /** Names of problems that stay while entities are added, removed or sorted: topic, entity and place inside it. */
 final class ProblemKey {
@@ -14,13 +14,9 @@ final class ProblemKey {
 
     static String of(Level level, Problem problem) {
         String place = EntityPath.of(level, problem.path())
-                .map(path -> path.reference(level) + path.rest())
+                .map(path -> path.reference(level).text() + path.rest())
                 .orElse(problem.path());
-        return word(problem.subject().topic()) + " " + place;
-    }
-
-    static String word(Enum<?> of) {
-        return of.name().toLowerCase(Locale.ROOT).replace('_', '-');
+        return WordFormats.Choice.word(problem.subject().topic()) + " " + place;
     }
 
     /** Returns the problems with a number after each key that is there already. */

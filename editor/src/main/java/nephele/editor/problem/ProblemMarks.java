@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
+import nephele.editor.pick.EntityBounds;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -29,7 +30,7 @@ final class ProblemMarks {
             return of(level, path.get());
         }
         return problem.path().startsWith("player") && level.player() != null
-                ? edges(EntityBox.of(level.player()))
+                ? edges(EntityBounds.of(level.player()))
                 : List.of();
     }
 
@@ -44,8 +45,8 @@ final class ProblemMarks {
                 return solid instanceof Solid.Box box ? edges(Aabb.around(box.centre(), box.size())) : List.of();
             }
         }
-        Aabb box = EntityBox.of(path.entity(level));
-        return box == null ? List.of() : edges(box);
+        Aabb box = EntityBounds.of(path.entity(level));
+        return box.isEmpty() ? List.of() : edges(box);
     }
 
     static List<Mark> line(List<Vec3> points) {

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -139,16 +141,14 @@ public final class ProblemSearch {
     }
 
     private static LevelProblem shown(Level level, Problem problem, ProblemFixes fixes) {
-        String entity = EntityPath.of(level, problem.path())
-                .filter(path -> path.entity(level) instanceof Record)
+        EntityRef entity = EntityPath.of(level, problem.path())
                 .map(path -> path.reference(level))
-                .orElse(problem.path().startsWith("player") ? "player" : null);
+                .orElse(problem.path().startsWith("player") ? EntityRef.single("player") : null);
         return new LevelProblem(
                 ProblemKey.of(level, problem),
                 problem.isError() ? ProblemSeverity.ERROR : ProblemSeverity.WARNING,
                 problem.path(),
-                problem.message(),
-                null,
+                Words.same(problem.message()),
                 ProblemMarks.of(level, problem),
                 entity,
                 fixes.of(problem));

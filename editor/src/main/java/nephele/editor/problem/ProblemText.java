@@ -1,10 +1,10 @@
 package nephele.editor.problem;
 
-import java.util.Locale;
-import nephele.engine.level.Language;
+import nephele.editor.text.Text;
+import nephele.editor.text.Words;
 
 /** A text of the problems panel in English, Brazilian and European Portuguese. */
-public enum ProblemText {
+public enum ProblemText implements Text {
     NO_START(
             "the level has no start: the player cannot play it",
             "a fase não tem início: não dá para jogar",
@@ -28,7 +28,6 @@ public enum ProblemText {
             "Mover para o lugar livre mais próximo"),
     TAKE_NO_PORTALS("Make it not portalable", "Não aceitar portais aqui", "Não aceitar portais aqui"),
     ONE_MATERIAL("Give both faces %s", "Dar %s às duas faces", "Dar %s às duas faces"),
-    GREY("the default grey", "o cinza padrão", "o cinzento predefinido"),
     ADD_START(
             "Add a start on the largest floor",
             "Adicionar um início no maior piso",
@@ -38,23 +37,14 @@ public enum ProblemText {
             "Adicionar uma saída longe do início",
             "Adicionar uma saída longe do início");
 
-    private final String english;
-    private final String brazilian;
-    private final String european;
+    private final Words words;
 
     ProblemText(String english, String brazilian, String european) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.european = european;
+        words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text in a language, with its place filled in, if it has one. */
-    public String in(Language language, String argument) {
-        return String.format(Locale.ROOT, in(language), argument);
-    }
-
-    /** Returns the text in a language. */
-    public String in(Language language) {
-        return language == Language.EN ? english : language == Language.PT_BR ? brazilian : european;
+    @Override
+    public Words words() {
+        return words;
     }
 }

@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
 import nephele.editor.save.DocumentFile;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.journal.Journal;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.save.journal.JournalListener;
+import nephele.editor.text.Words;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
@@ -92,7 +92,7 @@ final class EditingSession {
         }
 
         @Override
-        public void failed(SaveMessage message) {
+        public void failed(Words message) {
             System.out.println("failed " + message);
         }
     }

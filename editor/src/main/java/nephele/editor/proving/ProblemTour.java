@@ -8,8 +8,6 @@ import nephele.editor.mark.Mark;
 import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
-import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 
 /** The problems of the level, one of which can be chosen: its place is looked at and marked. */
@@ -62,8 +60,7 @@ public final class ProblemTour {
         chosen = problem;
         chosenWith = subject.selection();
         ProblemSight.of(subject, problem.marks()).ifPresent(subject::panes);
-        subject.status(Words.of(
-                problem.message(Language.EN), problem.message(Language.PT_BR), problem.message(Language.PT_PT)));
+        subject.status(problem.message());
         subject.redraw();
     }
 

@@ -16,7 +16,6 @@ import nephele.editor.play.SolutionVerdict.Deviation;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Aabb;
@@ -58,7 +57,7 @@ public final class SolutionProof {
         running = RecordedSolution.check(
                 file,
                 () -> usable(present),
-                share -> onSession(level, () -> subject.status(PlayText.CHECKING.words(Math.round(100 * share)))),
+                share -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * share)))),
                 new Outcome(
                         result -> onSession(level, () -> checked(result)),
                         message -> onSession(level, () -> failed(message))),
@@ -84,17 +83,9 @@ public final class SolutionProof {
     private void checked(SolutionVerdict result) {
         verdict = result;
         marks = result.deviation().map(SolutionProof::marks).orElse(List.of());
-        subject.status(told(result));
+        subject.status(PlayText.of(result));
         ProblemSight.of(subject, marks).ifPresent(subject::panes);
         subject.redraw();
-    }
-
-    /** Returns the sentence for a verdict. */
-    public static Words told(SolutionVerdict verdict) {
-        return Words.of(
-                PlayText.of(verdict, Language.EN),
-                PlayText.of(verdict, Language.PT_BR),
-                PlayText.of(verdict, Language.PT_PT));
     }
 
     private void failed(String message) {

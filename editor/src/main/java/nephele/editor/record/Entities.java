@@ -5,13 +5,16 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 
 /** Finds, adds, replaces, removes and renames the entities of a level. All functions return a new root record. */
 public final class Entities {
+    /** The entities of levels of this version. */
+    public static final Entities LEVEL = new Entities(LevelStructure.LEVEL);
+
     private final LevelStructure structure;
 
     public Entities(LevelStructure structure) {
@@ -107,7 +110,9 @@ public final class Entities {
         Record result = root;
         Set<EntityRef> unwanted = new HashSet<>(refs);
         for (SingleSection single : structure.singles()) {
-            if (single.isOptional() && unwanted.contains(EntityRef.single(single.path()))) {
+            if (single.isOptional()
+                    && unwanted.contains(EntityRef.single(single.path()))
+                    && single.get(result) != null) {
                 result = single.with(result, null);
             }
         }
@@ -146,12 +151,7 @@ public final class Entities {
     /** Returns the level with another id of an entity and of all references to it. */
     public Record renamed(Record root, EntityRef ref, String newId) {
         Record result = changed(root, List.of(ref), entity -> withId(entity, newId));
-        return RecordWalk.map(
-                result,
-                (field, value) -> field.declaration().refersTo().equals(ref.section())
-                                && ref.id().equals(value)
-                        ? newId
-                        : value);
+        return withReferences(result, ref.section(), id -> id.equals(ref.id()) ? newId : id);
     }
 
     /** Returns a record with another id. */
@@ -162,36 +162,38 @@ public final class Entities {
         return kind.with(entity, field, id);
     }
 
-    /** Returns the entities that refer to an entity, or to any of that section if its id is {@code null}. */
+    /** Returns the entities that refer to an entity. */
     public Set<EntityRef> usages(Record root, EntityRef ref) {
         Set<EntityRef> users = new LinkedHashSet<>();
         for (EntityRef candidate : all(root)) {
             Record entity = find(root, candidate).orElseThrow();
             boolean isOwner = structure.single(candidate.section()).isPresent()
                     && structure.lists().stream().anyMatch(list -> list.path().startsWith(candidate.section() + "."));
-            if (!isOwner && refersTo(entity, ref)) {
+            if (!isOwner && references(entity, ref.section()).contains(ref.id())) {
                 users.add(candidate);
             }
         }
         return users;
     }
 
-    private static boolean refersTo(Record entity, EntityRef ref) {
-        boolean[] found = {false};
+    /** Returns the ids of a section's entities that a record refers to, in a set of the caller's. */
+    public static Set<String> references(Record entity, String section) {
+        Set<String> found = new TreeSet<>();
         RecordWalk.map(entity, (field, value) -> {
-            found[0] |= field.declaration().refersTo().equals(ref.section())
-                    && ref.id().equals(value);
+            if (value != null && field.declaration().refersTo().equals(section)) {
+                found.add((String) value);
+            }
             return value;
         });
-        return found[0];
+        return found;
     }
 
-    /** Returns the level with references to entities replaced by those of a table from old to new ids. */
-    public static Record withReferences(Record entity, String section, Map<String, String> newIds) {
+    /** Returns a record with other references to a section's entities; {@code null} for an id drops it. */
+    public static Record withReferences(Record entity, String section, UnaryOperator<String> change) {
         return RecordWalk.map(
                 entity,
                 (field, value) -> field.declaration().refersTo().equals(section) && value != null
-                        ? newIds.getOrDefault(value, (String) value)
+                        ? change.apply((String) value)
                         : value);
     }
 }

@@ -94,6 +94,14 @@ public final class RecordKind {
         return written.make(values);
     }
 
+    /** Returns the record with another value of the component of this name. */
+    public static <R extends Record> R with(R owner, String name, Object value) {
+        RecordKind kind = of(owner);
+        @SuppressWarnings("unchecked") // a kind makes records of its own class
+        R changed = (R) kind.with(owner, kind.field(name).orElseThrow(), value);
+        return changed;
+    }
+
     /** Returns the record with these components, which are in the order of {@link #fields}. */
     public Record make(Object[] values) {
         return written.make(values);

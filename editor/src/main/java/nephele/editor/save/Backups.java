@@ -14,6 +14,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 
 /**
@@ -49,14 +50,14 @@ public final class Backups {
      *
      * @return a notice if that failed
      */
-    Optional<SaveMessage> keep(Path file) {
+    Optional<Words> keep(Path file) {
         if (!Files.isRegularFile(file)) {
             return Optional.empty();
         }
         try {
             return keep(file, Files.readAllBytes(file));
         } catch (IOException problem) {
-            return Optional.of(SaveMessage.of(SaveText.NO_BACKUP, folderOf(file), AtomicFile.reason(problem)));
+            return Optional.of(SaveText.NO_BACKUP.with(folderOf(file), AtomicFile.reason(problem)));
         }
     }
 
@@ -66,7 +67,7 @@ public final class Backups {
      *
      * @return a notice if that failed
      */
-    public Optional<SaveMessage> keep(Path file, byte[] content) {
+    public Optional<Words> keep(Path file, byte[] content) {
         Path own = folderOf(file);
         try {
             List<Backup> kept = of(file);
@@ -76,7 +77,7 @@ public final class Backups {
             }
             return Optional.empty();
         } catch (IOException problem) {
-            return Optional.of(SaveMessage.of(SaveText.NO_BACKUP, own, AtomicFile.reason(problem)));
+            return Optional.of(SaveText.NO_BACKUP.with(own, AtomicFile.reason(problem)));
         }
     }
 

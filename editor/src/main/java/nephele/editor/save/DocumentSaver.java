@@ -12,6 +12,7 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.FileOperations;
@@ -45,24 +46,24 @@ public final class DocumentSaver {
      */
     public SaveResult save(DocumentFile file, Level level) {
         Path path = file.path().orElseThrow(() -> new IllegalArgumentException("an untitled document has no file yet"));
-        Optional<SaveMessage> obstacle = obstacle(path);
+        Optional<Words> obstacle = obstacle(path);
         if (obstacle.isPresent()) {
             return new SaveResult.Failed(obstacle.get());
         }
         return switch (file.outside()) {
             case SAME -> saveAs(path, level);
-            case CHANGED -> new SaveResult.ChangedOutside(SaveMessage.of(SaveText.CHANGED_OUTSIDE, path));
-            case DELETED -> new SaveResult.ChangedOutside(SaveMessage.of(SaveText.DELETED_OUTSIDE, path));
+            case CHANGED -> new SaveResult.ChangedOutside(SaveText.CHANGED_OUTSIDE.with(path));
+            case DELETED -> new SaveResult.ChangedOutside(SaveText.DELETED_OUTSIDE.with(path));
         };
     }
 
     /** Saves a level to a file that the user has chosen, and replaces what is there; that becomes a backup. */
     public SaveResult saveAs(Path path, Level level) {
-        Optional<SaveMessage> obstacle = obstacle(path);
+        Optional<Words> obstacle = obstacle(path);
         if (obstacle.isPresent()) {
             return new SaveResult.Failed(obstacle.get());
         }
-        Optional<SaveMessage> notice = backups.keep(path);
+        Optional<Words> notice = backups.keep(path);
         try {
             byte[] content = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
             LevelFile.save(path, level, files);
@@ -70,25 +71,25 @@ public final class DocumentSaver {
                     DocumentFile.saved(path, content), notice.stream().toList());
         } catch (LevelFormatException noLevel) {
             String first = noLevel.getMessage().lines().findFirst().orElse("");
-            return new SaveResult.Failed(SaveMessage.of(SaveText.NO_LEVEL_FILE, first));
+            return new SaveResult.Failed(SaveText.NO_LEVEL_FILE.with(first));
         } catch (LevelSaveException problem) {
             return new SaveResult.Failed(
                     problem.getCause() instanceof IOException cause
                             ? message(path, cause)
-                            : SaveMessage.of(SaveText.NOT_SAVED, path, problem.getMessage()));
+                            : SaveText.NOT_SAVED.with(path, problem.getMessage()));
         }
     }
 
     /** Returns the reason why a file cannot be saved, if it can be seen before. */
-    private static Optional<SaveMessage> obstacle(Path path) {
+    private static Optional<Words> obstacle(Path path) {
         Path folder = path.toAbsolutePath().getParent();
         if (Files.isDirectory(path)) {
-            return Optional.of(SaveMessage.of(SaveText.IS_FOLDER, path));
+            return Optional.of(SaveText.IS_FOLDER.with(path));
         }
         if (folder == null || !Files.isDirectory(folder)) {
-            return Optional.of(SaveMessage.of(SaveText.FOLDER_MISSING, folder));
+            return Optional.of(SaveText.FOLDER_MISSING.with(folder));
         }
-        return isReadOnly(path) ? Optional.of(SaveMessage.of(SaveText.READ_ONLY, path)) : Optional.empty();
+        return isReadOnly(path) ? Optional.of(SaveText.READ_ONLY.with(path)) : Optional.empty();
     }
 
     /**
@@ -114,17 +115,17 @@ public final class DocumentSaver {
     }
 
     /** Returns the message of a failed write. */
-    static SaveMessage message(Path path, IOException problem) {
+    static Words message(Path path, IOException problem) {
         if (isDiskFull(problem)) {
-            return SaveMessage.of(SaveText.DISK_FULL, path);
+            return SaveText.DISK_FULL.with(path);
         }
         if (problem instanceof AccessDeniedException) {
-            return SaveMessage.of(SaveText.ACCESS_DENIED, path);
+            return SaveText.ACCESS_DENIED.with(path);
         }
         if (problem instanceof NoSuchFileException) {
-            return SaveMessage.of(SaveText.FOLDER_MISSING, path.toAbsolutePath().getParent());
+            return SaveText.FOLDER_MISSING.with(path.toAbsolutePath().getParent());
         }
-        return SaveMessage.of(SaveText.NOT_SAVED, path, AtomicFile.reason(problem));
+        return SaveText.NOT_SAVED.with(path, AtomicFile.reason(problem));
     }
 
     /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */

@@ -43,7 +43,7 @@ public final class LevelPackage {
             try {
                 entries.put(id, assets.bytes(id));
             } catch (AssetException problem) {
-                throw new PackageException(SaveMessage.of(SaveText.PACKAGE_ASSET, zip, problem.getMessage()), problem);
+                throw new PackageException(SaveText.PACKAGE_ASSET.with(zip, problem.getMessage()), problem);
             }
         }
         entries.put(entryName(levelName), LevelJson.write(level).getBytes(StandardCharsets.UTF_8));
@@ -92,7 +92,7 @@ public final class LevelPackage {
         PackageContent content = PackageContent.read(zip);
         try {
             if (Files.exists(target) && !isEmpty(target)) {
-                throw new PackageException(SaveMessage.of(SaveText.PACKAGE_TARGET, folder));
+                throw new PackageException(SaveText.PACKAGE_TARGET.with(folder));
             }
             Files.createDirectories(target.getParent());
             Path fresh = Files.createTempDirectory(target.getParent(), ".nephele-package");

@@ -42,14 +42,14 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
             entries = new Reading(zip).entries(file);
         } catch (IOException | IllegalArgumentException noZip) {
             String reason = noZip.getMessage() == null ? "it is no zip file" : noZip.getMessage();
-            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_UNREADABLE, zip, reason), noZip);
+            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason), noZip);
         }
         var levels = entries.keySet().stream()
                 .filter(name -> !name.contains("/") && name.endsWith(".json"))
                 .toList();
         if (levels.size() != 1) {
             String reason = levels.isEmpty() ? "it holds no level" : "it holds several levels: " + levels;
-            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_UNREADABLE, zip, reason));
+            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason));
         }
         String name = levels.get(0);
         try {
@@ -57,7 +57,7 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
             return new PackageContent(name, level, new Entries(entries));
         } catch (LevelFormatException noLevel) {
             String reason = noLevel.getMessage().lines().findFirst().orElse("");
-            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_ENTRY, zip, name, reason), noLevel);
+            throw new PackageException(SaveText.PACKAGE_ENTRY.with(zip, name, reason), noLevel);
         }
     }
 
@@ -119,7 +119,7 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
         private PackageException refused(String name, String reason) {
             String printable = name.replaceAll("[^\\x20-\\x7e]", "?");
             String shown = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
-            return new PackageException(SaveMessage.of(SaveText.PACKAGE_ENTRY, zip, shown, reason));
+            return new PackageException(SaveText.PACKAGE_ENTRY.with(zip, shown, reason));
         }
     }
 

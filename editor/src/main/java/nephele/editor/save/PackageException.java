@@ -1,24 +1,24 @@
 package nephele.editor.save;
 
-import nephele.engine.level.Language;
+import nephele.editor.text.Words;
 
 /** Thrown when a package was not written or not opened; nothing of it is left behind. */
 public final class PackageException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    private final transient SaveMessage told;
+    private final transient Words told;
 
-    PackageException(SaveMessage message, Throwable cause) {
-        super(message.in(Language.EN), cause);
+    PackageException(Words message, Throwable cause) {
+        super(message.english(), cause);
         told = message;
     }
 
-    PackageException(SaveMessage message) {
+    PackageException(Words message) {
         this(message, null);
     }
 
     /** Returns the message for the user: package, entry, reason and remedy. */
-    public SaveMessage told() {
+    public Words told() {
         return told;
     }
 }

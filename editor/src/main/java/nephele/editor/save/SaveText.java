@@ -1,9 +1,10 @@
 package nephele.editor.save;
 
-import nephele.engine.level.Language;
+import nephele.editor.text.Text;
+import nephele.editor.text.Words;
 
 /** A message about files, in English, Brazilian and European Portuguese; {@code %s} stand for files and reasons. */
-public enum SaveText {
+public enum SaveText implements Text {
     READ_ONLY(
             "%s is read-only: nothing was saved. Save under another name, or permit writing to the file and save"
                     + " again.",
@@ -71,22 +72,14 @@ public enum SaveText {
             "%s já existe e não está vazia: nada foi gravado. Escolha uma pasta nova.",
             "%s já existe e não está vazia: nada foi escrito. Escolhe uma pasta nova.");
 
-    private final String english;
-    private final String brazilian;
-    private final String portuguese;
+    private final Words words;
 
-    SaveText(String english, String brazilian, String portuguese) {
-        this.english = english;
-        this.brazilian = brazilian;
-        this.portuguese = portuguese;
+    SaveText(String english, String brazilian, String european) {
+        words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text in a language, with its placeholders. */
-    public String in(Language language) {
-        return switch (language) {
-            case EN -> english;
-            case PT_BR -> brazilian;
-            case PT_PT -> portuguese;
-        };
+    @Override
+    public Words words() {
+        return words;
     }
 }

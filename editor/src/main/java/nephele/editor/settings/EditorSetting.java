@@ -4,6 +4,7 @@ import com.google.gson.JsonElement;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 
 /** A setting of the editor: its key in the file, its values, and the one of a missing or broken entry. */
@@ -12,14 +13,6 @@ public final class EditorSetting<T> {
     public enum Theme {
         LIGHT,
         DARK
-    }
-
-    /** The surface of the viewport. */
-    public enum Viewport {
-        /** AWT where that works, else offscreen. */
-        AUTO,
-        AWT,
-        OFFSCREEN
     }
 
     /** The most files that {@link #RECENT_FILES} holds. */
@@ -31,8 +24,8 @@ public final class EditorSetting<T> {
     public static final EditorSetting<Theme> THEME = of("theme", EntryKind.word(Theme.class), Theme.DARK);
     public static final EditorSetting<Integer> SCALE_PERCENT = of("scalePercent", EntryKind.whole(100, 200), 100);
     public static final EditorSetting<Language> LANGUAGE = of("language", EntryKind.word(Language.class), Language.EN);
-    public static final EditorSetting<Viewport> VIEWPORT =
-            of("viewport", EntryKind.word(Viewport.class), Viewport.AUTO);
+    public static final EditorSetting<SurfaceMode> VIEWPORT =
+            of("viewport", EntryKind.word(SurfaceMode.class), SurfaceMode.AUTO);
 
     /** The name of an arrangement of panes; what names there are is the window's affair. */
     public static final EditorSetting<String> PANE_ARRANGEMENT = of("paneArrangement", EntryKind.text(), "");

@@ -8,10 +8,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import nephele.engine.level.json.WordFormats;
 
 /**
  * The values of a setting and their form in the file.
@@ -26,17 +26,14 @@ record EntryKind<T>(String expected, Function<JsonElement, Optional<T>> read, Fu
     /** Returns one of an enum's constants, in the file with small letters and hyphens. */
     static <E extends Enum<E>> EntryKind<E> word(Class<E> type) {
         List<E> all = List.of(type.getEnumConstants());
-        String words = String.join(", ", all.stream().map(EntryKind::word).toList());
+        String words =
+                String.join(", ", all.stream().map(WordFormats.Choice::word).toList());
         return new EntryKind<>(
                 "one of " + words,
                 json -> text(json).flatMap(text -> all.stream()
-                        .filter(each -> word(each).equals(text))
+                        .filter(each -> WordFormats.Choice.word(each).equals(text))
                         .findFirst()),
-                value -> new JsonPrimitive(word(value)));
-    }
-
-    private static String word(Enum<?> constant) {
-        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+                value -> new JsonPrimitive(WordFormats.Choice.word(value)));
     }
 
     /** Returns a whole number between bounds. */

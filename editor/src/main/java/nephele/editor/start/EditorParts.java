@@ -17,6 +17,7 @@ import nephele.editor.panel.InspectorPanel;
 import nephele.editor.panel.OutlinerPanel;
 import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
+import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
@@ -33,8 +34,6 @@ public final class EditorParts {
             List.of("new", "open", "save", "undo", "redo", "play-here", "check", "heat", "path-trace", "explain");
     private static final Words OUTLINE = Words.of("Level", "Fase", "Nível");
     private static final Words PALETTE = Words.of("Add", "Adicionar", "Adicionar");
-    private static final Words PROBLEMS = Words.of("Problems", "Problemas", "Problemas");
-    private static final Words HISTORY = Words.of("History", "Histórico", "Histórico");
 
     private EditorParts() {}
 
@@ -57,7 +56,7 @@ public final class EditorParts {
         parts.accept("problems", () -> bottom.setSelectedIndex(0));
         Runnable titles = () -> {
             title(left, session, OUTLINE, PALETTE);
-            title(bottom, session, PROBLEMS, HISTORY);
+            title(bottom, session, PanelText.PROBLEMS.words(), PanelText.HISTORY.words());
         };
         titles.run();
         Registration translation = session.listen(change -> {

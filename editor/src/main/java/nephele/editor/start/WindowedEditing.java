@@ -98,13 +98,12 @@ public final class WindowedEditing {
 
         @Override
         public void playing(long millis) {
-            tell(Words.of("Playing; Esc returns", "Jogando; Esc volta", "A jogar; Esc volta"));
+            tell(PlayText.PLAYING.words());
         }
 
         @Override
         public void baking(int percent) {
-            tell(Words.of("Baking light: %s %%", "Calculando a luz: %s %%", "A calcular a luz: %s %%")
-                    .with(percent));
+            tell(PlayText.BAKING.with(percent));
         }
 
         @Override

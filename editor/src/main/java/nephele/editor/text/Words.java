@@ -1,5 +1,7 @@
 package nephele.editor.text;
 
+import java.util.Arrays;
+import java.util.Locale;
 import nephele.engine.level.Language;
 
 /** A text of the editor in its three languages. */
@@ -23,17 +25,15 @@ public record Words(String english, String brazilian, String european) {
         };
     }
 
-    /** Returns this text with its {@code %s} replaced, in order; words are put in each in its own language. */
-    public Words with(Object... arguments) {
-        return new Words(
-                filled(Language.EN, arguments), filled(Language.PT_BR, arguments), filled(Language.PT_PT, arguments));
+    /** Returns this text with its {@code %s} replaced, in order; words among the values are put in their language. */
+    public Words with(Object... values) {
+        return new Words(filled(Language.EN, values), filled(Language.PT_BR, values), filled(Language.PT_PT, values));
     }
 
-    private String filled(Language language, Object... arguments) {
-        Object[] values = new Object[arguments.length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = arguments[i] instanceof Words words ? words.in(language) : arguments[i];
-        }
-        return String.format(in(language), values);
+    private String filled(Language language, Object... values) {
+        Object[] texts = Arrays.stream(values)
+                .map(value -> value instanceof Words words ? words.in(language) : value)
+                .toArray();
+        return String.format(Locale.ROOT, in(language), texts);
     }
 }

@@ -8,7 +8,6 @@ import nephele.editor.brush.SolidTransform;
 import nephele.editor.brush.TextureLock;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordWalk;
 import nephele.engine.level.Level;
@@ -20,13 +19,11 @@ import nephele.engine.math.Vec3;
 
 /** Moves, turns and scales entities: solids by their shapes, models by their steps, all others by their components. */
 public final class EntityTransform {
-    private static final Entities ENTITIES = new Entities(LevelStructure.LEVEL);
-
     private EntityTransform() {}
 
     /** Returns the level with entities moved. */
     public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by) {
-        return by.equals(Vec3.ZERO) ? level : (Level) ENTITIES.changed(level, refs, entity -> moved(entity, by));
+        return by.equals(Vec3.ZERO) ? level : (Level) Entities.LEVEL.changed(level, refs, entity -> moved(entity, by));
     }
 
     /** Returns the level with entities moved, textures fixed to their brushes or to the world. */
@@ -35,7 +32,7 @@ public final class EntityTransform {
             return level;
         }
         LockableTransform solids = LockableTransform.of(lock, level.materials());
-        return (Level) ENTITIES.changed(
+        return (Level) Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid ? (Record) solids.moved(solid, by) : moved(entity, by));
@@ -45,7 +42,7 @@ public final class EntityTransform {
     public static Level turned(
             Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, TextureLock lock) {
         LockableTransform solids = LockableTransform.of(lock, level.materials());
-        return (Level) ENTITIES.changed(
+        return (Level) Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid

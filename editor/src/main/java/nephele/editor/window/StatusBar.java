@@ -45,8 +45,8 @@ final class StatusBar extends JPanel {
         getAccessibleContext().setAccessibleName(WindowText.STATUS.in(language));
         show(message, session.status().in(language));
         showHint();
-        grid.setText(WindowText.GRID.in(
-                language, number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "")));
+        String step = number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "");
+        grid.setText(WindowText.GRID.with(step).in(language));
     }
 
     private void showHint() {

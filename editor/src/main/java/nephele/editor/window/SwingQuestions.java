@@ -20,7 +20,7 @@ public final class SwingQuestions implements CloseQuestion {
     @Override
     public Choice ask(String level, Language language) {
         int chosen = chosen(
-                WindowText.ASK_CLOSE.in(language, level),
+                WindowText.ASK_CLOSE.with(level).in(language),
                 language,
                 WindowText.SAVE,
                 WindowText.DISCARD,

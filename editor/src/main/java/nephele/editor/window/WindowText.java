@@ -1,10 +1,10 @@
 package nephele.editor.window;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of the window's frame in English, Brazilian and European Portuguese. */
-public enum WindowText {
+public enum WindowText implements Text {
     TITLE("Nephele level editor", "Editor de níveis Nephele", "Editor de níveis Nephele"),
     UNTITLED("Untitled", "Sem título", "Sem título"),
     TOOLS("Tools", "Ferramentas", "Ferramentas"),
@@ -35,13 +35,8 @@ public enum WindowText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text. */
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text with its values filled in. */
-    public String in(Language language, Object... values) {
-        return (values.length == 0 ? words : words.with(values)).in(language);
     }
 }

@@ -17,7 +17,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import nephele.app.ChildJvm;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.DraftLevel;
-import nephele.editor.save.SaveMessage;
+import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
@@ -186,7 +186,7 @@ class JournalTest {
     void aFullDiskIsToldOnceAndCostsNothingAfterwards() throws IOException {
         Path place = journals().resolve("x");
         var store = new FaultyStore(new StoredJournal(place));
-        List<SaveMessage> told = new CopyOnWriteArrayList<>();
+        List<Words> told = new CopyOnWriteArrayList<>();
         var origin = new JournalLog.Origin("t", DocumentFile.UNTITLED, DraftLevel.after(0), NOW);
         try (Journal journal = new Journal(place, store, origin, told::add, InstantSource.fixed(NOW), () -> {})) {
             edit(journal, 1);
@@ -257,7 +257,7 @@ class JournalTest {
 
     @Test
     void aStateThatIsNoLevelCostsOnlyItself() throws IOException {
-        List<SaveMessage> told = new CopyOnWriteArrayList<>();
+        List<Words> told = new CopyOnWriteArrayList<>();
         try (Journal journal = editor().open(DocumentFile.UNTITLED, "t", DraftLevel.after(0), told::add)) {
             edit(journal, 1);
             String tooLong = "x".repeat(1000);

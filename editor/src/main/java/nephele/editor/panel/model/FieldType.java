@@ -1,9 +1,11 @@
 package nephele.editor.panel.model;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.Prototypes;
@@ -112,8 +114,44 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
 
     private Object whole(double value) {
         return valueClass == int.class || valueClass == Integer.class
-                ? (Object) (int) Math.round(value)
+                ? (Object) (int) Math.floor(value + 0.5)
                 : (Object) Math.round(value);
+    }
+
+    /** Returns the value that a text names; empty if it is none that is permitted, or the type has no short text. */
+    public Optional<Object> read(String text) {
+        Optional<Object> value =
+                switch (kind) {
+                    case NUMBER, WHOLE -> number(text).map(this::number);
+                    case TRUTH ->
+                        text.equals("true") || text.equals("false")
+                                ? Optional.of(Boolean.valueOf(text))
+                                : Optional.empty();
+                    case TEXT, REFERENCE, ASSET -> Optional.of(text);
+                    case CHOICE ->
+                        choices().stream()
+                                .filter(choice -> ChoiceWord.of(choice).equals(text.toLowerCase(Locale.ROOT)))
+                                .findFirst();
+                    case VECTOR -> vector(text);
+                    case RECORD, VARIANT, LIST, TABLE -> Optional.empty();
+                };
+        return value.filter(each -> problem(each).isEmpty());
+    }
+
+    /** Returns a number that the kind may be. */
+    private Optional<Double> number(String text) {
+        OptionalDouble value = NumberExpression.evaluate(text);
+        boolean isFine =
+                value.isPresent() && (kind != FieldKind.WHOLE || value.getAsDouble() == Math.rint(value.getAsDouble()));
+        return isFine ? Optional.of(value.getAsDouble()) : Optional.empty();
+    }
+
+    private Optional<Object> vector(String text) {
+        double[] parts = Arrays.stream(text.split(",", -1))
+                .mapToDouble(part -> number(part).orElse(Double.NaN))
+                .toArray();
+        boolean isFine = parts.length == 3 && Arrays.stream(parts).noneMatch(Double::isNaN);
+        return isFine ? Optional.of(new Vec3(parts[0], parts[1], parts[2])) : Optional.empty();
     }
 
     /** Returns what is wrong with a value, and what would be right. */

@@ -1,10 +1,10 @@
 package nephele.editor.panel.model;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of the panels in English, Brazilian and European Portuguese. */
-public enum PanelText {
+public enum PanelText implements Text {
     OUTLINER("Outliner", "Estrutura", "Estrutura"),
     SEARCH(
             "Search: name, type:light, size>4",
@@ -95,18 +95,8 @@ public enum PanelText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text in all languages. */
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text with its {@code %s} replaced, in order. */
-    public Words with(Object... arguments) {
-        return words.with(arguments);
-    }
-
-    /** Returns the text in a language. */
-    public String in(Language language) {
-        return words.in(language);
     }
 }

@@ -6,7 +6,6 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.concurrent.TimeUnit;
 import nephele.editor.save.DocumentFile;
-import nephele.editor.save.SaveMessage;
 import nephele.editor.save.SaveText;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
@@ -176,7 +175,7 @@ public final class Journal implements AutoCloseable {
         for (Pending work = next(); work != null; work = next()) {
             String problem = attempt(work);
             if (problem != null && !told) {
-                listener.failed(SaveMessage.of(SaveText.NOT_RECORDED, folder, problem));
+                listener.failed(SaveText.NOT_RECORDED.with(folder, problem));
             } else if (problem == null && work.state != null) {
                 listener.recorded(work.state.number());
             }

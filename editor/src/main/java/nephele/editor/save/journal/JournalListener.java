@@ -1,6 +1,6 @@
 package nephele.editor.save.journal;
 
-import nephele.editor.save.SaveMessage;
+import nephele.editor.text.Words;
 
 /** Receives what becomes of a journal's edits, on the journal's thread. */
 public interface JournalListener {
@@ -8,7 +8,7 @@ public interface JournalListener {
     JournalListener NONE = message -> {};
 
     /** Edits can't be recorded; told once, until one has been recorded again. Writing is tried again every second. */
-    void failed(SaveMessage message);
+    void failed(Words message);
 
     /**
      * Everything up to an edit is on disk.

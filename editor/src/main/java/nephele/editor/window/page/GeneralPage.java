@@ -19,7 +19,7 @@ import javax.swing.JPanel;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.settings.EditorSetting.Viewport;
+import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -47,7 +47,7 @@ final class GeneralPage extends JPanel {
                         : PageText.DARK)
                 .in(language));
         choice(PageText.SCALE, EditorSetting.SCALE_PERCENT, SCALES, percent -> percent + " %");
-        choice(PageText.VIEWPORT, EditorSetting.VIEWPORT, Arrays.asList(Viewport.values()), viewport -> viewportText(
+        choice(PageText.VIEWPORT, EditorSetting.VIEWPORT, Arrays.asList(SurfaceMode.values()), viewport -> viewportText(
                         viewport)
                 .in(language));
         JLabel note = new JLabel(PageText.AT_NEXT_START.in(language));
@@ -64,7 +64,7 @@ final class GeneralPage extends JPanel {
         }
     }
 
-    private static PageText viewportText(Viewport viewport) {
+    private static PageText viewportText(SurfaceMode viewport) {
         return switch (viewport) {
             case AUTO -> PageText.VIEWPORT_AUTO;
             case AWT -> PageText.VIEWPORT_AWT;

@@ -51,7 +51,7 @@ final class ProvingInset {
     }
 
     private static LegendLine line(HeatText text, int count, Language language) {
-        String words = count + "  " + text.legend(language);
+        String words = count + "  " + text.legend().in(language);
         return switch (text) {
             case FITS -> new LegendLine(MarkColour.ALLOWED, Pattern.PLAIN, words);
             case SLIDES -> new LegendLine(MarkColour.SLIDES, Pattern.SLANTED, words);
