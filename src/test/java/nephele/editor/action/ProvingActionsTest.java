@@ -12,6 +12,7 @@ import nephele.editor.heat.HeatText;
 import nephele.editor.mark.Mark;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.proving.Proving;
+import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSettings;
@@ -77,7 +78,7 @@ class ProvingActionsTest {
     void theCameraLooksAtTheProblem() {
         ScriptedSession room = room();
         LevelProblem lamp = proving(room).problems().shown().stream()
-                .filter(problem -> "lights/far".equals(problem.entity()))
+                .filter(problem -> new EntityRef("lights", "far").equals(problem.entity()))
                 .findFirst()
                 .orElseThrow();
         ProvingActions.choose(room.session(), lamp);
