@@ -3,6 +3,7 @@ package nephele.editor.guide;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.document.Selection;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
@@ -59,11 +60,11 @@ public enum GuideStep {
     THINGS(
             Words.of("A cube and a cloud", "Um cubo e uma nuvem", "Um cubo e uma nuvem"),
             Words.of(
-                    "Click on the floor to place a cube that can be carried. Then choose Cloud volume under Add and"
+                    "Click on the floor to place a cube that can be carried. Then choose Cloud under Add and"
                             + " click again: a box marks the cloud until clouds are drawn.",
-                    "Clique no piso para colocar um cubo que se pode carregar. Depois escolha Volume de nuvem em"
+                    "Clique no piso para colocar um cubo que se pode carregar. Depois escolha Nuvem em"
                             + " Adicionar e clique de novo: uma caixa marca a nuvem até que nuvens sejam desenhadas.",
-                    "Clica no chão para colocar um cubo que se pode carregar. Depois escolhe Volume de nuvem em"
+                    "Clica no chão para colocar um cubo que se pode carregar. Depois escolhe Nuvem em"
                             + " Adicionar e clica de novo: uma caixa marca a nuvem até que se desenhem nuvens."),
             session -> !level(session).bodies().isEmpty()
                     && !level(session).environment().clouds().isEmpty(),
@@ -126,6 +127,7 @@ public enum GuideStep {
 
     /** Takes the tool that the step needs and turns the view to where it is used. */
     public void prepare(EditorSession session) {
+        session.document().select(Selection.NONE);
         preparation.accept(session);
         session.tell(Change.VIEW);
     }

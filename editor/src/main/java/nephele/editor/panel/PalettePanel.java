@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -41,7 +40,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private final transient EditorSession session;
     private final transient Registration registration;
     private final JPanel content =
-            new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 6", "[grow, fill, sg]"));
+            new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 1", "[grow, fill]"));
     private final transient List<Choice> choices = new ArrayList<>();
     private final transient Thumbnails thumbnails = new Thumbnails(content::repaint);
     private transient List<Material> shown = List.of();
@@ -69,21 +68,21 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
         choices.clear();
-        heading(PanelText.SHAPES.in(language));
-        shape(PanelText.ROOM, new ShapeOptions.Room(0.5));
-        shape(PanelText.BOX, new ShapeOptions.Box());
-        shape(PanelText.WEDGE, new ShapeOptions.Wedge(null));
-        shape(PanelText.STAIRS, new ShapeOptions.Stairs(null, 8));
-        shape(PanelText.ARCH, new ShapeOptions.Arch(12, 0.5));
-        shape(PanelText.CYLINDER, new ShapeOptions.Cylinder(16));
-        heading(PanelText.MATERIALS.in(language));
-        content.add(materials(), "span 6");
-        var groups = PaletteModel.entries(LevelStructure.LEVEL).stream()
-                .collect(Collectors.groupingBy(PaletteModel.Entry::group));
+        JPanel shapes = group(PanelText.SHAPES.in(language), 2);
+        shape(shapes, PanelText.ROOM, new ShapeOptions.Room(0.5));
+        shape(shapes, PanelText.BOX, new ShapeOptions.Box());
+        shape(shapes, PanelText.WEDGE, new ShapeOptions.Wedge(null));
+        shape(shapes, PanelText.STAIRS, new ShapeOptions.Stairs(null, 8));
+        shape(shapes, PanelText.ARCH, new ShapeOptions.Arch(12, 0.5));
+        shape(shapes, PanelText.CYLINDER, new ShapeOptions.Cylinder(16));
         for (EntityWords.Group group : EntityWords.Group.values()) {
-            if (groups.containsKey(group)) {
-                heading(group.words().in(language));
-                groups.get(group).forEach(this::entity);
+            List<PaletteModel.Entry> entries = PaletteModel.entries(LevelStructure.LEVEL, group);
+            if (group == EntityWords.Group.SOLIDS) {
+                materials(group(PanelText.MATERIALS.in(language), 3));
+            }
+            if (!entries.isEmpty()) {
+                JPanel buttons = group(group.words().in(language), 2);
+                entries.forEach(entry -> entity(buttons, entry));
             }
         }
         showChosen();
@@ -91,14 +90,19 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         content.repaint();
     }
 
-    private void heading(String text) {
+    /** Adds a heading; returns the panel below it. */
+    private JPanel group(String text, int columns) {
         JLabel label = new JLabel(text);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
-        content.add(label, "newline, span 6, wrap, gaptop 6");
+        content.add(label, "gaptop 6");
+        JPanel grid = new JPanel(new GridLayout(0, columns, 2, 2));
+        grid.setOpaque(false);
+        content.add(grid, "wmin 0");
+        return grid;
     }
 
-    private void shape(PanelText text, ShapeOptions shape) {
-        add(new JToggleButton(text.in(session.language())), () -> isUsed("brush", shape), () -> {
+    private void shape(JPanel grid, PanelText text, ShapeOptions shape) {
+        add(grid, new JToggleButton(text.in(session.language())), () -> isUsed("brush", shape), () -> {
             session.options().shape(shape);
             take("brush");
         });
@@ -109,26 +113,23 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
                 && session.options().shape().equals(shape);
     }
 
-    private void entity(PaletteModel.Entry entry) {
+    private void entity(JPanel grid, PaletteModel.Entry entry) {
         var button = new JToggleButton(entry.words().in(session.language()));
         BooleanSupplier isChosen = () -> session.toolEntry().id().equals("place")
                 && session.options().section().equals(entry.section())
                 && session.options().kind().equals(entry.kind());
-        add(button, isChosen, () -> {
+        add(grid, button, isChosen, () -> {
             session.options().entity(entry.section(), entry.kind());
             take("place");
         });
     }
 
-    private JPanel materials() {
-        JPanel grid = new JPanel(new GridLayout(0, 3));
-        grid.setOpaque(false);
+    private void materials(JPanel grid) {
         material(grid, Material.DEFAULT_GREY, null, GREY.in(session.language()));
         shown.forEach(material -> material(grid, material, material.id(), material.id()));
         MaterialLibrary.STANDARD
                 .missingIn(session.document().level())
                 .forEach(material -> material(grid, material, material.id(), material.id()));
-        return grid;
     }
 
     private void material(JPanel grid, Material material, String chosen, String name) {
@@ -141,11 +142,11 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         grid.add(button);
     }
 
-    private void add(AbstractButton button, BooleanSupplier isChosen, Runnable action) {
+    private void add(JPanel grid, AbstractButton button, BooleanSupplier isChosen, Runnable action) {
         button.setHorizontalAlignment(SwingConstants.LEADING);
         button.setToolTipText(button.getText());
         prepare(button, isChosen, action);
-        content.add(button, "span 3, wmin 30");
+        grid.add(button);
     }
 
     private void prepare(AbstractButton button, BooleanSupplier isChosen, Runnable action) {

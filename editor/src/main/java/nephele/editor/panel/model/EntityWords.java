@@ -1,6 +1,7 @@
 package nephele.editor.panel.model;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import nephele.editor.text.Words;
@@ -34,21 +35,21 @@ public final class EntityWords {
     private static final Map<String, Words> SECTIONS = new LinkedHashMap<>();
 
     static {
-        kind("environment.sun", Group.LIGHT);
-        kind("lights", Group.LIGHT);
-        kind("environment.sky", Group.SKY);
-        kind("environment.fog", Group.SKY);
-        kind("environment.clouds", Group.SKY, Words.of("Cloud volume", "Volume de nuvem", "Volume de nuvem"));
         kind("player", Group.PLAY, Words.of("Start", "Início", "Início"));
-        kind("exits", Group.PLAY);
-        kind("portals", Group.PLAY);
-        kind("portalGun", Group.PLAY);
-        kind("bodies", Group.PLAY);
+        kind("exits", Group.PLAY, Words.of("Exit", "Saída", "Saída"));
         kind("bodies.box", Group.PLAY, Words.of("Cube", "Cubo", "Cubo"));
         kind("bodies.sphere", Group.PLAY, Words.of("Ball", "Bola", "Bola"));
+        kind("bodies", Group.PLAY);
+        kind("portals", Group.PLAY, Words.of("Portal", "Portal", "Portal"));
+        kind("portalGun", Group.PLAY, Words.of("Portal gun", "Arma de portais", "Arma de portais"));
+        kind("lights", Group.LIGHT);
+        kind("environment.sun", Group.LIGHT, Words.of("Sun", "Sol", "Sol"));
+        kind("environment.clouds", Group.SKY, Words.of("Cloud", "Nuvem", "Nuvem"));
+        kind("environment.sky", Group.SKY);
+        kind("environment.fog", Group.SKY, Words.of("Fog", "Neblina", "Nevoeiro"));
         kind("models", Group.SCENE);
-        kind("cameras", Group.SCENE);
-        kind("materials", Group.SCENE, Words.of("New material", "Novo material", "Novo material"));
+        kind("cameras", Group.SCENE, Words.of("Camera", "Câmera", "Câmara"));
+        kind("materials", Group.SCENE, Words.of("Material", "Material", "Material"));
         kind("solids", Group.SOLIDS);
         SECTIONS.put("solids", Words.of("Brushes", "Blocos", "Blocos"));
         SECTIONS.put("player", Words.of("Start", "Início", "Início"));
@@ -79,6 +80,13 @@ public final class EntityWords {
     public static Group group(String section, String kind) {
         Named named = find(section, kind);
         return named == null ? Group.OTHER : named.group();
+    }
+
+    /** Returns the place of a kind in the order of the palette. */
+    public static int rank(String section, String kind) {
+        List<Named> order = List.copyOf(KINDS.values());
+        Named named = find(section, kind);
+        return named == null ? order.size() : order.indexOf(named);
     }
 
     /** Returns the name of a section, such as "Lights" for {@code lights}. */

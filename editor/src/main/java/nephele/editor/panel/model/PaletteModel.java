@@ -1,6 +1,7 @@
 package nephele.editor.panel.model;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.LevelStructure;
@@ -47,6 +48,14 @@ public final class PaletteModel {
             add(entries, section.path(), section.kinds());
         }
         return List.copyOf(entries);
+    }
+
+    /** Returns the entries below a heading, in the order in which they are named. */
+    public static List<Entry> entries(LevelStructure structure, EntityWords.Group group) {
+        return entries(structure).stream()
+                .filter(entry -> entry.group() == group)
+                .sorted(Comparator.comparing(entry -> EntityWords.rank(entry.section(), entry.kind())))
+                .toList();
     }
 
     private static void add(List<Entry> entries, String section, List<RecordKind> kinds) {

@@ -9,6 +9,7 @@ import java.util.Set;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
+import nephele.editor.brush.BrushText;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -186,7 +187,7 @@ public final class DrawBrushTool implements Tool {
         }
         context.document().drag(before -> {
             BrushEdit<List<Solid>> made = solids(before.level(), drawn.bounds());
-            made.refusal().ifPresent(why -> context.status(why.words()));
+            context.status(made.refusal().map(BrushText::words).orElse(Words.NONE));
             return made.result().map(solids -> with(before, solids)).orElse(before);
         });
     }
