@@ -20,18 +20,23 @@ public final class VirtualDisplay implements AutoCloseable {
 
     /** Starts a display of 1024 × 600 pixels. */
     public static VirtualDisplay start() throws IOException {
-        return start("+extension", "GLX");
+        return start("1024x600", "+extension", "GLX");
+    }
+
+    /** Starts a display of a size, such as {@code 1280x800}. */
+    public static VirtualDisplay ofSize(String size) throws IOException {
+        return start(size, "+extension", "GLX");
     }
 
     /** Starts a display on which windows cannot have OpenGL. */
     public static VirtualDisplay startWithoutOpenGl() throws IOException {
-        return start("-extension", "GLX");
+        return start("1024x600", "-extension", "GLX");
     }
 
-    private static VirtualDisplay start(String... options) throws IOException {
+    private static VirtualDisplay start(String size, String... options) throws IOException {
         Process xvfb = null;
         List<String> command =
-                new ArrayList<>(List.of("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp"));
+                new ArrayList<>(List.of("Xvfb", "-displayfd", "1", "-screen", "0", size + "x24", "-nolisten", "tcp"));
         command.addAll(List.of(options));
         try {
             xvfb = new ProcessBuilder(command)

@@ -59,8 +59,18 @@ public final class WindowedEditing {
             session.playsWith(game::play);
             window.setVisible(true);
             work.offerLostWork();
+            if (isFirstRoom()) {
+                desk.show("guide");
+            }
             SwingUtilities.invokeLater(game::warm);
         });
+    }
+
+    /** Returns true for a user with an empty level who has not left the guide yet. */
+    private boolean isFirstRoom() {
+        return !session.settings().get(EditorSetting.GUIDE_FINISHED)
+                && session.file().path().isEmpty()
+                && session.document().level().solids().isEmpty();
     }
 
     private JournalFolder journals() {
