@@ -96,4 +96,14 @@ class PaneLayoutTest {
         layout.rectangles(new PaneSize(0, 0), GAP)
                 .forEach(pane -> assertTrue(pane.width() > 0 && pane.height() > 0, pane.toString()));
     }
+
+    @Test
+    void theEyeIsThatOfThePerspectivePaneWhicheverIsActive() {
+        var camera = new PerspectiveCamera(new Vec3(1, 2, 3), 30, -10, 70);
+        PaneLayout moved =
+                PaneLayout.initial().with(0, PaneLayout.initial().views().get(0).with(camera));
+        assertEquals(camera, moved.eye());
+        assertEquals(camera, moved.withActive(2).eye());
+        assertEquals(camera, moved.withActive(1).maximiseToggled().eye());
+    }
 }

@@ -50,6 +50,12 @@ final class Message {
         return texts;
     }
 
+    /** Takes all lines away. */
+    void clear() {
+        lines.clear();
+        changed();
+    }
+
     private void changed() {
         texts = lines.stream().map(Line::text).toList();
     }

@@ -134,6 +134,7 @@ public final class WaitingGame {
     private void rest() {
         picture.levelEnds();
         current.leave();
+        message.clear();
         if (!orders.isAnyWaiting()) {
             System.gc();
         }

@@ -41,9 +41,9 @@ final class PlayActions {
 
     private PlayActions() {}
 
-    /** Returns the start below the camera of the first perspective pane. */
+    /** Returns the start below the camera of the perspective pane. */
     private static PlayerStart here(EditorSession session) {
-        PerspectiveCamera camera = session.panes().activeView().perspective();
+        PerspectiveCamera camera = session.panes().eye();
         return FreeStart.below(camera.eye(), camera.yawDegrees(), camera.pitchDegrees());
     }
 

@@ -3,6 +3,7 @@ package nephele.editor.pane;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import nephele.editor.pane.PaneCamera.PaneSize;
 
 /**
@@ -91,6 +92,18 @@ public record PaneLayout(
     /** Returns the active pane's view. */
     public PaneView activeView() {
         return views.get(active);
+    }
+
+    /**
+     * Returns the camera of the perspective pane: the active one, else the first, shown or not; the camera that the
+     * active plan would have if all are plans.
+     */
+    public PerspectiveCamera eye() {
+        return Stream.concat(Stream.of(activeView()), views.stream())
+                .filter(view -> view.kind() == PaneKind.PERSPECTIVE)
+                .findFirst()
+                .orElse(activeView())
+                .perspective();
     }
 
     /**
