@@ -32,6 +32,8 @@ import nephele.engine.math.Vec3;
  */
 public final class FirstRoomScenario {
     private static final long LONGEST_SECONDS = 20;
+    /** The panels are darker than this, and so is a window without a picture. */
+    private static final int LEAST_DAYLIGHT = 140;
 
     private final Path folder;
     private final EditorSession session;
@@ -64,6 +66,12 @@ public final class FirstRoomScenario {
     private void run() throws Exception {
         new WindowedEditing(session, FiledSession.files(folder), FirstRoomScenario::game, System.err::println)
                 .open(SurfaceMode.AUTO, closed::countDown);
+        robot.await(
+                "the viewport",
+                () -> session.viewport().width() > 300
+                        && isTold(GuideStep.ROOM.title().english()));
+        Point ground = at(PaneKind.PERSPECTIVE, Vec3.ZERO);
+        robot.await("the first frame", () -> robot.colour(ground).getBlue() > LEAST_DAYLIGHT);
         step(GuideStep.ROOM, "01-guide");
         robot.drag(at(PaneKind.TOP, new Vec3(-4.5, 0, -4.5)), at(PaneKind.TOP, new Vec3(4.5, 0, 4.5)));
         step(GuideStep.LAMP, "02-room");
@@ -95,9 +103,7 @@ public final class FirstRoomScenario {
 
     /** Waits until the guide asks for a step. */
     private void step(GuideStep wanted, String picture) throws Exception {
-        robot.await(
-                wanted.name(),
-                () -> isTold(wanted.title().english()) && session.viewport().width() > 300);
+        robot.await(wanted.name(), () -> isTold(wanted.title().english()));
         robot.picture(picture);
         System.out.println(picture);
     }

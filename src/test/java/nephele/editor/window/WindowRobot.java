@@ -1,5 +1,6 @@
 package nephele.editor.window;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
@@ -195,6 +196,11 @@ public final class WindowRobot {
 
     private static int code(String name) throws ReflectiveOperationException {
         return KeyEvent.class.getField("VK_" + name).getInt(null);
+    }
+
+    /** Returns a colour on the display. */
+    public Color colour(Point at) {
+        return robot.getPixelColor(at.x, at.y);
     }
 
     /** Writes a picture of the display, after what was done has been drawn. */
