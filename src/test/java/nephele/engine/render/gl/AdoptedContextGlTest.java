@@ -45,9 +45,15 @@ class AdoptedContextGlTest {
         return bytes;
     }
 
-    private static byte[] expected() {
-        try (GlContext gl = GlContext.offscreen();
-                RenderTarget picture = RenderTarget.picture(gl, "expected", PixelFormat.RGBA8, SIDE, SIDE);
+    static byte[] expected() {
+        try (GlContext gl = GlContext.offscreen()) {
+            return frame(gl);
+        }
+    }
+
+    /** Returns a frame of the level, drawn in a context of any kind. */
+    static byte[] frame(GlContext gl) {
+        try (RenderTarget picture = RenderTarget.picture(gl, "expected", PixelFormat.RGBA8, SIDE, SIDE);
                 Renderer renderer = Renderer.load(gl, level(), TestAssets.NONE, settings())) {
             return frame(gl, renderer, picture);
         }

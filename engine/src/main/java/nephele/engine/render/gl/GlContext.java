@@ -5,6 +5,7 @@ import static org.lwjgl.opengl.GL41C.*;
 import nephele.engine.render.gl.shader.GlException;
 import nephele.engine.render.gl.shader.LinkedPrograms;
 import org.lwjgl.opengl.GL;
+import org.lwjgl.system.Platform;
 
 /** One OpenGL context, current on the thread that made it; the first argument of every other object of this package. */
 public final class GlContext implements AutoCloseable {
@@ -34,16 +35,33 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * Creates a context without a window system. It has no default framebuffer: draw to a {@link RenderTarget}.
+     * Creates a context for drawing to a {@link RenderTarget} only. On Linux it needs no window system; on Windows and
+     * macOS it is that of a hidden window, which needs a desktop session.
      *
-     * @throws GlUnavailableException if EGL or OpenGL 4.1 is missing
+     * @throws GlUnavailableException if EGL, the session or OpenGL 4.1 is missing
      */
     public static GlContext offscreen() {
-        OffscreenContext egl = OffscreenContext.makeCurrent();
+        return hasNoEgl() ? ofHiddenWindow() : ofEgl();
+    }
+
+    private static boolean hasNoEgl() {
+        return Platform.get() == Platform.WINDOWS || Platform.get() == Platform.MACOSX;
+    }
+
+    private static GlContext ofEgl() {
+        return of(OffscreenContext.makeCurrent()::destroy);
+    }
+
+    /** Creates a context as {@link #offscreen} does where there is no EGL; needs a desktop session. */
+    static GlContext ofHiddenWindow() {
+        return of(HiddenWindowContext.makeCurrent()::destroy);
+    }
+
+    private static GlContext of(Runnable destroyContext) {
         GL.createCapabilities(true);
         return new GlContext(() -> {
             GL.setCapabilities(null);
-            egl.destroy();
+            destroyContext.run();
         });
     }
 
@@ -52,6 +70,9 @@ public final class GlContext implements AutoCloseable {
      * this costs no time while the level is read. Never fails; the real context reports what is missing.
      */
     public static void preloadOffscreen() {
+        if (hasNoEgl()) {
+            return;
+        }
         try {
             OffscreenContext.makeCurrent().destroy();
         } catch (GlUnavailableException | LinkageError missing) {
