@@ -1,12 +1,10 @@
 package nephele.editor.panel;
 
-import java.awt.event.ActionEvent;
 import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
-import javax.swing.AbstractAction;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import nephele.editor.panel.model.NumberExpression;
+import nephele.editor.widget.ComponentKeys;
 
 /** A text field for a number or a sum; Up and Down change it by a step, Escape takes back what was typed. */
 final class NumberInput extends JTextField {
@@ -24,21 +22,11 @@ final class NumberInput extends JTextField {
         this.refuse = refuse;
         entry = new TextEntry(this, this::commit);
         addActionListener(event -> entry.enter());
-        key("UP", () -> step(1));
-        key("DOWN", () -> step(-1));
-        key("shift UP", () -> step(0.1));
-        key("shift DOWN", () -> step(-0.1));
-        key("ESCAPE", entry::revert);
-    }
-
-    private void key(String stroke, Runnable action) {
-        getInputMap().put(KeyStroke.getKeyStroke(stroke), stroke);
-        getActionMap().put(stroke, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+        ComponentKeys.bind(this, "UP", () -> step(1));
+        ComponentKeys.bind(this, "DOWN", () -> step(-1));
+        ComponentKeys.bind(this, "shift UP", () -> step(0.1));
+        ComponentKeys.bind(this, "shift DOWN", () -> step(-0.1));
+        ComponentKeys.bind(this, "ESCAPE", entry::revert);
     }
 
     private void step(double change) {

@@ -24,6 +24,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
+import nephele.editor.widget.AssetPictures;
 import nephele.engine.level.Language;
 import nephele.engine.level.Material;
 import net.miginfocom.swing.MigLayout;
@@ -42,14 +43,16 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private final JPanel content =
             new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 1", "[grow, fill]"));
     private final transient List<Choice> choices = new ArrayList<>();
-    private final transient Thumbnails thumbnails = new Thumbnails(content::repaint);
+    private final transient AssetPictures pictures;
     private transient List<Material> shown = List.of();
 
     private record Choice(AbstractButton button, BooleanSupplier isChosen) {}
 
-    public PalettePanel(EditorSession session) {
+    /** @param pictures of the textures of materials */
+    public PalettePanel(EditorSession session, AssetPictures pictures) {
         super(new MigLayout("insets 4, fill", "[grow, fill]", "[grow, fill]"));
         this.session = session;
+        this.pictures = pictures;
         add(new JScrollPane(content));
         registration = session.listen(change -> {
             if (change == Change.SETTINGS || session.document().level().materials() != shown) {
@@ -64,7 +67,6 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private void refresh() {
         shown = session.document().level().materials();
         Language language = session.language();
-        thumbnails.of(session.assets());
         getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
         choices.clear();
@@ -134,7 +136,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void material(JPanel grid, Material material, String chosen, String name) {
         BooleanSupplier isChosen = () -> Objects.equals(session.options().material(), chosen);
-        var button = new MaterialButton(material, name, thumbnails);
+        var button = new MaterialButton(material, name, pictures);
         prepare(button, isChosen, () -> {
             session.options().material(chosen);
             session.tell(Change.VIEW);
