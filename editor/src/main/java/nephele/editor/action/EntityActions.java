@@ -2,6 +2,7 @@ package nephele.editor.action;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
@@ -154,7 +155,7 @@ final class EntityActions {
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
-    private static void change(ActionCall call, Words label, java.util.function.UnaryOperator<Record> change) {
+    private static void change(ActionCall call, Words label, UnaryOperator<Record> change) {
         Document document = call.documentToEdit();
         document.edit(label, level ->
                 (Level) document.entities().changed(level, document.selection().entities(), change));

@@ -22,7 +22,6 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.widget.AssetPictures;
 import nephele.engine.level.Language;
@@ -35,8 +34,6 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
-
-    private static final Words GREY = Words.of("grey", "cinza", "cinzento");
 
     private final transient EditorSession session;
     private final transient Registration registration;
@@ -127,7 +124,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     }
 
     private void materials(JPanel grid) {
-        material(grid, Material.DEFAULT_GREY, null, GREY.in(session.language()));
+        material(grid, Material.DEFAULT_GREY, null, PanelText.GREY.in(session.language()));
         shown.forEach(material -> material(grid, material, material.id(), material.id()));
         MaterialLibrary.STANDARD
                 .missingIn(session.document().level())
