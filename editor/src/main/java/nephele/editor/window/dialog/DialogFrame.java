@@ -22,7 +22,7 @@ public final class DialogFrame {
     }
 
     /**
-     * What a dialogue shows.
+     * The content of a dialogue.
      *
      * @param first takes the keyboard
      * @param main the button of Enter; {@code null} for none

@@ -42,7 +42,7 @@ public final class SearchList<T> extends JPanel {
     private final transient Consumer<Optional<T>> done;
 
     /**
-     * What a list finds, shows and does.
+     * The search of a list, its rows and its effect.
      *
      * @param find returns the elements that a query finds, in order
      * @param done receives the chosen element, or nothing if the user gives up

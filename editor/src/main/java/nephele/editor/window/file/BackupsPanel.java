@@ -25,7 +25,7 @@ public final class BackupsPanel extends JPanel {
     private final JButton restore;
 
     /**
-     * What the panel needs of its dialogue.
+     * The services that the dialogue gives its panel.
      *
      * @param mayLeave false if the user wants to stay with the level that is open
      * @param tell receives what could not be done

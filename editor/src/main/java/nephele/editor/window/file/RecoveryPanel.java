@@ -33,7 +33,7 @@ public final class RecoveryPanel extends JPanel {
     private final JButton recover;
 
     /**
-     * What the panel needs of its dialogue.
+     * The services that the dialogue gives its panel.
      *
      * @param isAgreed asks a question with yes and no
      * @param mayLeave false if the user wants to stay with the level that is open
