@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import nephele.editor.brush.SolidTransform;
 import nephele.editor.record.EntityRef;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
@@ -81,6 +82,22 @@ class ScriptRunnerTest {
         assertEquals(0, session.level().solids().size());
         session.run("brush box min=0,0,0 max=1,1,1", "brush box min=1,0,0 max=2,1,1", "select-all", "merge");
         assertEquals(new Vec3(2, 1, 1), ((Solid.Box) session.level().solids().get(0)).size());
+    }
+
+    @Test
+    void anActionDuringADragBeginsWithTheStateBeforeIt() {
+        ScriptedSession session = ScriptedSession.empty()
+                .run("brush box min=0,0,0 max=4,4,4 id=block", "brush box min=1,1,-1 max=2,2,5 id=cutter");
+        session.session()
+                .document()
+                .drag(before -> before.with(before.level()
+                        .with(
+                                before.level().materials(),
+                                before.level().solids().stream()
+                                        .map(solid -> SolidTransform.moved(solid, new Vec3(0, 0, 9)))
+                                        .toList())));
+        session.run("subtract");
+        assertEquals(4, session.level().solids().size());
     }
 
     @Test

@@ -113,13 +113,6 @@ class BrushShapesTest {
         assertTrue(way.dot(rising.normal()) > 0);
     }
 
-    @Test
-    void stepsAreNoHigherThanAsked() {
-        assertEquals(10, ShapeOptions.Stairs.withStepsOf(null, 0.3, 3).steps());
-        assertEquals(11, ShapeOptions.Stairs.withStepsOf(null, 0.29, 3).steps());
-        assertEquals(1, ShapeOptions.Stairs.withStepsOf(null, 9, 3).steps());
-    }
-
     /** The section of an arch has the area between two polygons inscribed in ellipses. */
     @ParameterizedTest
     @CsvSource({"2, 0.25", "3, 1", "8, 0.5", "64, 0.125", "5, 2.5"})

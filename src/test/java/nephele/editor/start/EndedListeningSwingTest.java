@@ -1,7 +1,6 @@
 package nephele.editor.start;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Field;
 import java.util.ArrayList;
@@ -27,18 +26,36 @@ class EndedListeningSwingTest {
         return new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
     }
 
-    private int listeners() throws ReflectiveOperationException {
+    /** Returns the simple names of the classes whose lambdas listen. */
+    private List<String> listeners() throws ReflectiveOperationException {
         Field field = EditorSession.class.getDeclaredField("listeners");
         field.setAccessible(true);
-        return ((List<?>) field.get(session)).size();
+        return ((List<?>) field.get(session))
+                .stream()
+                        .map(listener -> listener.getClass().getSimpleName().replaceFirst("\\$.*", ""))
+                        .sorted()
+                        .toList();
     }
 
     @Test
     void aClosedPanelAndItsPartsHearNothingMore() throws ReflectiveOperationException {
         WindowLook.apply(session.settings());
-        int before = listeners();
+        List<String> before = listeners();
         var panel = EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN, (part, opener) -> {});
-        assertTrue(listeners() >= before + 7, "the parts follow the session");
+        List<String> open = new ArrayList<>(listeners());
+        before.forEach(open::remove);
+        assertEquals(
+                List.of(
+                        "EditorPanel",
+                        "EditorParts",
+                        "GuideBar",
+                        "HistoryPanel",
+                        "InspectorPanel",
+                        "OutlinerPanel",
+                        "PalettePanel",
+                        "ProblemsPanel",
+                        "ViewportPanel"),
+                open);
         panel.close();
         assertEquals(before, listeners());
         panel.close();

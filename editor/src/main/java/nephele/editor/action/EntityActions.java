@@ -2,6 +2,7 @@ package nephele.editor.action;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
@@ -65,7 +66,7 @@ final class EntityActions {
         }
         String typed = call.needed("kind");
         Vec3 at = call.vector("at", Vec3.ZERO);
-        Document document = call.session().document();
+        Document document = call.documentToEdit();
         LevelStructure structure = document.entities().structure();
         for (EntitySection section : structure.lists()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
@@ -106,7 +107,7 @@ final class EntityActions {
 
     private static void move(ActionCall call) throws ActionFailure {
         Vec3 by = call.vector("by");
-        Document document = call.session().document();
+        Document document = call.documentToEdit();
         document.edit(
                 MOVE,
                 null,
@@ -119,7 +120,7 @@ final class EntityActions {
 
     /** Returns the middle of the box around what is selected, on the grid. */
     private static Vec3 pivot(ActionCall call) throws ActionFailure {
-        Document document = call.session().document();
+        Document document = call.documentToEdit();
         Aabb box = Aabb.EMPTY;
         for (EntityRef ref : document.selection().entities()) {
             Aabb bounds = document.entities()
@@ -136,7 +137,7 @@ final class EntityActions {
         Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
         double degrees = call.number("degrees", 90);
         Vec3 pivot = pivot(call);
-        Document document = call.session().document();
+        Document document = call.documentToEdit();
         document.edit(
                 TURN,
                 level -> EntityTransform.turned(
@@ -154,8 +155,8 @@ final class EntityActions {
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
-    private static void change(ActionCall call, Words label, java.util.function.UnaryOperator<Record> change) {
-        Document document = call.session().document();
+    private static void change(ActionCall call, Words label, UnaryOperator<Record> change) {
+        Document document = call.documentToEdit();
         document.edit(label, level ->
                 (Level) document.entities().changed(level, document.selection().entities(), change));
     }
@@ -163,7 +164,7 @@ final class EntityActions {
     private static void set(ActionCall call) throws ActionFailure {
         String name = call.needed("value");
         String text = call.needed("to");
-        Document document = call.session().document();
+        Document document = call.documentToEdit();
         boolean isKnown = false;
         for (EntityRef ref : document.selection().entities()) {
             Record entity = document.entities().find(document.level(), ref).orElseThrow();

@@ -9,15 +9,25 @@ import nephele.editor.text.Words;
 /** The surroundings of a script: no user is asked, everything is agreed to, and copied text stays in the session. */
 public final class ScriptDesk implements Desk {
     private final Supplier<BufferedImage> picture;
+    private final Supplier<Optional<Path>> toOpen;
 
     /** @param picture draws the whole editor */
     public ScriptDesk(Supplier<BufferedImage> picture) {
+        this(picture, Optional::empty);
+    }
+
+    /**
+     * @param picture draws the whole editor
+     * @param toOpen chooses the file to open where a user is asked for one
+     */
+    public ScriptDesk(Supplier<BufferedImage> picture, Supplier<Optional<Path>> toOpen) {
         this.picture = picture;
+        this.toOpen = toOpen;
     }
 
     @Override
     public Optional<Path> fileToOpen() {
-        return Optional.empty();
+        return toOpen.get();
     }
 
     @Override

@@ -20,12 +20,7 @@ public sealed interface ShapeOptions {
      * @param rising the high side; {@code null} for +x or +z, whichever is longer
      * @param steps 1 to 1000
      */
-    record Stairs(BoxFace rising, int steps) implements ShapeOptions {
-        /** Returns stairs with as few steps as possible that are no higher than a given height. */
-        public static Stairs withStepsOf(BoxFace rising, double mostStepMetres, double heightMetres) {
-            return new Stairs(rising, (int) Math.max(1, Math.ceil(heightMetres / mostStepMetres - 1e-9)));
-        }
-    }
+    record Stairs(BoxFace rising, int steps) implements ShapeOptions {}
 
     /**
      * Blocks of half an elliptic ring over an opening; the passage runs along the shorter horizontal side.

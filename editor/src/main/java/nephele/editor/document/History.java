@@ -90,11 +90,6 @@ public final class History {
         return canUndo() ? Optional.of(steps.get(current).label) : Optional.empty();
     }
 
-    /** Returns the label of the step that redo makes again. */
-    public Optional<Words> redoLabel() {
-        return canRedo() ? Optional.of(steps.get(current + 1).label) : Optional.empty();
-    }
-
     /** Marks the current snapshot as the saved one. */
     public void markSaved() {
         saved = current;

@@ -9,7 +9,7 @@ import java.util.function.Predicate;
 import nephele.editor.record.EntityRef;
 
 /**
- * What is selected: entities in the order of selection, and single faces of solids. Immutable.
+ * The selection: entities in the order of selection, and single faces of solids. Immutable.
  *
  * @param entities without repetition; the last one is the main one, which edits with numbers regard
  */

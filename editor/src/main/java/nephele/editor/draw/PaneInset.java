@@ -5,7 +5,7 @@ import nephele.editor.mark.MarkColour;
 import nephele.engine.asset.Picture;
 
 /**
- * What a pane shows in its lower right corner, above its picture: a legend of colours, and a small picture.
+ * The lower right corner of a pane, above its picture: a legend of colours, and a small picture.
  *
  * @param picture {@code null} for none
  * @param caption of the picture

@@ -36,7 +36,7 @@ public record ViewportFrame(
     }
 
     /**
-     * How the viewport looks.
+     * The look of the viewport.
      *
      * @param gridMetres spacing of the grid to which the editor snaps; lines that would be too close are left out
      * @param pixelsPerPoint 1 on an ordinary display, 2 at 200 %

@@ -20,7 +20,7 @@ import nephele.engine.model.file.ModelFiles;
 
 /** A file that a user drops on the editor: it is opened, or becomes an asset of the level with what uses it. */
 public final class DroppedFile {
-    /** What an ending says of a file. */
+    /** The kind of a file by its ending. */
     public enum Kind {
         PICTURE("png", "jpg", "jpeg", "bmp", "tga"),
         MODEL("3d", "obj", "gltf", "glb"),
@@ -58,7 +58,7 @@ public final class DroppedFile {
     }
 
     /**
-     * Where a file is dropped.
+     * The place at which a file is dropped.
      *
      * @param at metres; where models and clouds appear
      * @param face what a picture is painted on; empty for nothing

@@ -28,7 +28,7 @@ public final class OutsideChanges {
     /** The level whose file was deleted while it had no changes; {@code null} for none. */
     private Level deleted;
 
-    /** What the user is told and asked. */
+    /** The news and questions for the user. */
     public interface Voice {
         /** Asks whether the user's version stays; false to load the other one. */
         boolean isMineKept(Words question);

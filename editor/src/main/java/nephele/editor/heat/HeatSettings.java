@@ -1,7 +1,7 @@
 package nephele.editor.heat;
 
 /**
- * How fine a heat map is, and for which shooter.
+ * The fineness of a heat map and its shooter.
  *
  * @param spacingMetres side of its cells; coarser where the level would have more than {@code mostCells}
  * @param yawRadians direction that the shooter faces over floors and under ceilings; 0 looks along −z, positive to the

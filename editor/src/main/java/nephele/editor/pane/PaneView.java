@@ -3,7 +3,7 @@ package nephele.editor.pane;
 import nephele.engine.math.Vec3;
 
 /**
- * What a pane shows: an immutable value. It keeps a camera for perspective and one for plans, so that a pane that
+ * The view of a pane: an immutable value. It keeps a camera for perspective and one for plans, so that a pane that
  * changes its kind and back shows the same.
  *
  * @param plan of any kind while the pane is a perspective

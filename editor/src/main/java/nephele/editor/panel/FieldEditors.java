@@ -1,6 +1,7 @@
 package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -127,7 +128,7 @@ final class FieldEditors {
     }
 
     private static List<Object> items(JComboBox<Object> combo) {
-        List<Object> items = new java.util.ArrayList<>();
+        List<Object> items = new ArrayList<>();
         for (int i = 0; i < combo.getItemCount(); i++) {
             items.add(combo.getItemAt(i));
         }

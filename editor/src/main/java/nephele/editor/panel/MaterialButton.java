@@ -12,6 +12,7 @@ import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
+import nephele.editor.widget.AssetPictures;
 import nephele.engine.level.Material;
 
 /** A button that shows a material: its picture times its colour, and its name. */
@@ -19,8 +20,8 @@ final class MaterialButton extends JToggleButton {
     private static final long serialVersionUID = 1;
     private static final int SIDE_POINTS = 48;
 
-    MaterialButton(Material material, String name, Thumbnails thumbnails) {
-        super(name, new Sample(material, thumbnails));
+    MaterialButton(Material material, String name, AssetPictures pictures) {
+        super(name, new Sample(material, pictures));
         setHorizontalTextPosition(SwingConstants.CENTER);
         setVerticalTextPosition(SwingConstants.BOTTOM);
         setIconTextGap(2);
@@ -30,7 +31,7 @@ final class MaterialButton extends JToggleButton {
         putClientProperty("FlatLaf.styleClass", "small");
     }
 
-    private record Sample(Material material, Thumbnails thumbnails) implements Icon {
+    private record Sample(Material material, AssetPictures pictures) implements Icon {
         @Override
         public void paintIcon(Component component, Graphics graphics, int x, int y) {
             Graphics2D g = (Graphics2D) graphics.create();
@@ -38,7 +39,7 @@ final class MaterialButton extends JToggleButton {
             int side = getIconWidth();
             Color colour = LinearColour.shown(material.baseColour());
             Optional<BufferedImage> picture =
-                    Optional.ofNullable(material.texture()).flatMap(thumbnails::find);
+                    Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
             g.setColor(colour);
             g.fillRect(x, y, side, side);
             picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));

@@ -2,7 +2,6 @@ package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -10,14 +9,12 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import javax.swing.table.TableColumn;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
@@ -30,6 +27,8 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.TextListener;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -101,24 +100,20 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     }
 
     private void bindKeys() {
-        key("F2", "rename", () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
-        key("DELETE", "delete", () -> edits.delete(selected()));
-        key("ENTER", "focus", this::focusOnSelected);
-        key("L", "lock", () -> edits.toggleLocked(members()));
-        key("SPACE", "fold-or-hide", this::foldOrHide);
-        key("LEFT", "fold", () -> fold(true));
-        key("RIGHT", "unfold", () -> fold(false));
+        key("F2", () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
+        key("DELETE", () -> edits.delete(selected()));
+        key("ENTER", this::focusOnSelected);
+        key("L", () -> edits.toggleLocked(members()));
+        key("SPACE", this::foldOrHide);
+        key("LEFT", () -> fold(true));
+        key("RIGHT", () -> fold(false));
     }
 
-    private void key(String stroke, String name, Runnable action) {
-        table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(stroke), name);
-        table.getActionMap().put(name, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                // The field of a rename has no use for some keys and passes them on.
-                if (!table.isEditing()) {
-                    action.run();
-                }
+    private void key(String stroke, Runnable action) {
+        ComponentKeys.bind(table, stroke, () -> {
+            // The field of a rename has no use for some keys and passes them on.
+            if (!table.isEditing()) {
+                action.run();
             }
         });
     }

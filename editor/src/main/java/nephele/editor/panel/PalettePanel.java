@@ -22,8 +22,8 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
+import nephele.editor.widget.AssetPictures;
 import nephele.engine.level.Language;
 import nephele.engine.level.Material;
 import net.miginfocom.swing.MigLayout;
@@ -35,21 +35,21 @@ import net.miginfocom.swing.MigLayout;
 public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
 
-    private static final Words GREY = Words.of("grey", "cinza", "cinzento");
-
     private final transient EditorSession session;
     private final transient Registration registration;
     private final JPanel content =
             new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 1", "[grow, fill]"));
     private final transient List<Choice> choices = new ArrayList<>();
-    private final transient Thumbnails thumbnails = new Thumbnails(content::repaint);
+    private final transient AssetPictures pictures;
     private transient List<Material> shown = List.of();
 
     private record Choice(AbstractButton button, BooleanSupplier isChosen) {}
 
-    public PalettePanel(EditorSession session) {
+    /** @param pictures of the textures of materials */
+    public PalettePanel(EditorSession session, AssetPictures pictures) {
         super(new MigLayout("insets 4, fill", "[grow, fill]", "[grow, fill]"));
         this.session = session;
+        this.pictures = pictures;
         add(new JScrollPane(content));
         registration = session.listen(change -> {
             if (change == Change.SETTINGS || session.document().level().materials() != shown) {
@@ -64,7 +64,6 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private void refresh() {
         shown = session.document().level().materials();
         Language language = session.language();
-        thumbnails.of(session.assets());
         getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
         choices.clear();
@@ -125,7 +124,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     }
 
     private void materials(JPanel grid) {
-        material(grid, Material.DEFAULT_GREY, null, GREY.in(session.language()));
+        material(grid, Material.DEFAULT_GREY, null, PanelText.GREY.in(session.language()));
         shown.forEach(material -> material(grid, material, material.id(), material.id()));
         MaterialLibrary.STANDARD
                 .missingIn(session.document().level())
@@ -134,7 +133,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void material(JPanel grid, Material material, String chosen, String name) {
         BooleanSupplier isChosen = () -> Objects.equals(session.options().material(), chosen);
-        var button = new MaterialButton(material, name, thumbnails);
+        var button = new MaterialButton(material, name, pictures);
         prepare(button, isChosen, () -> {
             session.options().material(chosen);
             session.tell(Change.VIEW);

@@ -1,8 +1,5 @@
 package nephele.editor.panel;
 
-import com.formdev.flatlaf.FlatClientProperties;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JButton;
@@ -21,13 +18,12 @@ import net.miginfocom.swing.MigLayout;
 final class TextEditor implements FieldEditor {
     private final FieldChanges changes;
     private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 2, fill", "[grow, fill][]", ""));
-    private final JTextComponent text;
+    private final TextEntry entry;
     private final AssetChooser chooser;
     /** {@code null} if the text names no file. */
     private final JButton choose;
 
     private InspectorField field;
-    private String shown = "";
 
     /** @param chooser {@code null} if the text names no file */
     TextEditor(InspectorField field, FieldChanges changes, AssetChooser chooser) {
@@ -35,15 +31,13 @@ final class TextEditor implements FieldEditor {
         this.changes = changes;
         this.chooser = chooser;
         boolean isProse = field.type().field().declaration().text() == TextKind.PROSE;
-        text = isProse ? area() : line();
+        JTextComponent text = isProse ? area() : new JTextField(8);
+        entry = new TextEntry(text, value -> changes.set(this.field, value));
+        if (text instanceof JTextField line) {
+            line.addActionListener(event -> entry.enter());
+        }
         text.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
         panel.add(isProse ? new JScrollPane(text) : text, "wmin 40, grow");
-        text.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusLost(FocusEvent event) {
-                enter();
-            }
-        });
         if (chooser != null) {
             choose = new JButton("…");
             choose.getAccessibleContext()
@@ -51,17 +45,11 @@ final class TextEditor implements FieldEditor {
                             .with(field.words().in(changes.language()))
                             .in(changes.language()));
             choose.addActionListener(
-                    event -> chooser.choose(this.field, shown).ifPresent(id -> changes.set(this.field, id)));
+                    event -> chooser.choose(this.field, entry.shown()).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
         } else {
             choose = null;
         }
-    }
-
-    private JTextComponent line() {
-        var line = new JTextField(8);
-        line.addActionListener(event -> enter());
-        return line;
     }
 
     private static JTextComponent area() {
@@ -74,16 +62,9 @@ final class TextEditor implements FieldEditor {
         return area;
     }
 
-    private void enter() {
-        if (!text.getText().equals(shown)) {
-            boolean isTaken = changes.set(field, text.getText());
-            text.putClientProperty(FlatClientProperties.OUTLINE, isTaken ? null : FlatClientProperties.OUTLINE_ERROR);
-        }
-    }
-
     private void showPicture() {
         if (choose != null) {
-            Optional<Icon> picture = chooser.picture(shown);
+            Optional<Icon> picture = chooser.picture(entry.shown());
             choose.setIcon(picture.orElse(null));
             choose.setText(picture.isPresent() ? "" : "…");
         }
@@ -97,15 +78,7 @@ final class TextEditor implements FieldEditor {
     @Override
     public void show(InspectorField next) {
         field = next;
-        text.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, FieldEditors.placeholder(next, changes));
-        String value = next.value() instanceof String string ? string : "";
-        if (!value.equals(shown) || !text.hasFocus()) {
-            shown = value;
-            showPicture();
-            text.putClientProperty(FlatClientProperties.OUTLINE, null);
-            if (!text.getText().equals(value)) {
-                text.setText(value);
-            }
-        }
+        entry.show(next.value() instanceof String text ? text : "", FieldEditors.placeholder(next, changes));
+        showPicture();
     }
 }

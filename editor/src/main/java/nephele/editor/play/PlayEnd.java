@@ -6,7 +6,7 @@ import nephele.engine.level.Written;
 import nephele.engine.level.json.RecordFile;
 
 /**
- * How a play from the editor ended.
+ * The end of a play from the editor.
  *
  * @param player where the player stood and looked at last
  * @param exitReached true if the player entered an exit

@@ -17,10 +17,6 @@ public enum PlayText implements Text {
             "Exit reached after %s s with %s portals",
             "Saída alcançada após %s s com %s portais", "Saída alcançada ao fim de %s s com %s portais"),
     RECORDED("Solution recorded: %s", "Solução gravada: %s", "Solução gravada: %s"),
-    NOT_RECORDED(
-            "The exit was not reached: no solution was recorded",
-            "A saída não foi alcançada: nenhuma solução foi gravada",
-            "A saída não foi alcançada: não foi gravada nenhuma solução"),
     CHECKING("Replaying the solution: %s %%", "Repetindo a solução: %s %%", "A repetir a solução: %s %%"),
     SOLVED(
             "Solved at tick %s, after %s s with %s portals",

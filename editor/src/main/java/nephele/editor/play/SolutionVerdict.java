@@ -4,7 +4,7 @@ import java.util.Optional;
 import nephele.engine.math.Vec3;
 
 /**
- * What a recorded solution does in the present level.
+ * The result of a recorded solution in the present level.
  *
  * @param exit the first entry of an exit, if any
  * @param deviation where the replay first differs from the recording, or misses the exit; empty if nowhere

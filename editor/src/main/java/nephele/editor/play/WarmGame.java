@@ -47,7 +47,7 @@ public final class WarmGame implements AutoCloseable {
     }
 
     /**
-     * What to play.
+     * A play to start.
      *
      * @param level as edited, saved or not
      * @param file the level's own file, for its name and its assets; it need not exist

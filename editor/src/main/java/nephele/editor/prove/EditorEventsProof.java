@@ -1,5 +1,6 @@
 package nephele.editor.prove;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,7 +9,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import nephele.editor.action.ScriptDesk;
 import nephele.engine.render.gl.GlKind;
+import nephele.lab.prove.process.TemporaryFolder;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
@@ -98,7 +101,10 @@ public final class EditorEventsProof implements Proof {
         }
 
         private void open() throws Exception {
-            editor = new EditorUnderEvents(levels.base(), new SilentDesk(() -> levels.any(random)));
+            // The desk cancels every choice of a place to save: saving makes backups in the user's own folders.
+            ScriptDesk desk = new ScriptDesk(
+                    () -> new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), () -> Optional.of(levels.any(random)));
+            editor = new EditorUnderEvents(levels.base(), desk);
             events = new RandomEvents(editor, random);
             objects = editor.liveObjects();
         }

@@ -23,6 +23,7 @@ import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
+import nephele.lab.prove.process.TemporaryFolder;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 import javax.swing.SwingUtilities;
+import nephele.editor.action.Desk;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
@@ -36,13 +37,13 @@ final class EditorUnderEvents implements AutoCloseable {
     private EditorSettings look = EditorSettings.DEFAULT;
 
     /** @param base the level at the beginning, to which {@link #liveObjects} returns */
-    EditorUnderEvents(Path base, SilentDesk desk) throws LevelFormatException {
+    EditorUnderEvents(Path base, Desk desk) throws LevelFormatException {
         this.base = base;
         WindowLook.apply(look);
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
         panel = EditorParts.panel(session, desk, SurfaceMode.OFFSCREEN, (part, opener) -> {});
-        session.listen(this::follow);
+        panel.closeToo(session.listen(this::follow));
         resize(SIZE);
     }
 

@@ -2,6 +2,8 @@ package nephele.editor.prove;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
@@ -12,6 +14,8 @@ import java.util.TreeMap;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.save.journal.RecoverableWork;
 import nephele.engine.level.Level;
+import nephele.lab.prove.process.KillableProcess;
+import nephele.lab.prove.process.TemporaryFolder;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
@@ -96,34 +100,20 @@ public final class JournalKillProof implements Proof {
 
     /** Runs a session and kills it; returns the moment before the kill. */
     private long session(Path folder, SplittableRandom random, Printed printed) throws Exception {
-        Process child = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:+UseSerialGC",
-                        "-XX:TieredStopAtLevel=1",
-                        "-Xshare:auto",
-                        "-Xmx128m",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        EditingSession.class.getName(),
-                        folder.toString())
-                .redirectErrorStream(true)
-                .start();
-        try (BufferedReader lines = child.inputReader()) {
+        try (var child = KillableProcess.start(
+                        KillableProcess.Errors.IN_OUTPUT, EditingSession.class, folder.toString());
+                var lines = new BufferedReader(new InputStreamReader(child.output(), StandardCharsets.UTF_8))) {
             printed.line(String.valueOf(lines.readLine()));
             long end = System.nanoTime() + (long) (random.nextDouble() * longestSeconds * 1e9);
             while (System.nanoTime() < end && printed.failure == null) {
                 printed.line(String.valueOf(lines.readLine()));
             }
             long killed = System.nanoTime();
-            // Through its handle: after Process.destroyForcibly the rest of its output can no longer be read.
-            child.toHandle().destroyForcibly();
-            child.waitFor();
+            child.kill();
             // The kill may have torn the last line, which ends without a line feed.
             String rest = readRest(lines);
             rest.substring(0, rest.lastIndexOf('\n') + 1).lines().forEach(printed::line);
             return killed;
-        } finally {
-            child.toHandle().destroyForcibly();
         }
     }
 

@@ -3,7 +3,7 @@ package nephele.editor.proving;
 import java.util.concurrent.Executor;
 
 /**
- * Where proofs are computed and where their results are used.
+ * The executors that compute proofs and that receive their results.
  *
  * @param work runs what takes long; it may run several tasks at a time
  * @param session runs what changes the session, one after another: the event dispatch thread of a window

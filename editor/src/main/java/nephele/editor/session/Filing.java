@@ -8,7 +8,7 @@ import nephele.editor.text.Words;
 import nephele.engine.userfile.UserFolders;
 
 /**
- * What files of a session need from its surroundings.
+ * The services that the files of a session need from its surroundings.
  *
  * @param backups of saved levels
  * @param saver writes levels, and keeps those backups

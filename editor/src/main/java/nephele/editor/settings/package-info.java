@@ -1,5 +1,5 @@
 /**
- * What the user of the editor has chosen. {@link nephele.editor.settings.EditorSetting} lists the settings, {@link
+ * The choices of the user of the editor. {@link nephele.editor.settings.EditorSetting} lists the settings, {@link
  * nephele.editor.settings.EditorSettings} holds their values, {@link nephele.editor.settings.EditorFiles} keeps them;
  * unknown and broken entries stay in the file.
  */

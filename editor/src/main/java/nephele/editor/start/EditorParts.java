@@ -24,6 +24,7 @@ import nephele.editor.session.SessionListener.Change;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
+import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
@@ -46,10 +47,11 @@ public final class EditorParts {
             EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
         session.options().material(MaterialLibrary.FIRST);
         EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
+        AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
         OutlinerPanel outliner = new OutlinerPanel(session, ref -> focus(commands, session, ref));
         left.addTab("", outliner);
-        left.addTab("", new PalettePanel(session));
+        left.addTab("", new PalettePanel(session, pictures));
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("", new ProblemsPanel(session, problem -> ProvingActions.choose(session, problem)));
         bottom.addTab("", new HistoryPanel(session));
@@ -64,7 +66,7 @@ public final class EditorParts {
                 titles.run();
             }
         });
-        AssetDialog assets = new AssetDialog(session, left, ForkJoinPool.commonPool());
+        AssetDialog assets = new AssetDialog(session, left, pictures);
         GuideBar guide = new GuideBar(session);
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, surface, slots);

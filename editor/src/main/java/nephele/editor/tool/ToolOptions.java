@@ -17,9 +17,9 @@ public final class ToolOptions {
         GRID,
         /** A vertex of a brush that is near the pointer is taken, before all others. */
         VERTEX,
-        /** What moves rests on the surface under the pointer; a place is on it, in a plan on the nearest edge. */
+        /** A moved thing rests on the surface under the pointer; a place is on it, in a plan on the nearest edge. */
         SURFACE,
-        /** What moves comes to lie on the grid, even if it lay beside it. */
+        /** A moved thing comes to lie on the grid, even if it lay beside it. */
         ABSOLUTE
     }
 

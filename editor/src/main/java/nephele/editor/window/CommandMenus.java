@@ -42,7 +42,7 @@ final class CommandMenus {
 
             @Override
             public void menuDeselected(MenuEvent event) {
-                // What is possible is asked again when the menu opens.
+                // Items are enabled anew when the menu opens.
             }
 
             @Override

@@ -4,7 +4,7 @@ import java.util.List;
 import javax.swing.JComponent;
 
 /**
- * What the caller puts around the viewport.
+ * The parts that the caller puts around the viewport.
  *
  * @param top above the viewport, such as the guide; {@code null} for none
  * @param left such as the outliner; {@code null} for none

@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
@@ -27,18 +26,6 @@ import nephele.engine.level.Language;
 /** The bar below the toolbar: how the active pane looks, panes, snapping, grid, and the options of the tool in use. */
 final class OptionBar extends JPanel {
     private static final long serialVersionUID = 1;
-
-    /** Actions that do something at once instead of choosing a state. */
-    private static final Set<String> MOMENTARY = Set.of(
-            "texture-pick",
-            "texture-fit",
-            "texture-left",
-            "texture-centre",
-            "texture-right",
-            "texture-top",
-            "texture-middle",
-            "texture-bottom",
-            "texture-reset");
 
     private final transient EditorSession session;
     private final transient EditorCommands commands;
@@ -101,7 +88,7 @@ final class OptionBar extends JPanel {
     }
 
     private void add(EditorCommand command) {
-        AbstractButton button = MOMENTARY.contains(command.id()) ? new JButton() : new JToggleButton();
+        AbstractButton button = ToolBarOptions.MOMENTARY.contains(command.id()) ? new JButton() : new JToggleButton();
         CommandButton made = CommandButton.of(command, button, keys, session.language());
         button.addActionListener(event -> refresh());
         add(button);

@@ -7,6 +7,9 @@ final class OptionDrawings {
     private static final String FRAME = "4,4 20,4 20,20 4,20 z";
     private static final String CUBE = "4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20";
 
+    private static final String PORTALABLE = "*4,8 12,12 12,20 4,16 z|" + CUBE;
+    private static final String SCREEN = "3,5 21,5 21,19 3,19 z";
+
     static final Map<String, String> ALL = Map.ofEntries(
             Map.entry(
                     "lit",
@@ -16,14 +19,14 @@ final class OptionDrawings {
                     "tool-sun",
                     "*12,8 14.8,9.2 16,12 16,15 8,15 8,12 9.2,9.2 z|3,15 21,15|6,18.5 18,18.5|12,2.5 12,5|4.5,6.5"
                             + " 6.3,8.3|19.5,6.5 17.7,8.3"),
-            Map.entry("tool-portalable", "*4,8 12,12 12,20 4,16 z|" + CUBE),
+            Map.entry("tool-portalable", PORTALABLE),
             Map.entry("unlit", "*4,8 12,4 20,8 20,16 12,20 4,16 z"),
-            Map.entry("portalable", "*4,8 12,12 12,20 4,16 z|" + CUBE),
+            Map.entry("portalable", PORTALABLE),
             Map.entry("collision", "12,3 20,6 19,14 12,21 5,14 4,6 z"),
             Map.entry("wireframe", CUBE + "|4,16 12,12 20,16|12,4 12,12"),
-            Map.entry("one-pane", "3,5 21,5 21,19 3,19 z"),
-            Map.entry("two-panes", "3,5 21,5 21,19 3,19 z|12,5 12,19"),
-            Map.entry("four-panes", "3,5 21,5 21,19 3,19 z|12,5 12,19|3,12 21,12"),
+            Map.entry("one-pane", SCREEN),
+            Map.entry("two-panes", SCREEN + "|12,5 12,19"),
+            Map.entry("four-panes", SCREEN + "|12,5 12,19|3,12 21,12"),
             Map.entry("grid-finer", "4,4 4,20|8,4 8,20|12,4 12,20|16,4 16,20|20,4 20,20|4,12 20,12"),
             Map.entry("grid-coarser", "4,4 4,20|12,4 12,20|20,4 20,20|4,12 20,12"),
             Map.entry("snap-grid", "8,3 8,21|16,3 16,21|3,8 21,8|3,16 21,16|*o 8,8,3"),

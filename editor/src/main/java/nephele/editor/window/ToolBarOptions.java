@@ -2,6 +2,7 @@ package nephele.editor.window;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** The actions of the option bar: those of the view, which are always shown, and those of each tool. */
 final class ToolBarOptions {
@@ -11,7 +12,19 @@ final class ToolBarOptions {
             List.of("one-pane", "two-panes", "four-panes"),
             List.of("snap-grid", "snap-vertex", "snap-surface", "snap-absolute"));
 
-    private static final List<String> TRANSFORM = List.of("texture-lock");
+    /** Actions that do something at once instead of choosing a state. */
+    static final List<String> MOMENTARY = List.of(
+            "texture-pick",
+            "texture-fit",
+            "texture-left",
+            "texture-centre",
+            "texture-right",
+            "texture-top",
+            "texture-middle",
+            "texture-bottom",
+            "texture-reset");
+
+    private static final List<String> TEXTURE_LOCK = List.of("texture-lock");
 
     private static final Map<String, List<String>> OF_TOOL = Map.of(
             "brush",
@@ -26,27 +39,17 @@ final class ToolBarOptions {
             "clip",
             List.of("keep-behind", "keep-front", "keep-both"),
             "paint",
-            List.of(
-                    "texture-pick",
-                    "texture-fit",
-                    "texture-left",
-                    "texture-centre",
-                    "texture-right",
-                    "texture-top",
-                    "texture-middle",
-                    "texture-bottom",
-                    "texture-reset",
-                    "texture-lock"),
+            Stream.concat(MOMENTARY.stream(), TEXTURE_LOCK.stream()).toList(),
             "portalable",
             List.of("new-portalable"),
             "select",
-            TRANSFORM,
+            TEXTURE_LOCK,
             "move",
-            TRANSFORM,
+            TEXTURE_LOCK,
             "rotate",
-            TRANSFORM,
+            TEXTURE_LOCK,
             "scale",
-            TRANSFORM);
+            TEXTURE_LOCK);
 
     private ToolBarOptions() {}
 

@@ -8,7 +8,6 @@ public enum WindowText implements Text {
     TITLE("Nephele level editor", "Editor de níveis Nephele", "Editor de níveis Nephele"),
     UNTITLED("Untitled", "Sem título", "Sem título"),
     TOOLS("Tools", "Ferramentas", "Ferramentas"),
-    MAIN_ACTIONS("Main actions", "Ações principais", "Ações principais"),
     STATUS("Status", "Estado", "Estado"),
     GRID("Grid %s m", "Grade %s m", "Grelha %s m"),
     GRID_STEP("Step of the grid", "Passo da grade", "Passo da grelha"),

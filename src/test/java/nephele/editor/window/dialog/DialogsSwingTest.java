@@ -29,6 +29,7 @@ import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
+import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
@@ -93,7 +94,8 @@ class DialogsSwingTest {
         new PaintedPanel(palette(new ArrayList<>())).write("palette" + look);
         new PaintedPanel(Searches.kinds(language, any -> {})).write("add" + look);
         PaintedPanel assets = new PaintedPanel(
-                new AssetDialog(session, new JLabel(), Runnable::run).list(AssetFamily.PICTURE, any -> {}));
+                new AssetDialog(session, new JLabel(), new AssetPictures(session::assets, Runnable::run))
+                        .list(AssetFamily.PICTURE, any -> {}));
         // The first painting asks for the pictures.
         assets.picture();
         java.awt.EventQueue.invokeAndWait(() -> {});

@@ -36,20 +36,20 @@ public final class EntityWords {
 
     static {
         kind("player", Group.PLAY, Words.of("Start", "Início", "Início"));
-        kind("exits", Group.PLAY, Words.of("Exit", "Saída", "Saída"));
+        kind("exits", Group.PLAY);
         kind("bodies.box", Group.PLAY, Words.of("Cube", "Cubo", "Cubo"));
         kind("bodies.sphere", Group.PLAY, Words.of("Ball", "Bola", "Bola"));
         kind("bodies", Group.PLAY);
-        kind("portals", Group.PLAY, Words.of("Portal", "Portal", "Portal"));
-        kind("portalGun", Group.PLAY, Words.of("Portal gun", "Arma de portais", "Arma de portais"));
+        kind("portals", Group.PLAY);
+        kind("portalGun", Group.PLAY);
         kind("lights", Group.LIGHT);
-        kind("environment.sun", Group.LIGHT, Words.of("Sun", "Sol", "Sol"));
-        kind("environment.clouds", Group.SKY, Words.of("Cloud", "Nuvem", "Nuvem"));
+        kind("environment.sun", Group.LIGHT);
+        kind("environment.clouds", Group.SKY);
         kind("environment.sky", Group.SKY);
-        kind("environment.fog", Group.SKY, Words.of("Fog", "Neblina", "Nevoeiro"));
+        kind("environment.fog", Group.SKY);
         kind("models", Group.SCENE);
-        kind("cameras", Group.SCENE, Words.of("Camera", "Câmera", "Câmara"));
-        kind("materials", Group.SCENE, Words.of("Material", "Material", "Material"));
+        kind("cameras", Group.SCENE);
+        kind("materials", Group.SCENE);
         kind("solids", Group.SOLIDS);
         SECTIONS.put("solids", Words.of("Brushes", "Blocos", "Blocos"));
         SECTIONS.put("player", Words.of("Start", "Início", "Início"));

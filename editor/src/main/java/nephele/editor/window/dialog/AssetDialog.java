@@ -3,13 +3,13 @@ package nephele.editor.window.dialog;
 import java.awt.Component;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.Icon;
 import nephele.editor.panel.AssetChooser;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.session.EditorSession;
+import nephele.editor.widget.AssetPictures;
 
 /** Lets the user choose one of the files that the level can name, with small pictures of the textures. */
 public final class AssetDialog implements AssetChooser {
@@ -23,12 +23,12 @@ public final class AssetDialog implements AssetChooser {
 
     /**
      * @param owner in the window over which it opens
-     * @param background reads pictures
+     * @param pictures of the assets of the session
      */
-    public AssetDialog(EditorSession session, Component owner, Executor background) {
+    public AssetDialog(EditorSession session, Component owner, AssetPictures pictures) {
         this.session = session;
         frame = new DialogFrame(owner);
-        pictures = new AssetPictures(session::assets, background);
+        this.pictures = pictures;
     }
 
     @Override

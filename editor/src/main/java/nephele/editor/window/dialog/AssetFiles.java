@@ -36,7 +36,7 @@ final class AssetFiles {
         try {
             Files.walkFileTree(root, EnumSet.noneOf(FileVisitOption.class), MOST_DEPTH, new Visit(ids, root, family));
         } catch (IOException unreadable) {
-            // What cannot be read cannot be chosen; other folders can.
+            // An unreadable folder offers nothing; other folders do.
         }
     }
 

@@ -4,15 +4,14 @@ import java.awt.Component;
 import java.awt.Dialog.ModalityType;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import nephele.editor.widget.ComponentKeys;
 
 /** Shows a panel in a dialogue over the window of a component, and waits until it is closed; Esc closes it. */
 public final class DialogFrame {
@@ -23,7 +22,7 @@ public final class DialogFrame {
     }
 
     /**
-     * What a dialogue shows.
+     * The content of a dialogue.
      *
      * @param first takes the keyboard
      * @param main the button of Enter; {@code null} for none
@@ -37,11 +36,7 @@ public final class DialogFrame {
         Content content = making.apply(dialog::dispose);
         dialog.setContentPane(content.panel());
         dialog.getRootPane().setDefaultButton(content.main());
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        event -> dialog.dispose(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        ComponentKeys.bind(dialog.getRootPane(), "ESCAPE", dialog::dispose);
         dialog.addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {

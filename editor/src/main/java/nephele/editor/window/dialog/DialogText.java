@@ -7,7 +7,6 @@ import nephele.engine.level.Language;
 public enum DialogText {
     OK("OK", "OK", "OK"),
     CANCEL("Cancel", "Cancelar", "Cancelar"),
-    CLOSE("Close", "Fechar", "Fechar"),
     SEARCH_COMMANDS("Search commands", "Buscar comandos", "Procurar comandos"),
     SEARCH_KINDS("Search what to add", "Buscar o que adicionar", "Procurar o que adicionar"),
     SEARCH_FILES("Search files", "Buscar arquivos", "Procurar ficheiros"),

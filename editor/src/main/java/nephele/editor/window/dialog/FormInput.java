@@ -15,6 +15,7 @@ import javax.swing.JTextField;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
+import nephele.editor.widget.TextListener;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -49,7 +50,7 @@ final class FormInput {
         for (int i = 0; i < count; i++) {
             JTextField text = new JTextField(i < values.length ? values[i] : "", count == 1 ? 18 : 8);
             text.getAccessibleContext().setAccessibleName(count == 1 ? name : name + " " + AXES.charAt(i));
-            text.getDocument().addDocumentListener(new TypedText(changed));
+            text.getDocument().addDocumentListener(new TextListener(changed));
             text.selectAll();
             if (count > 1) {
                 row.add(new JLabel(AXES.substring(i, i + 1)));

@@ -23,6 +23,7 @@ import javax.swing.JTextField;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingConstants;
+import nephele.editor.widget.TextListener;
 import nephele.engine.level.Language;
 
 /** A list that typed words narrow; Up, Down, PageUp and PageDown move, Enter and a click choose, Esc ends it. */
@@ -41,7 +42,7 @@ public final class SearchList<T> extends JPanel {
     private final transient Consumer<Optional<T>> done;
 
     /**
-     * What a list finds, shows and does.
+     * The search of a list, its rows and its effect.
      *
      * @param find returns the elements that a query finds, in order
      * @param done receives the chosen element, or nothing if the user gives up
@@ -68,7 +69,7 @@ public final class SearchList<T> extends JPanel {
         String prompt = search.prompt().in(language);
         query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt);
         query.getAccessibleContext().setAccessibleName(prompt);
-        query.getDocument().addDocumentListener(new TypedText(this::refind));
+        query.getDocument().addDocumentListener(new TextListener(this::refind));
         query.addKeyListener(new Choosing());
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new SearchCell<>(rows, rowPoints));

@@ -3,7 +3,7 @@ package nephele.editor.window.dialog;
 import javax.swing.Icon;
 
 /**
- * What a search list shows of an element.
+ * The row of a search list for an element.
  *
  * @param aside what it belongs to, in a column of its own; may be empty
  * @param trailing such as its key, at the right end; may be empty

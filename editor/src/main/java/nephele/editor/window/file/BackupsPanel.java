@@ -1,6 +1,5 @@
 package nephele.editor.window.file;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -12,6 +11,7 @@ import javax.swing.JPanel;
 import nephele.editor.file.BackupList;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
+import nephele.editor.widget.ComponentKeys;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -20,13 +20,12 @@ public final class BackupsPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
     private final transient BackupList backups;
-    private final transient Language language;
     private final transient Answers answers;
     private final PicturedList list;
     private final JButton restore;
 
     /**
-     * What the panel needs of its dialogue.
+     * The services that the dialogue gives its panel.
      *
      * @param mayLeave false if the user wants to stay with the level that is open
      * @param tell receives what could not be done
@@ -43,32 +42,24 @@ public final class BackupsPanel extends JPanel {
     public BackupsPanel(BackupList backups, Language language, Answers answers) {
         super(new MigLayout("insets 14, fill, wrap 1", "[grow, fill]", "[][grow, fill]14[]"));
         this.backups = backups;
-        this.language = language;
         this.answers = answers;
         list = new PicturedList(FileDialogText.VERSIONS.words(), language, this::picture);
-        restore = button(FileDialogText.RESTORE, this::restore);
-        JButton copy = button(FileDialogText.OPEN_COPY, this::openCopy);
+        restore = FileButton.of(FileDialogText.RESTORE, language, this::restore);
+        JButton copy = FileButton.of(FileDialogText.OPEN_COPY, language, this::openCopy);
         boolean isEmpty = backups.rows().isEmpty();
         restore.setEnabled(!isEmpty);
         copy.setEnabled(!isEmpty);
         add(new JLabel((isEmpty ? FileDialogText.NO_BACKUPS : FileDialogText.BACKUPS_INTRO).in(language)));
         add(list);
         JPanel buttons = new JPanel(new MigLayout("insets 0", "push[][][]"));
-        buttons.add(button(FileDialogText.CLOSE, answers.done()));
+        buttons.add(FileButton.of(FileDialogText.CLOSE, language, answers.done()));
         buttons.add(copy);
         buttons.add(restore);
         add(buttons);
-        DialogueKeys.bind(this, "ESCAPE", answers.done());
-        DialogueKeys.bind(list.rowList(), "ENTER", this::restore);
+        ComponentKeys.bind(this, "ESCAPE", answers.done());
+        ComponentKeys.bind(list.rowList(), "ENTER", this::restore);
         DoubleClick.on(list.rowList(), this::restore);
         list.show(backups.rows());
-    }
-
-    private JButton button(FileDialogText text, Runnable effect) {
-        JButton button = new JButton(text.in(language));
-        button.setName(text.name());
-        button.addActionListener(event -> effect.run());
-        return button;
     }
 
     /** Returns the list, which has the keyboard first. */
@@ -105,10 +96,7 @@ public final class BackupsPanel extends JPanel {
 
     private Optional<BufferedImage> picture(int index) {
         try {
-            return Optional.of(PlanPicture.of(
-                    backups.level(index),
-                    UIScale.scale(PicturedList.PICTURE_WIDTH),
-                    UIScale.scale(PicturedList.PICTURE_HEIGHT)));
+            return Optional.of(PicturedList.plan(backups.level(index)));
         } catch (FileRefusal unreadable) {
             return Optional.empty();
         }

@@ -19,6 +19,7 @@ import javax.swing.SwingConstants;
 import nephele.editor.file.FileRow;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
+import nephele.engine.level.Level;
 import net.miginfocom.swing.MigLayout;
 
 /** A list of versions of levels, with the picture and the place of the selected one beside it. */
@@ -52,6 +53,11 @@ final class PicturedList extends JPanel {
         add(scroll, "grow, h " + PICTURE_HEIGHT + "lp!");
         add(picture, "w " + PICTURE_WIDTH + "lp!, h " + PICTURE_HEIGHT + "lp!, wrap");
         add(place, "span, growx, wmin 0");
+    }
+
+    /** Returns the plan of a level in the size of the pictures. */
+    static BufferedImage plan(Level level) {
+        return PlanPicture.of(level, UIScale.scale(PICTURE_WIDTH), UIScale.scale(PICTURE_HEIGHT));
     }
 
     /** Shows other rows, and keeps the place of the selection as far as possible. */

@@ -1,6 +1,5 @@
 package nephele.editor.window.file;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -16,6 +15,7 @@ import nephele.editor.file.FileRow;
 import nephele.editor.file.RecoveryList;
 import nephele.editor.save.journal.RecoverableWork;
 import nephele.editor.text.Words;
+import nephele.editor.widget.ComponentKeys;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -33,7 +33,7 @@ public final class RecoveryPanel extends JPanel {
     private final JButton recover;
 
     /**
-     * What the panel needs of its dialogue.
+     * The services that the dialogue gives its panel.
      *
      * @param isAgreed asks a question with yes and no
      * @param mayLeave false if the user wants to stay with the level that is open
@@ -47,9 +47,9 @@ public final class RecoveryPanel extends JPanel {
         this.answers = answers;
         this.language = language;
         list = new PicturedList(FileDialogText.LOST_WORK.words(), language, this::picture);
-        recover = button(FileDialogText.RECOVER, this::recover);
-        JButton discard = button(FileDialogText.DISCARD, this::discard);
-        JButton later = button(FileDialogText.LATER, answers.done());
+        recover = FileButton.of(FileDialogText.RECOVER, language, this::recover);
+        JButton discard = FileButton.of(FileDialogText.DISCARD, language, this::discard);
+        JButton later = FileButton.of(FileDialogText.LATER, language, answers.done());
         add(new JLabel(FileDialogText.RECOVER_INTRO.in(language)));
         add(list);
         JPanel buttons = new JPanel(new MigLayout("insets 0", "[]push[][]"));
@@ -57,19 +57,12 @@ public final class RecoveryPanel extends JPanel {
         buttons.add(later);
         buttons.add(recover);
         add(buttons);
-        DialogueKeys.bind(this, "ESCAPE", answers.done());
-        DialogueKeys.bind(list.rowList(), "DELETE", this::discard);
-        DialogueKeys.bind(list.rowList(), "ENTER", this::recover);
+        ComponentKeys.bind(this, "ESCAPE", answers.done());
+        ComponentKeys.bind(list.rowList(), "DELETE", this::discard);
+        ComponentKeys.bind(list.rowList(), "ENTER", this::recover);
         DoubleClick.on(list.rowList(), this::recover);
         getAccessibleContext().setAccessibleName(FileDialogText.RECOVER_TITLE.in(language));
         list.show(lost.rows());
-    }
-
-    private JButton button(FileDialogText text, Runnable effect) {
-        JButton button = new JButton(text.in(language));
-        button.setName(text.name());
-        button.addActionListener(event -> effect.run());
-        return button;
     }
 
     /** Returns the list, which has the keyboard first. */
@@ -109,12 +102,7 @@ public final class RecoveryPanel extends JPanel {
 
     private Optional<BufferedImage> picture(int index) {
         RecoverableWork work = lost.works().get(index);
-        return work.picture()
-                .flatMap(RecoveryPanel::read)
-                .or(() -> Optional.of(PlanPicture.of(
-                        work.level(),
-                        UIScale.scale(PicturedList.PICTURE_WIDTH),
-                        UIScale.scale(PicturedList.PICTURE_HEIGHT))));
+        return work.picture().flatMap(RecoveryPanel::read).or(() -> Optional.of(PicturedList.plan(work.level())));
     }
 
     private static Optional<BufferedImage> read(Path file) {

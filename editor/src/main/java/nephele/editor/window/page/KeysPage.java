@@ -4,28 +4,25 @@ import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.event.ActionEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.UIManager;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.table.DefaultTableCellRenderer;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.KeyText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSettings;
+import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.TextListener;
 import nephele.editor.window.dialog.ToldColour;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
@@ -61,22 +58,7 @@ final class KeysPage extends JPanel {
         JTextField filter = new JTextField();
         filter.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, PageText.FILTER.in(language));
         filter.getAccessibleContext().setAccessibleName(PageText.FILTER.in(language));
-        filter.getDocument().addDocumentListener(new DocumentListener() {
-            @Override
-            public void insertUpdate(DocumentEvent event) {
-                model.filter(filter.getText());
-            }
-
-            @Override
-            public void removeUpdate(DocumentEvent event) {
-                model.filter(filter.getText());
-            }
-
-            @Override
-            public void changedUpdate(DocumentEvent event) {
-                model.filter(filter.getText());
-            }
-        });
+        filter.getDocument().addDocumentListener(new TextListener(() -> model.filter(filter.getText())));
         return filter;
     }
 
@@ -91,23 +73,9 @@ final class KeysPage extends JPanel {
         for (int i = 0; i < widths.length; i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
         }
-        table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("ENTER"), "replace");
-        table.getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke("DELETE"), "remove");
-        table.getActionMap()
-                .put("replace", action(() -> await((choices, command) -> key -> choices.with(command, List.of(key)))));
-        table.getActionMap()
-                .put("remove", action(() -> change((choices, command) -> choices.with(command, List.of()))));
-    }
-
-    private static AbstractAction action(Runnable run) {
-        return new AbstractAction() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                run.run();
-            }
-        };
+        ComponentKeys.bind(
+                table, "ENTER", () -> await((choices, command) -> key -> choices.with(command, List.of(key))));
+        ComponentKeys.bind(table, "DELETE", () -> change((choices, command) -> choices.with(command, List.of())));
     }
 
     private JPanel buttons(Language language) {

@@ -1,16 +1,14 @@
 package nephele.editor.window.proving;
 
 import java.awt.Component;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.ProvingText;
+import nephele.editor.widget.ComponentKeys;
 import nephele.engine.level.Language;
 
 /** Makes the dialogue of an explanation, which leaves the editor usable; Esc and Enter close it. */
@@ -23,11 +21,7 @@ final class ExplanationDialog {
         dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         dialog.add(panel);
         dialog.getRootPane().setDefaultButton(panel.closeButton());
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        event -> dialog.dispose(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        ComponentKeys.bind(dialog.getRootPane(), "ESCAPE", dialog::dispose);
         dialog.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {

@@ -12,7 +12,7 @@ import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.math.Vec3;
 
 /**
- * What a drag of the right or the middle button does to a camera.
+ * Moves a camera by a drag of the right or the middle button.
  *
  * @param grabbed the point under the pointer when the button was pressed
  */

@@ -17,7 +17,7 @@ import nephele.editor.proving.TracedCorner.Traced;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Language;
 
-/** What the proofs of a session show in perspective panes: the heat map with its legend, and the traced picture. */
+/** The results of a session's proofs in perspective panes: the heat map with its legend, and the traced picture. */
 final class ProvingInset {
     private ProvingInset() {}
 

@@ -31,7 +31,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
 
     /**
-     * What the viewport tells its window.
+     * The reports of the viewport to its window.
      *
      * @param pointed receives the place under the pointer, empty outside
      * @param report receives a line for each thing that cannot be shown

@@ -48,10 +48,10 @@ public final class SaveKillProof implements Proof {
         long within = 0;
         long kills = 0;
         long unfinished = 0;
-        Process next = start(file(folder, 0));
+        KillableProcess next = start(file(folder, 0));
         try {
             while (within < count) {
-                Process child = next;
+                KillableProcess child = next;
                 Path file = file(folder, kills);
                 next = start(file(folder, ++kills));
                 boolean isWithin = isWithinASave(kill(child, random));
@@ -63,8 +63,8 @@ public final class SaveKillProof implements Proof {
                 }
             }
         } finally {
-            next.destroyForcibly().waitFor();
-            delete(folder);
+            next.kill();
+            TemporaryFolder.delete(folder);
         }
         List<Figure> figures = List.of(
                 Figure.sum("kills that left a file half-written or not yet in its place", unfinished, ""),
@@ -91,27 +91,15 @@ public final class SaveKillProof implements Proof {
         return file.resolveSibling(file.getFileName() + suffix);
     }
 
-    /** Starts a Java process as cheaply as possible that saves exactly as the program does. */
-    private Process start(Path file) throws IOException {
+    /** Starts a process that saves exactly as the program does. */
+    private KillableProcess start(Path file) throws IOException {
         kind.save(file, 0);
-        Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-        return new ProcessBuilder(
-                        java.toString(),
-                        "-XX:+UseSerialGC",
-                        "-XX:TieredStopAtLevel=1",
-                        "-Xshare:auto",
-                        "-Xmx128m",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        SavingChild.class.getName(),
-                        kind.name(),
-                        file.toString())
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
+        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavingChild.class, kind.name(), file.toString());
     }
 
     /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
-    private static String kill(Process child, SplittableRandom random) throws IOException, InterruptedException {
+    private static String kill(KillableProcess child, SplittableRandom random)
+            throws IOException, InterruptedException {
         var told = new StringBuilder();
         long begun = 0;
         long nanos = 0;
@@ -124,17 +112,14 @@ public final class SaveKillProof implements Proof {
             }
         }
         LockSupport.parkNanos((long) (random.nextDouble() * LENGTHS * nanos));
-        // The process is killed through its handle: after {@code Process.destroyForcibly} its output can no longer be
-        // read.
-        child.toHandle().destroyForcibly();
-        child.waitFor();
-        return told.append(new String(child.getInputStream().readAllBytes(), StandardCharsets.US_ASCII))
+        child.kill();
+        return told.append(new String(child.output().readAllBytes(), StandardCharsets.US_ASCII))
                 .toString();
     }
 
-    private static void awaitNext(Process child, char expected, StringBuilder told)
+    private static void awaitNext(KillableProcess child, char expected, StringBuilder told)
             throws IOException, InterruptedException {
-        int next = child.getInputStream().read();
+        int next = child.output().read();
         if (next != expected) {
             throw new IOException("the saving process ended by itself with code " + child.waitFor());
         }
@@ -147,14 +132,5 @@ public final class SaveKillProof implements Proof {
         if (problem != null) {
             failures.add("kill " + unit + ": " + problem);
         }
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (var files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
     }
 }

@@ -1,16 +1,16 @@
-package nephele.editor.window.file;
+package nephele.editor.widget;
 
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** Keys of a dialogue or of a part of it. */
-final class DialogueKeys {
-    private DialogueKeys() {}
+/** Keys of a component and of the components in it. */
+public final class ComponentKeys {
+    private ComponentKeys() {}
 
-    /** Runs something when a key such as {@code ESCAPE} is pressed anywhere in a component. */
-    static void bind(JComponent part, String key, Runnable effect) {
+    /** Runs an effect when a key such as {@code ESCAPE} is pressed while the focus is in a component. */
+    public static void bind(JComponent part, String key, Runnable effect) {
         part.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), key);
         part.getActionMap().put(key, new AbstractAction() {
             private static final long serialVersionUID = 1;

@@ -1,10 +1,10 @@
-package nephele.editor.panel;
+package nephele.editor.widget;
 
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 
 /** Calls an action after each change of a text. */
-record TextListener(Runnable action) implements DocumentListener {
+public record TextListener(Runnable action) implements DocumentListener {
     @Override
     public void insertUpdate(DocumentEvent event) {
         action.run();

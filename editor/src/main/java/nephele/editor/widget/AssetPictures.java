@@ -1,4 +1,4 @@
-package nephele.editor.window.dialog;
+package nephele.editor.widget;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
@@ -19,7 +19,7 @@ import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 
 /** Small pictures of a level's pictures, read in the background; used by the event dispatch thread. */
-final class AssetPictures {
+public final class AssetPictures {
     private static final int KEPT_PIXELS = 96;
     private static final BufferedImage NONE = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
 
@@ -28,13 +28,14 @@ final class AssetPictures {
     private final Map<String, BufferedImage> pictures = new HashMap<>();
     private AssetSource source;
 
-    AssetPictures(Supplier<AssetSource> assets, Executor background) {
+    /** @param background reads the pictures */
+    public AssetPictures(Supplier<AssetSource> assets, Executor background) {
         this.assets = assets;
         this.background = background;
     }
 
     /** Returns the picture of an asset, which appears when it has been read. */
-    Icon icon(String assetId, int sidePoints) {
+    public Icon icon(String assetId, int sidePoints) {
         return new Shown(assetId, sidePoints);
     }
 
@@ -49,7 +50,7 @@ final class AssetPictures {
 
         @Override
         public void paintIcon(Component component, Graphics graphics, int x, int y) {
-            picture(assetId, component).ifPresent(picture -> {
+            find(assetId, component).ifPresent(picture -> {
                 Graphics2D g = (Graphics2D) graphics.create();
                 g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
                 g.drawImage(picture, x, y, getIconWidth(), getIconHeight(), null);
@@ -68,7 +69,12 @@ final class AssetPictures {
         }
     }
 
-    private Optional<BufferedImage> picture(String assetId, Component shown) {
+    /**
+     * Returns the picture of an asset, opaque and square; empty while it is read.
+     *
+     * @param shown its parent is repainted when the picture has been read
+     */
+    public Optional<BufferedImage> find(String assetId, Component shown) {
         AssetSource now = assets.get();
         if (source != now) {
             source = now;
@@ -90,7 +96,7 @@ final class AssetPictures {
         return Optional.ofNullable(known);
     }
 
-    /** A picture that cannot be read is shown as none: the problems panel tells why. */
+    /** Returns an empty picture if the asset cannot be read; the problems panel tells why. */
     private static BufferedImage read(AssetSource assets, String assetId) {
         try {
             return small(PictureDecoder.decode(assetId, assets.bytes(assetId)).toRgba8());

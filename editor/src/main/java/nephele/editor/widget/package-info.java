@@ -1,0 +1,2 @@
+/** Swing parts that panels, dialogues and settings pages share. */
+package nephele.editor.widget;
