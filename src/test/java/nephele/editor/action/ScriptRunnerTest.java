@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.editor.brush.SolidTransform;
 import nephele.editor.record.EntityRef;
+import nephele.editor.text.Words;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
 import nephele.engine.level.json.LevelFile;
@@ -163,5 +164,16 @@ class ScriptRunnerTest {
         }
         assertEquals(new Vec3(1, 2, 3), after.views().get(0).perspective().eye());
         assertEquals(90, after.views().get(0).perspective().yawDegrees());
+    }
+
+    @Test
+    void aMergeTellsOfGapsThatItFills() {
+        ScriptedSession apart = ScriptedSession.empty()
+                .run("brush min=0,0,0 max=1,1,1 id=a", "brush min=2,0,0 max=3,1,1 id=b", "select-all", "merge");
+        assertEquals(1, apart.level().solids().size());
+        assertTrue(apart.session().status().english().contains("fills the gaps"));
+        ScriptedSession joined = ScriptedSession.empty()
+                .run("brush min=0,0,0 max=1,1,1 id=a", "brush min=1,0,0 max=3,1,1 id=b", "select-all", "merge");
+        assertEquals(Words.NONE, joined.session().status());
     }
 }

@@ -35,6 +35,10 @@ final class BrushActions {
     private static final Words HOLLOW = Words.of("Hollow", "Esvaziar", "Esvaziar");
     private static final Words SUBTRACT = Words.of("Subtract", "Subtrair", "Subtrair");
     private static final Words MERGE = Words.of("Merge", "Unir", "Unir");
+    private static final Words NOTCH = Words.of(
+            "Merged; the brush is convex, so it fills the gaps that were between them",
+            "Unidos; o bloco é convexo, por isso preenche os vãos que havia entre eles",
+            "Unidos; o bloco é convexo, por isso preenche os vãos que havia entre eles");
     private static final Words NO_SHAPE = Words.of(
             "there is no shape '%s': box, wedge, stairs, arch, cylinder, room",
             "não há a forma '%s': box, wedge, stairs, arch, cylinder, room",
@@ -192,5 +196,8 @@ final class BrushActions {
         List<Solid> gone = solids(call.session());
         Solid merged = done(BrushBoolean.merged(gone));
         document.edit(MERGE, null, before -> with(document, before, gone, List.of(merged)));
+        if (!BrushBoolean.isUnionConvex(gone)) {
+            call.session().status(NOTCH);
+        }
     }
 }

@@ -40,6 +40,12 @@ final class FileActions {
                             FileActions::open)
                     .taking("file"),
             EditorAction.of(
+                    "open-recent",
+                    Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
+                    Menu.FILE,
+                    List.of("Ctrl+Shift+O"),
+                    call -> call.desk().show("open-recent")),
+            EditorAction.of(
                             "save",
                             Words.of("Save", "Salvar", "Guardar"),
                             Menu.FILE,

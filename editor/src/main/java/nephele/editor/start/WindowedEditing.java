@@ -1,8 +1,10 @@
 package nephele.editor.start;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Clock;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
@@ -14,6 +16,7 @@ import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.surface.SurfaceMode;
@@ -57,6 +60,8 @@ public final class WindowedEditing {
             EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, desk, journals());
             session.playsWith(game::play);
+            session.listen(this::remember);
+            remember(Change.FILE);
             window.setVisible(true);
             work.offerLostWork();
             if (isFirstRoom()) {
@@ -64,6 +69,14 @@ public final class WindowedEditing {
             }
             SwingUtilities.invokeLater(game::warm);
         });
+    }
+
+    private void remember(Change change) {
+        Optional<Path> file = change == Change.FILE ? session.file().path() : Optional.empty();
+        List<String> before = session.settings().get(EditorSetting.RECENT_FILES);
+        file.map(session.settings()::withRecent)
+                .filter(after -> !after.get(EditorSetting.RECENT_FILES).equals(before))
+                .ifPresent(session::settings);
     }
 
     /** Returns true for a user with an empty level who has not left the guide yet. */

@@ -8,6 +8,7 @@ public enum DialogText {
     OK("OK", "OK", "OK"),
     CANCEL("Cancel", "Cancelar", "Cancelar"),
     SEARCH_COMMANDS("Search commands", "Buscar comandos", "Procurar comandos"),
+    OPEN_RECENT("Open Recent", "Abrir recente", "Abrir recente"),
     SEARCH_KINDS("Search what to add", "Buscar o que adicionar", "Procurar o que adicionar"),
     SEARCH_FILES("Search files", "Buscar arquivos", "Procurar ficheiros"),
     NOTHING_FOUND("Nothing found", "Nada encontrado", "Nada encontrado"),

@@ -1,6 +1,9 @@
 package nephele.editor.window.dialog;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
@@ -13,6 +16,7 @@ import nephele.editor.action.Desk;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.session.EditorSession;
+import nephele.editor.settings.EditorSetting;
 import nephele.editor.text.Words;
 import nephele.editor.window.EditorPanel;
 
@@ -35,6 +39,7 @@ public final class EditorDialogs {
     public void register(BiConsumer<String, Runnable> parts) {
         parts.accept("palette", this::showPalette);
         parts.accept("add", this::showKinds);
+        parts.accept("open-recent", this::showRecent);
         parts.accept("screenshot", this::savePicture);
         ActionForms.ALL.forEach(form -> parts.accept(form.part(), () -> show(form)));
     }
@@ -55,6 +60,20 @@ public final class EditorDialogs {
             SearchList<PaletteModel.Entry> list = Searches.kinds(session.language(), chosen -> {
                 close.run();
                 chosen.ifPresent(this::add);
+            });
+            return new DialogFrame.Content(list, list.query(), null);
+        });
+    }
+
+    private void showRecent() {
+        List<Path> files = session.settings().get(EditorSetting.RECENT_FILES).stream()
+                .map(Path::of)
+                .filter(Files::isRegularFile)
+                .toList();
+        frame.open(DialogText.OPEN_RECENT.in(session.language()), close -> {
+            SearchList<Path> list = Searches.files(files, session.language(), chosen -> {
+                close.run();
+                chosen.ifPresent(file -> session.status(run("open", Map.of("file", file.toString()))));
             });
             return new DialogFrame.Content(list, list.query(), null);
         });

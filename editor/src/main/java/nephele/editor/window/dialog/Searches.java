@@ -1,5 +1,6 @@
 package nephele.editor.window.dialog;
 
+import java.nio.file.Path;
 import java.text.Normalizer;
 import java.util.Arrays;
 import java.util.List;
@@ -53,6 +54,20 @@ public final class Searches {
                                 .toList(),
                         entry -> SearchRow.of(
                                 entry.words().in(language), entry.sectionWords().in(language)),
+                        done),
+                language);
+    }
+
+    /** Returns the search over files, by name, with the folder of each. */
+    public static SearchList<Path> files(List<Path> files, Language language, Consumer<Optional<Path>> done) {
+        return new SearchList<>(
+                new SearchList.Search<>(
+                        DialogText.SEARCH_FILES,
+                        query -> files.stream()
+                                .filter(file -> hasWords(query, file.toString()))
+                                .toList(),
+                        file -> SearchRow.of(
+                                file.getFileName().toString(), file.getParent().toString()),
                         done),
                 language);
     }
