@@ -49,6 +49,16 @@ class VertexToolTest {
     }
 
     @Test
+    void controlSplitsAnEdgeInItsMiddle() {
+        scene.press(new Vec3(0, 2, 1), Modifier.CONTROL);
+        scene.drag(new Vec3(0, 2, 2.1), Modifier.CONTROL);
+        scene.release(new Vec3(0, 2, 2.1));
+        assertEquals(9, Brush.of(scene.solid("cube")).shape().vertices().size());
+        assertTrue(scene.hasVertices("cube", new Vec3(0, 2, 2), new Vec3(-1, 2, 1), new Vec3(1, 2, 1)));
+        EndedDrags.assertOneStep(start, scene);
+    }
+
+    @Test
     void shiftAddsAndRemovesAndAltMovesVertically() {
         scene.click(CORNER);
         scene.click(new Vec3(1, 2, -1), Modifier.SHIFT);

@@ -1,7 +1,6 @@
 package nephele.editor.tool.vertex;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -31,16 +30,18 @@ import nephele.engine.math.Vec3;
 
 /**
  * Moves vertices and edges of the selected brushes, which stay convex. Vertices of several brushes at one place move
- * together; Alt moves vertically. Elsewhere the pointer selects as with the select tool.
+ * together; Alt moves vertically, Control splits an edge in its middle. Elsewhere the pointer selects as with the select tool.
  */
 public final class VertexTool implements Tool {
     public static final ToolEntry ENTRY = new ToolEntry(
             "vertex",
             Words.of("Vertex", "Vértice", "Vértice"),
             Words.of(
-                    "Drag vertices or middles of edges; Shift adds, Alt moves vertically",
-                    "Arraste vértices ou meios de arestas; Shift acrescenta, Alt move na vertical",
-                    "Arrasta vértices ou meios de arestas; Shift acrescenta, Alt move na vertical"),
+                    "Drag vertices or middles of edges; Shift adds, Alt moves vertically, Control splits an edge",
+                    "Arraste vértices ou meios de arestas; Shift acrescenta, Alt move na vertical, Ctrl divide a"
+                            + " aresta",
+                    "Arrasta vértices ou meios de arestas; Shift acrescenta, Alt move na vertical, Ctrl divide a"
+                            + " aresta"),
             "V",
             "vertex",
             VertexTool::new);
@@ -150,14 +151,31 @@ public final class VertexTool implements Tool {
             return;
         }
         context.document().drag(before -> {
-            BrushEdit<Level> edit = BrushEdit.done(before.level());
-            for (Map.Entry<EntityRef, Set<Vec3>> moved : vertices().entrySet()) {
-                edit = edit.flatMap(level -> edited(level, moved.getKey(), moved.getValue(), offset));
-            }
+            BrushEdit<Level> edit = splits() ? split(before.level(), offset) : moved(before.level(), offset);
             context.status(edit.refusal().map(why -> why.words()).orElse(Words.NONE));
             edit.result().ifPresent(done -> by = offset);
             return edit.result().map(before::with).orElse(before);
         });
+    }
+
+    private boolean splits() {
+        return start.isHeld(Modifier.CONTROL) && !taken.isVertex();
+    }
+
+    private BrushEdit<Level> split(Level level, Vec3 offset) {
+        Solid solid = solid(level, taken.solid());
+        return changed(
+                level, taken.solid(), VertexEdit.withVertex(solid, taken.at().plus(offset)));
+    }
+
+    private BrushEdit<Level> moved(Level before, Vec3 offset) {
+        BrushEdit<Level> edit = BrushEdit.done(before);
+        for (Map.Entry<EntityRef, Set<Vec3>> moved : vertices().entrySet()) {
+            EntityRef ref = moved.getKey();
+            edit = edit.flatMap(
+                    level -> changed(level, ref, VertexEdit.moved(solid(level, ref), moved.getValue(), offset)));
+        }
+        return edit;
     }
 
     /** Returns the vertices that move, by their solids. */
@@ -169,8 +187,8 @@ public final class VertexTool implements Tool {
         return moving;
     }
 
-    private BrushEdit<Level> edited(Level level, EntityRef ref, Collection<Vec3> vertices, Vec3 offset) {
-        return VertexEdit.moved(solid(level, ref), vertices, offset).map(edited ->
+    private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<VertexEdit.Edited> edit) {
+        return edit.map(edited ->
                 (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) edited.solid()));
     }
 
