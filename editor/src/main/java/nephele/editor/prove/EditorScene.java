@@ -19,6 +19,7 @@ record EditorScene(String name, Making making) {
 
     static EditorScene whole(String name, Preparation preparation) {
         return new EditorScene(name, editor -> {
+            editor.escape();
             preparation.prepare(editor);
             return null;
         });

@@ -3,6 +3,13 @@ package nephele.editor.prove;
 import java.util.List;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptRunner;
+import nephele.editor.pane.PaneCamera;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneView;
+import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.pane.PlanCamera;
+import nephele.engine.math.Vec3;
 
 /** A small level with something of each kind, made by the action table. */
 final class FurnishedRoom {
@@ -38,10 +45,22 @@ final class FurnishedRoom {
             "paste",
             "select ids=solids/block,lights/lamp",
             "group",
-            "select-none",
-            "camera at=2.6,2.4,4.6 yaw=18 pitch=-14");
+            "select-none");
 
     private FurnishedRoom() {}
+
+    /** Returns panes that look at the room. */
+    static PaneLayout seen(PaneLayout panes) {
+        PaneLayout turned = panes;
+        for (int i = 0; i < panes.views().size(); i++) {
+            PaneView view = panes.views().get(i);
+            PaneCamera camera = view.kind() == PaneKind.PERSPECTIVE
+                    ? new PerspectiveCamera(new Vec3(3, 2.6, 4.4), 24, -18, 75)
+                    : new PlanCamera(view.kind(), new Vec3(0, 2, 0), 0.035);
+            turned = turned.with(i, view.with(camera));
+        }
+        return turned.withActive(0);
+    }
 
     /** Makes the room in the session of a script. */
     static void make(ScriptRunner script, PicturedDesk desk) throws ActionFailure {

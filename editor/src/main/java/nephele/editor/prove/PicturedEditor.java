@@ -4,6 +4,7 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import javax.swing.AbstractButton;
@@ -40,6 +41,7 @@ final class PicturedEditor implements AutoCloseable {
         panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
         script = new ScriptRunner(session, desk);
         FurnishedRoom.make(script, desk);
+        session.panes(FurnishedRoom::seen);
         layOut();
     }
 
@@ -71,6 +73,11 @@ final class PicturedEditor implements AutoCloseable {
         layOut();
         int gap = Math.round(PaneLayout.GAP_PIXELS * UIScale.getUserScaleFactor());
         return new OffscreenHand(session, viewport(), gap);
+    }
+
+    /** Ends what the hand holds, as Esc does. */
+    void escape() {
+        panel.key(new KeyEvent(panel, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_ESCAPE, (char) KeyEvent.VK_ESCAPE));
     }
 
     private Component viewport() {

@@ -1,5 +1,6 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JLabel;
@@ -28,7 +29,7 @@ final class StatusBar extends JPanel {
         hint.setName("hint");
         grid.setName("grid");
         place.setName("place");
-        hint.setEnabled(false);
+        message.putClientProperty(FlatClientProperties.STYLE, "font: bold");
         add(message, "wmin 0");
         add(hint, "wmin 0, growx");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");

@@ -56,6 +56,11 @@ public final class ExtrudeTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
         if (hovered != null && pointer.isHeld(Modifier.SHIFT)) {

@@ -70,6 +70,11 @@ public final class PaintTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
         String material = context.options().material();

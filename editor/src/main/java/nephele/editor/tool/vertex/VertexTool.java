@@ -98,6 +98,11 @@ public final class VertexTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         taken = under(pointer).orElse(null);
         start = pointer;
