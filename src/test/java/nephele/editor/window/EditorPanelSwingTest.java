@@ -144,7 +144,8 @@ class EditorPanelSwingTest {
     @ParameterizedTest
     @CsvSource({"DARK, 100, EN", "LIGHT, 100, PT_BR", "DARK, 200, PT_PT", "LIGHT, 200, EN"})
     void nothingIsCutOff(Theme theme, int percent, Language language) throws Exception {
-        open(settings(theme, percent, language), new Dimension(1280, 800));
+        Dimension size = percent > 100 ? new Dimension(1920, 1200) : new Dimension(1280, 800);
+        open(settings(theme, percent, language), size);
         BufferedImage picture = PanelPicture.of(panel);
         write(picture, theme + "-" + percent + "-" + language);
         assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));

@@ -21,7 +21,7 @@ import nephele.editor.record.FieldKind;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {
-    private static final int LONGEST_TITLE_POINTS = 124;
+    private static final int LONGEST_TITLE_POINTS = 112;
 
     private final FieldChanges changes;
     private final JLabel title = new JLabel();
@@ -47,6 +47,12 @@ final class FieldLine {
         String indent = "gapleft " + indentPixels;
         FieldKind kind = field.type().kind();
         boolean isLong = title.getPreferredSize().width + indentPixels > UIScale.scale(LONGEST_TITLE_POINTS);
+        if (kind == FieldKind.TRUTH && isLong) {
+            panel.add(title, indent + ", span 2, split 2");
+            panel.add(editor.component());
+            panel.add(menu);
+            return;
+        }
         if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET || isLong) {
             // Three numbers, the name of a file and a long title need the whole width to be readable.
             panel.add(title, indent + ", span 2");
