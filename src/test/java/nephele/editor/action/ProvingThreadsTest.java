@@ -37,7 +37,7 @@ class ProvingThreadsTest {
         Proving proving = proving();
         proving.heat().show(true);
         work.poll().run();
-        room.run("select solids/wall", "set portalable to=false");
+        room.run("select solids/wall-floor", "set portalable to=false");
         runAll(results);
         assertTrue(proving.heat().counts().isEmpty(), "that of the level before the edit");
         runAll(work);
@@ -50,7 +50,7 @@ class ProvingThreadsTest {
         Proving proving = proving();
         proving.heat().show(true);
         Runnable first = work.poll();
-        room.run("select solids/wall", "set portalable to=false");
+        room.run("select solids/wall-floor", "set portalable to=false");
         first.run();
         assertTrue(results.isEmpty(), "a cancelled map has no result");
     }

@@ -33,6 +33,8 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PlanNavigation;
 import nephele.editor.pick.EntityBounds;
+import nephele.editor.prove.picture.CutTexts;
+import nephele.editor.prove.picture.UserTexts;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -139,44 +141,14 @@ class EditorPanelSwingTest {
         return new Vec3(box.maxX() - box.minX(), box.maxY() - box.minY(), box.maxZ() - box.minZ());
     }
 
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component child : container.getComponents()) {
-            if (child instanceof Container inner) {
-                layOut(inner);
-            }
-        }
-    }
-
-    private static void clipped(Container container, List<String> found) {
-        for (Component child : container.getComponents()) {
-            Dimension wanted = child.getPreferredSize();
-            boolean isText = child instanceof AbstractButton
-                    || child instanceof JLabel label && !label.getText().isEmpty();
-            boolean isShort = child.getWidth() < wanted.width || child.getHeight() < wanted.height;
-            boolean isOutside = child.getX() + child.getWidth() > container.getWidth()
-                    || child.getY() + child.getHeight() > container.getHeight();
-            boolean isCuttable = "hint".equals(child.getName())
-                    || container.getClass().getName().contains("Tabbed");
-            if (isText && !isCuttable && (isShort || isOutside)) {
-                found.add(child.getClass().getSimpleName() + " " + child.getName() + " " + child.getBounds() + " of "
-                        + wanted);
-            }
-            if (child instanceof Container inner && child.isVisible()) {
-                clipped(inner, found);
-            }
-        }
-    }
-
     @ParameterizedTest
     @CsvSource({"DARK, 100, EN", "LIGHT, 100, PT_BR", "DARK, 200, PT_PT", "LIGHT, 200, EN"})
     void nothingIsCutOff(Theme theme, int percent, Language language) throws Exception {
-        open(settings(theme, percent, language), new Dimension(1280, 800));
+        Dimension size = percent > 100 ? new Dimension(1920, 1200) : new Dimension(1280, 800);
+        open(settings(theme, percent, language), size);
         BufferedImage picture = PanelPicture.of(panel);
         write(picture, theme + "-" + percent + "-" + language);
-        List<String> cut = new ArrayList<>();
-        clipped(panel, cut);
-        assertEquals(List.of(), cut);
+        assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));
         JMenuBar bar = find(panel, JMenuBar.class);
         assertEquals(Menu.values().length, bar.getMenuCount());
         assertEquals(Menu.EDIT.title().in(language), bar.getMenu(1).getText());
@@ -184,8 +156,7 @@ class EditorPanelSwingTest {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, other));
             PanelPicture.layOut(panel, panel.getSize());
             assertEquals(Menu.TOOL.title().in(other), bar.getMenu(5).getText());
-            clipped(panel, cut);
-            assertEquals(List.of(), cut, other.title());
+            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), other.title());
         }
     }
 

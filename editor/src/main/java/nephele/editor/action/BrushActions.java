@@ -13,6 +13,7 @@ import nephele.editor.brush.BrushHollow;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.BrushText;
+import nephele.editor.brush.RoomSides;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Document;
 import nephele.editor.document.Notes;
@@ -94,7 +95,12 @@ final class BrushActions {
         String material = call.text("material").orElse(session.options().material());
         session.options().material(material);
         BrushStyle style = session.options().style(document.level());
-        List<Solid> made = done(BrushShapes.drawn(Aabb.of(List.of(min, max)), shape, style, freshIds(document, wish)));
+        Aabb box = Aabb.of(List.of(min, max));
+        List<Solid> drawn = done(BrushShapes.drawn(box, shape, style, freshIds(document, wish)));
+        List<Solid> made = shape instanceof ShapeOptions.Room
+                ? RoomSides.named(drawn, box, side -> freshIds(document, wish + "-" + side)
+                        .get())
+                : drawn;
         document.edit(
                 DRAW,
                 null,

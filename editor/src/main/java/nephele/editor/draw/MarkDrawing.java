@@ -91,7 +91,11 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
     private void label(Mark.Label label, PaneCamera camera, PaneSize size) {
         Vec3 at = label.at();
         camera.project(at, size).ifPresent(spot -> {
-            double x = spot.x() / pixelsPerPoint + LABEL_ASIDE_POINTS;
+            // At the pane's right border the label stays whole, over what it names.
+            double rightmost =
+                    size.width() / pixelsPerPoint - texts.width(EM_POINTS, label.text()) - PLATE_MARGIN_POINTS;
+            double aside = spot.x() / pixelsPerPoint + LABEL_ASIDE_POINTS;
+            double x = Math.max(PLATE_MARGIN_POINTS, Math.min(aside, rightmost));
             double baseline = spot.y() / pixelsPerPoint - LABEL_ASIDE_POINTS;
             boolean isInside = spot.x() >= 0 && spot.x() < size.width() && spot.y() >= 0 && spot.y() < size.height();
             if (isInside) {

@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
  */
 public record PaneView(PaneKind kind, PerspectiveCamera perspective, PlanCamera plan, ViewMode mode) {
     private static final double FOV_DEGREES = 60;
-    private static final double METRES_PER_PIXEL = 0.04;
+    private static final double METRES_PER_PIXEL = 0.05;
 
     public PaneView {
         if (kind != PaneKind.PERSPECTIVE && plan.kind() != kind) {

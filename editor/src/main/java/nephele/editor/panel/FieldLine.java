@@ -1,6 +1,7 @@
 package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Cursor;
@@ -20,6 +21,8 @@ import nephele.editor.record.FieldKind;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {
+    private static final int LONGEST_TITLE_POINTS = 112;
+
     private final FieldChanges changes;
     private final JLabel title = new JLabel();
     private final FieldEditor editor;
@@ -40,13 +43,21 @@ final class FieldLine {
     }
 
     void addTo(JPanel panel) {
-        String indent = "gapleft " + 10 * field.depth();
+        int indentPixels = UIScale.scale(10 * field.depth());
+        String indent = "gapleft " + indentPixels;
         FieldKind kind = field.type().kind();
-        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET) {
-            // Three numbers and the name of a file need the whole width to be readable.
+        boolean isLong = title.getPreferredSize().width + indentPixels > UIScale.scale(LONGEST_TITLE_POINTS);
+        if (kind == FieldKind.TRUTH && isLong) {
+            panel.add(title, indent + ", span 2, split 2");
+            panel.add(editor.component());
+            panel.add(menu);
+            return;
+        }
+        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET || isLong) {
+            // Three numbers, the name of a file and a long title need the whole width to be readable.
             panel.add(title, indent + ", span 2");
             panel.add(menu);
-            panel.add(editor.component(), indent + ", span 3, growx, wmin 40");
+            panel.add(editor.component(), indent + ", span 3, growx, w 40:120:");
             return;
         }
         panel.add(title, indent);

@@ -1,7 +1,9 @@
 package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
+import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -45,9 +47,11 @@ public final class GuideBar extends JPanel implements AutoCloseable {
     private final JButton back = button("guide-back", event -> back());
     private final JButton skip = button("guide-skip", event -> skip());
     private final JButton leave = button("guide-leave", event -> leave());
+    private final JPanel buttons = new JPanel(new MigLayout("insets 0"));
+    private boolean isNarrow;
 
     public GuideBar(EditorSession session) {
-        super(new MigLayout("insets 6 10 6 8, fillx", "[][grow, fill][][][][]", "[][]"));
+        super(new MigLayout("insets 6 10 6 8, fillx, hidemode 3", "[][grow, fill][]"));
         this.session = session;
         guide = new Guide(session);
         title.putClientProperty(FlatClientProperties.STYLE_CLASS, "h4");
@@ -57,15 +61,38 @@ public final class GuideBar extends JPanel implements AutoCloseable {
         text.setOpaque(false);
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
-        add(title);
-        add(count, "gapleft 8");
-        add(prepare);
-        add(back);
-        add(skip);
-        add(leave, "wrap");
-        add(text, "span 6, growx, wmin 100");
+        for (JButton button : List.of(prepare, back, skip, leave)) {
+            buttons.add(button);
+        }
+        arrange();
         setVisible(false);
         registration = session.listen(this::follow);
+    }
+
+    /** Puts the buttons beside the title, or below the text where there is no room. */
+    private void arrange() {
+        removeAll();
+        add(title);
+        add(count, isNarrow ? "gapleft 8, span 2, wrap" : "gapleft 8");
+        if (!isNarrow) {
+            add(buttons, "wrap");
+        }
+        add(text, "span 3, growx, wmin 100, wrap");
+        if (isNarrow) {
+            add(buttons, "span 3, right");
+        }
+    }
+
+    @Override
+    public void doLayout() {
+        int row = title.getPreferredSize().width + count.getPreferredSize().width + buttons.getPreferredSize().width;
+        boolean isFull = row + UIScale.scale(48) > getWidth();
+        if (isFull != isNarrow) {
+            isNarrow = isFull;
+            arrange();
+            revalidate();
+        }
+        super.doLayout();
     }
 
     private static JButton button(String name, Consumer<Object> action) {

@@ -26,7 +26,7 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
     private final JLabel heading = new JLabel();
     private final JLabel message = new JLabel();
     private final JPanel content =
-            new WidthTrackingPanel(new MigLayout("insets 4, gap 4 3, fillx, wrap 3", "[][grow, fill][]"));
+            new WidthTrackingPanel(new MigLayout("insets 4, gap 4 3, fillx, wrap 3", "[][104lp::, grow, fill][]"));
     private final transient List<FieldLine> lines = new ArrayList<>();
     private transient Language shownLanguage;
 

@@ -7,8 +7,10 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -18,13 +20,16 @@ import javax.swing.JTextField;
 import javax.swing.table.TableColumn;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
+import nephele.editor.icon.EntityIcons;
 import nephele.editor.panel.model.EntityQuery;
 import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.OutlinerModel;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
+import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.widget.ComponentKeys;
@@ -78,7 +83,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         table.setTableHeader(null);
         table.setShowGrid(false);
         table.setFillsViewportHeight(true);
-        table.setDefaultRenderer(Object.class, new OutlinerCell());
+        table.setDefaultRenderer(Object.class, new OutlinerCell(this::symbol));
         // A key that is typed shall not begin to rename; F2 does.
         table.putClientProperty("JTable.autoStartsEdit", Boolean.FALSE);
         for (int column : new int[] {OutlinerTable.EYE, OutlinerTable.LOCK}) {
@@ -97,6 +102,17 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
                 showMenu(event);
             }
         });
+    }
+
+    private Icon symbol(EntityRef ref) {
+        // A level has many solids, and the search for each of those in view would be slow.
+        boolean isOfOneSymbol = ref.section().equals(Picker.SOLIDS);
+        Optional<Record> entity = isOfOneSymbol
+                ? Optional.empty()
+                : session.document().entities().find(session.document().level(), ref);
+        return EntityIcons.of(
+                ref.section(),
+                entity.map(record -> RecordKind.of(record).name()).orElse(""));
     }
 
     private void bindKeys() {

@@ -1,8 +1,10 @@
 package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Font;
-import java.awt.GridLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -15,6 +17,7 @@ import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Registration;
+import nephele.editor.icon.EntityIcons;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.model.EntityWords;
 import nephele.editor.panel.model.PaletteModel;
@@ -51,6 +54,13 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         this.session = session;
         this.pictures = pictures;
         add(new JScrollPane(content));
+        // The number of columns follows from the width.
+        content.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                content.revalidate();
+            }
+        });
         registration = session.listen(change -> {
             if (change == Change.SETTINGS || session.document().level().materials() != shown) {
                 refresh();
@@ -68,12 +78,12 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         content.removeAll();
         choices.clear();
         JPanel shapes = group(PanelText.SHAPES.in(language), 2);
-        shape(shapes, PanelText.ROOM, new ShapeOptions.Room(0.5));
-        shape(shapes, PanelText.BOX, new ShapeOptions.Box());
-        shape(shapes, PanelText.WEDGE, new ShapeOptions.Wedge(null));
-        shape(shapes, PanelText.STAIRS, new ShapeOptions.Stairs(null, 8));
-        shape(shapes, PanelText.ARCH, new ShapeOptions.Arch(12, 0.5));
-        shape(shapes, PanelText.CYLINDER, new ShapeOptions.Cylinder(16));
+        shape(shapes, PanelText.ROOM, "room", new ShapeOptions.Room(0.5));
+        shape(shapes, PanelText.BOX, "box", new ShapeOptions.Box());
+        shape(shapes, PanelText.WEDGE, "wedge", new ShapeOptions.Wedge(null));
+        shape(shapes, PanelText.STAIRS, "stairs", new ShapeOptions.Stairs(null, 8));
+        shape(shapes, PanelText.ARCH, "arch", new ShapeOptions.Arch(12, 0.5));
+        shape(shapes, PanelText.CYLINDER, "cylinder", new ShapeOptions.Cylinder(16));
         for (EntityWords.Group group : EntityWords.Group.values()) {
             List<PaletteModel.Entry> entries = PaletteModel.entries(LevelStructure.LEVEL, group);
             if (group == EntityWords.Group.SOLIDS) {
@@ -94,14 +104,15 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         JLabel label = new JLabel(text);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
         content.add(label, "gaptop 6");
-        JPanel grid = new JPanel(new GridLayout(0, columns, 2, 2));
+        JPanel grid = new JPanel(new FittingGrid(columns));
         grid.setOpaque(false);
         content.add(grid, "wmin 0");
         return grid;
     }
 
-    private void shape(JPanel grid, PanelText text, ShapeOptions shape) {
-        add(grid, new JToggleButton(text.in(session.language())), () -> isUsed("brush", shape), () -> {
+    private void shape(JPanel grid, PanelText text, String symbol, ShapeOptions shape) {
+        var button = new JToggleButton(text.in(session.language()), EntityIcons.ofShape(symbol));
+        add(grid, button, () -> isUsed("brush", shape), () -> {
             session.options().shape(shape);
             take("brush");
         });
@@ -113,7 +124,8 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     }
 
     private void entity(JPanel grid, PaletteModel.Entry entry) {
-        var button = new JToggleButton(entry.words().in(session.language()));
+        var button =
+                new JToggleButton(entry.words().in(session.language()), EntityIcons.of(entry.section(), entry.kind()));
         BooleanSupplier isChosen = () -> session.toolEntry().id().equals("place")
                 && session.options().section().equals(entry.section())
                 && session.options().kind().equals(entry.kind());
@@ -144,6 +156,8 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private void add(JPanel grid, AbstractButton button, BooleanSupplier isChosen, Runnable action) {
         button.setHorizontalAlignment(SwingConstants.LEADING);
         button.setToolTipText(button.getText());
+        button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+        button.setIconTextGap(UIScale.scale(6));
         prepare(button, isChosen, action);
         grid.add(button);
     }

@@ -83,7 +83,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     }
 
     /** Shows the problems that a search has found. */
-    void show(List<LevelProblem> found) {
+    public void show(List<LevelProblem> found) {
         LevelProblem before = list.getSelectedValue();
         isUpdating = true;
         problems.clear();

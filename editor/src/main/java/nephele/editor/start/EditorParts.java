@@ -28,6 +28,7 @@ import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
+import nephele.editor.window.dialog.DialogFrame;
 
 /** Puts the panels around the viewport. */
 public final class EditorParts {
@@ -45,8 +46,14 @@ public final class EditorParts {
      */
     public static EditorPanel panel(
             EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
+        return panel(session, surface, new EditorSurroundings(desk, parts, DialogFrame::new));
+    }
+
+    /** Returns the whole editor of a session among what surrounds it. */
+    public static EditorPanel panel(EditorSession session, SurfaceMode surface, EditorSurroundings around) {
+        BiConsumer<String, Runnable> parts = around.parts();
         session.options().material(MaterialLibrary.FIRST);
-        EditorCommands commands = new EditorCommands(session, desk, Actions.ALL, Tools.ALL);
+        EditorCommands commands = new EditorCommands(session, around.desk(), Actions.ALL, Tools.ALL);
         AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
         OutlinerPanel outliner = new OutlinerPanel(session, ref -> focus(commands, session, ref));
@@ -66,12 +73,12 @@ public final class EditorParts {
                 titles.run();
             }
         });
-        AssetDialog assets = new AssetDialog(session, left, pictures);
+        AssetDialog assets = new AssetDialog(session, around.dialogues().apply(left), pictures);
         GuideBar guide = new GuideBar(session);
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, surface, slots);
         panel.closeToo(translation);
-        EditorPages.register(session, desk, panel, parts);
+        EditorPages.register(session, panel, around);
         parts.accept("guide", guide::start);
         parts.accept("search", () -> {
             left.setSelectedIndex(0);

@@ -12,6 +12,9 @@ public interface Tool {
     /** The pointer moved without a button. */
     default void moved(Pointer pointer) {}
 
+    /** The pointer left the viewport: what it pointed at is not shown any more. */
+    default void left() {}
+
     void pressed(Pointer pointer);
 
     void dragged(Pointer pointer);

@@ -4,6 +4,7 @@ import javax.swing.AbstractButton;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorKeys;
 import nephele.editor.command.KeyText;
+import nephele.editor.icon.ToolIcons;
 import nephele.engine.level.Language;
 
 /** A button of a toolbar that runs a command: a symbol, with title and key as tooltip. */

@@ -14,6 +14,7 @@ import javax.swing.SwingConstants;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
+import nephele.editor.icon.ToolIcons;
 import nephele.engine.level.Language;
 
 /** The toolbar: main actions and all tools as symbols, with title and key as tooltip. */

@@ -67,24 +67,23 @@ final class OptionBar extends JPanel {
         getAccessibleContext().setAccessibleName(WindowText.OPTIONS.in(language));
         for (List<String> group : ToolBarOptions.VIEW) {
             group(group);
+            separator();
         }
         grid.setToolTipText(WindowText.GRID_STEP.in(language));
         grid.getAccessibleContext().setAccessibleName(WindowText.GRID_STEP.in(language));
         grid.updateUI();
         add(grid);
-        separator();
-        group(ToolBarOptions.of(shownTool));
+        if (!ToolBarOptions.of(shownTool).isEmpty()) {
+            separator();
+            group(ToolBarOptions.of(shownTool));
+        }
         refresh();
         revalidate();
         repaint();
     }
 
     private void group(List<String> ids) {
-        int before = shown.size();
         ids.forEach(id -> commands.named(id).ifPresent(this::add));
-        if (shown.size() > before) {
-            separator();
-        }
     }
 
     private void add(EditorCommand command) {

@@ -15,8 +15,8 @@ public final class PanelPicture {
     /** Lays a panel out at a size; without a display nothing else does. */
     public static void layOut(EditorPanel panel, Dimension size) {
         panel.setSize(size);
-        // The second pass knows the widths that the first one gave.
-        for (int pass = 0; pass < 2; pass++) {
+        // The second pass knows the widths that the first one gave, the third the splitters that follow from them.
+        for (int pass = 0; pass < 3; pass++) {
             invalidate(panel);
             layOut(panel);
         }

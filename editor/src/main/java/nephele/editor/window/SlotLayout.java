@@ -1,8 +1,11 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -14,9 +17,17 @@ final class SlotLayout extends JPanel {
     private static final double LEFT_SHARE = 0.18;
     private static final double RIGHT_SHARE = 0.7;
     private static final double BOTTOM_SHARE = 0.78;
+    /** What the texts beside and below the viewport need, points: at a large scale more than their shares. */
+    private static final int LEFT_POINTS = 224;
+
+    private static final int RIGHT_POINTS = 304;
+    private static final int BOTTOM_POINTS = 140;
+    /** The viewport keeps as much of a small window. */
+    private static final double LEAST_VIEWPORT_SHARE = 0.5;
 
     private final transient Map<String, JSplitPane> splits = new LinkedHashMap<>();
     private final transient Map<String, Double> shares = new LinkedHashMap<>();
+    private final transient Set<String> chosen = new HashSet<>();
     private boolean isPlaced;
 
     /** @param kept shares by name of the splitter, as {@link #shares} returned them */
@@ -26,6 +37,7 @@ final class SlotLayout extends JPanel {
         shares.put("right", RIGHT_SHARE);
         shares.put("bottom", BOTTOM_SHARE);
         kept.forEach((name, share) -> shares.computeIfPresent(name, (known, before) -> share));
+        chosen.addAll(kept.keySet());
         JComponent middle = viewport;
         if (slots.bottom() != null) {
             middle = split("bottom", JSplitPane.VERTICAL_SPLIT, middle, slots.bottom());
@@ -62,11 +74,27 @@ final class SlotLayout extends JPanel {
         for (String name : new String[] {"left", "right", "bottom"}) {
             JSplitPane split = splits.get(name);
             if (split != null) {
-                split.setDividerLocation((int) Math.round(length(split) * shares.get(name)));
+                split.setDividerLocation((int) Math.round(length(split) * share(name, length(split))));
                 // Without a display, validate() lays out nothing.
                 split.doLayout();
             }
         }
+    }
+
+    /** Returns the user's choice, or else a place at which the texts have room. */
+    private double share(String name, int length) {
+        double share = shares.get(name);
+        if (chosen.contains(name)) {
+            return share;
+        }
+        return switch (name) {
+            case "left" ->
+                Math.min(1 - LEAST_VIEWPORT_SHARE, Math.max(share, UIScale.scale(LEFT_POINTS) / (double) length));
+            case "right" ->
+                Math.max(LEAST_VIEWPORT_SHARE, Math.min(share, 1 - UIScale.scale(RIGHT_POINTS) / (double) length));
+            default ->
+                Math.max(LEAST_VIEWPORT_SHARE, Math.min(share, 1 - UIScale.scale(BOTTOM_POINTS) / (double) length));
+        };
     }
 
     private static int length(JSplitPane split) {

@@ -1,5 +1,7 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JLabel;
@@ -22,13 +24,14 @@ final class StatusBar extends JPanel {
     private final JLabel place = new JLabel(" ", SwingConstants.TRAILING);
 
     StatusBar(EditorSession session) {
-        super(new MigLayout("insets 3 8 3 8, fillx, gapx 8", "[0:pref:][0:pref:,grow,left][][][][130lp::]", "[]"));
+        super(new MigLayout(
+                "insets 3 8 3 8, fillx, gapx 8, hidemode 3", "[0:pref:][0:pref:,grow,left][][][][130lp::]", "[]"));
         this.session = session;
         message.setName("message");
         hint.setName("hint");
         grid.setName("grid");
         place.setName("place");
-        hint.setEnabled(false);
+        message.putClientProperty(FlatClientProperties.STYLE, "font: bold");
         add(message, "wmin 0");
         add(hint, "wmin 0, growx");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
@@ -37,6 +40,20 @@ final class StatusBar extends JPanel {
         // The message and the hint give way, the numbers do not.
         add(place, "wmin pref, growx");
         refresh();
+    }
+
+    /** Half a hint helps nobody: beside a message it is whole or not there. */
+    @Override
+    public void doLayout() {
+        int numbers = grid.getPreferredSize().width
+                + Math.max(UIScale.scale(130), place.getPreferredSize().width)
+                + UIScale.scale(60);
+        int texts = message.getPreferredSize().width + hint.getPreferredSize().width;
+        boolean isShown = message.getText().isBlank() || texts + numbers <= getWidth();
+        if (hint.isVisible() != isShown) {
+            hint.setVisible(isShown);
+        }
+        super.doLayout();
     }
 
     /** Shows the session's texts in its language. */

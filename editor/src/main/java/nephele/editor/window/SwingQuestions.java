@@ -3,6 +3,7 @@ package nephele.editor.window;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
+import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
@@ -52,6 +53,19 @@ public final class SwingQuestions implements CloseQuestion {
     }
 
     private int chosen(String question, Language language, int kind, Object... buttons) {
+        return JOptionPane.showOptionDialog(
+                owner,
+                text(question),
+                WindowText.TITLE.in(language),
+                JOptionPane.DEFAULT_OPTION,
+                kind,
+                null,
+                buttons,
+                buttons[0]);
+    }
+
+    /** Returns the text of a question in lines of a comfortable width. */
+    public static JComponent text(String question) {
         JTextArea text = new JTextArea(question);
         text.setEditable(false);
         text.setFocusable(false);
@@ -62,14 +76,6 @@ public final class SwingQuestions implements CloseQuestion {
         // Long paths have no place to break at but anywhere; the width of a line is that of a comfortable text.
         text.setSize(new Dimension(UIScale.scale(420), Short.MAX_VALUE));
         text.setPreferredSize(new Dimension(UIScale.scale(420), text.getPreferredSize().height));
-        return JOptionPane.showOptionDialog(
-                owner,
-                text,
-                WindowText.TITLE.in(language),
-                JOptionPane.DEFAULT_OPTION,
-                kind,
-                null,
-                buttons,
-                buttons[0]);
+        return text;
     }
 }

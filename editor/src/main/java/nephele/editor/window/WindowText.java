@@ -5,7 +5,7 @@ import nephele.editor.text.Words;
 
 /** A text of the window's frame in English, Brazilian and European Portuguese. */
 public enum WindowText implements Text {
-    TITLE("Nephele level editor", "Editor de níveis Nephele", "Editor de níveis Nephele"),
+    TITLE("Nephele level editor", "Editor de fases Nephele", "Editor de níveis Nephele"),
     UNTITLED("Untitled", "Sem título", "Sem título"),
     TOOLS("Tools", "Ferramentas", "Ferramentas"),
     STATUS("Status", "Estado", "Estado"),
@@ -26,7 +26,7 @@ public enum WindowText implements Text {
             "Pictures, models, clouds, scenes, levels",
             "Imagens, modelos, nuvens, cenas, fases",
             "Imagens, modelos, nuvens, cenas, níveis"),
-    LEVEL_FILES("Levels (*.json, *.zip)", "Níveis (*.json, *.zip)", "Níveis (*.json, *.zip)");
+    LEVEL_FILES("Levels (*.json, *.zip)", "Fases (*.json, *.zip)", "Níveis (*.json, *.zip)");
 
     private final Words words;
 

@@ -52,6 +52,15 @@ class PlaceToolTest {
     }
 
     @Test
+    void theGhostVanishesWithThePointer() {
+        ToolTrial trial = hall();
+        trial.tool().moved(trial.over(new Vec3(1.4, 0, -2.1)));
+        assertFalse(trial.tool().marks().isEmpty());
+        trial.tool().left();
+        assertEquals(List.of(), trial.tool().marks());
+    }
+
+    @Test
     void lightsKeepOffTheWallAndSpheresTouchIt() {
         ToolTrial trial = hall("lights", "point");
         Level before = trial.level();

@@ -21,6 +21,8 @@ import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
 import nephele.editor.document.Selection;
 import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.prove.picture.PaintedPanel;
+import nephele.editor.prove.picture.UserTexts;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -88,14 +90,14 @@ class DialogsSwingTest {
         for (ActionForm form : ActionForms.ALL) {
             cut.addAll(new PaintedPanel(form(form.part()))
                     .write(form.part() + look)
-                    .clipped());
+                    .clipped(UserTexts.of(session)));
         }
         assertEquals(List.of(), cut);
         new PaintedPanel(palette(new ArrayList<>())).write("palette" + look);
         new PaintedPanel(Searches.kinds(language, any -> {})).write("add" + look);
-        PaintedPanel assets = new PaintedPanel(
-                new AssetDialog(session, new JLabel(), new AssetPictures(session::assets, Runnable::run))
-                        .list(AssetFamily.PICTURE, any -> {}));
+        PaintedPanel assets = new PaintedPanel(new AssetDialog(
+                        session, new DialogFrame(new JLabel()), new AssetPictures(session::assets, Runnable::run))
+                .list(AssetFamily.PICTURE, any -> {}));
         // The first painting asks for the pictures.
         assets.picture();
         java.awt.EventQueue.invokeAndWait(() -> {});

@@ -35,6 +35,8 @@ import nephele.editor.file.SessionJournal;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.ViewMode;
+import nephele.editor.prove.picture.CutTexts;
+import nephele.editor.prove.picture.UserTexts;
 import nephele.editor.save.DraftLevel;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorSession;
@@ -136,22 +138,6 @@ class FilePanelsSwingTest {
         }
     }
 
-    private static List<String> clipped(Container container) {
-        List<String> found = new ArrayList<>();
-        for (Component child : container.getComponents()) {
-            boolean isText = child instanceof AbstractButton || child instanceof JLabel;
-            boolean isCuttable = "place".equals(child.getName()) || container instanceof JList;
-            Dimension wanted = child.getPreferredSize();
-            if (isText && !isCuttable && (child.getWidth() < wanted.width || child.getHeight() < wanted.height)) {
-                found.add(child + " wants " + wanted);
-            }
-            if (child instanceof Container inner) {
-                found.addAll(clipped(inner));
-            }
-        }
-        return found;
-    }
-
     @ParameterizedTest
     @CsvSource({"DARK, 100, EN", "LIGHT, 100, PT_BR", "DARK, 200, PT_PT"})
     void theOfferShowsAllOfALostSession(Theme theme, int percent, Language language) throws IOException {
@@ -164,7 +150,7 @@ class FilePanelsSwingTest {
         Point middle = new Point(shown.getWidth() / 2, shown.getHeight() / 2);
         Point at = javax.swing.SwingUtilities.convertPoint(shown, middle, panel);
         assertEquals(0xc04020, picture.getRGB(at.x, at.y) & 0xffffff, "the picture of the newest is shown");
-        assertEquals(List.of(), clipped(panel));
+        assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
         assertTrue(shown.getAccessibleContext().getAccessibleName().contains("a room.json"));
         ((JList<?>) panel.rows()).setSelectedIndex(1);
         painted(panel, "recovery-plan-" + theme + "-" + percent + "-" + language);
@@ -228,7 +214,7 @@ class FilePanelsSwingTest {
                 language,
                 new BackupsPanel.Answers(() -> true, words -> asked.add(words.english()), () -> isDone = true));
         painted(panel, "backups-" + theme + "-" + percent + "-" + language);
-        assertEquals(List.of(), clipped(panel));
+        assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
         session.document().edit(Words.same("x"), before -> DraftLevel.after(3));
         press(panel.rows(), "ENTER");
         assertTrue(isDone);

@@ -18,6 +18,8 @@ import nephele.editor.action.ScriptDesk;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
+import nephele.editor.prove.picture.PaintedPanel;
+import nephele.editor.prove.picture.UserTexts;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorSetting;
@@ -25,7 +27,6 @@ import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.WindowLook;
-import nephele.editor.window.dialog.PaintedPanel;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,11 +53,11 @@ class SettingsPageSwingTest {
         session.settings(session.settings().with(EditorSetting.KEYS, Map.of("copy", List.of("Ctrl+X"))));
         String look = "-" + theme + "-" + percent + "-" + language;
         List<String> cut = new ArrayList<>();
-        cut.addAll(new PaintedPanel(page).write("settings" + look).clipped());
+        cut.addAll(new PaintedPanel(page).write("settings" + look).clipped(UserTexts.PATHS));
         open(session.settings());
         cut.addAll(new PaintedPanel(page.at(SettingsPage.Tab.KEYS))
                 .write("keys" + look)
-                .clipped());
+                .clipped(UserTexts.PATHS));
         assertEquals(List.of(), cut);
     }
 

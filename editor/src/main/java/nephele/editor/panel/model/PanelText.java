@@ -6,10 +6,7 @@ import nephele.editor.text.Words;
 /** A text of the panels in English, Brazilian and European Portuguese. */
 public enum PanelText implements Text {
     OUTLINER("Outliner", "Estrutura", "Estrutura"),
-    SEARCH(
-            "Search: name, type:light, size>4",
-            "Buscar: nome, type:light, size>4",
-            "Procurar: nome, type:light, size>4"),
+    SEARCH("Search: type:light size>4", "Buscar: type:light size>4", "Procurar: type:light size>4"),
     GROUPS("groups", "grupos", "grupos"),
     SHOWN("shown", "visível", "visível"),
     HIDDEN("hidden", "oculto", "oculto"),

@@ -10,6 +10,7 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.BrushText;
+import nephele.editor.brush.RoomSides;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -70,6 +71,11 @@ public final class DrawBrushTool implements Tool {
     @Override
     public void moved(Pointer pointer) {
         corner = base(pointer).map(DrawnBox::first).orElse(null);
+    }
+
+    @Override
+    public void left() {
+        corner = null;
     }
 
     @Override
@@ -196,11 +202,17 @@ public final class DrawBrushTool implements Tool {
         BrushStyle style = context.options().style(level);
         String wish = context.options().shape().getClass().getSimpleName().toLowerCase(Locale.ROOT);
         Set<String> taken = new HashSet<>();
-        return BrushShapes.drawn(bounds, context.options().shape(), style, () -> {
-            String id = context.document().entities().freshId(level, Picker.SOLIDS, wish, taken);
-            taken.add(id);
-            return id;
-        });
+        BrushEdit<List<Solid>> drawn =
+                BrushShapes.drawn(bounds, context.options().shape(), style, () -> {
+                    String id = context.document().entities().freshId(level, Picker.SOLIDS, wish, taken);
+                    taken.add(id);
+                    return id;
+                });
+        return context.options().shape() instanceof ShapeOptions.Room
+                ? drawn.map(slabs -> RoomSides.named(slabs, bounds, side -> context.document()
+                        .entities()
+                        .freshId(level, Picker.SOLIDS, wish + "-" + side)))
+                : drawn;
     }
 
     private Snapshot with(Snapshot before, List<Solid> solids) {

@@ -44,26 +44,20 @@ public final class ClipTool implements Tool {
             "clip",
             Words.of("Clip", "Cortar", "Cortar"),
             Words.of(
-                    "Set two points in a plan or three in 3-D, or double-click a face; Enter: cut",
-                    "Marque dois pontos em uma planta ou três em 3-D, ou clique duas vezes numa face; Enter: cortar",
-                    "Marca dois pontos numa planta ou três em 3-D, ou clica duas vezes numa face; Enter: cortar"),
+                    "Set 2 points in a plan, 3 in 3-D; double click: face; Enter: cut",
+                    "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar",
+                    "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar"),
             "C",
             "clip",
             ClipTool::new);
 
     private static final Words CLIP = Words.of("Clip", "Cortar", "Cortar");
-    private static final Words KEEPS_BEHIND = Words.of(
-            "keeps the part behind (Control+click: the other)",
-            "fica a parte de trás (Control+clique: a outra)",
-            "fica a parte de trás (Control+clique: a outra)");
-    private static final Words KEEPS_FRONT = Words.of(
-            "keeps the part in front (Control+click: both)",
-            "fica a parte da frente (Control+clique: ambas)",
-            "fica a parte da frente (Control+clique: ambas)");
-    private static final Words KEEPS_BOTH = Words.of(
-            "keeps both parts (Control+click: one)",
-            "ficam as duas partes (Control+clique: uma)",
-            "ficam as duas partes (Control+clique: uma)");
+    private static final Words KEEPS_BEHIND =
+            Words.of("keeps what is behind", "fica o que está atrás", "fica o que está atrás");
+    private static final Words KEEPS_FRONT =
+            Words.of("keeps what is in front", "fica o que está à frente", "fica o que está à frente");
+    private static final Words KEEPS_BOTH =
+            Words.of("keeps both parts", "ficam as duas partes", "ficam as duas partes");
 
     private final ToolContext context;
     private ClipPoints points = ClipPoints.none(null);

@@ -28,8 +28,8 @@ public final class ExtrudeTool implements Tool {
             Words.of("Extrude", "Extrudar", "Extrudir"),
             Words.of(
                     "Drag a face along its normal; Shift+click: several; Control: as a new brush",
-                    "Arraste uma face ao longo da sua normal; Shift+clique: várias; Control: como um bloco novo",
-                    "Arrasta uma face ao longo da sua normal; Shift+clique: várias; Control: como um bloco novo"),
+                    "Arraste uma face pela normal; Shift+clique: várias; Control: bloco novo",
+                    "Arrasta uma face pela normal; Shift+clique: várias; Control: bloco novo"),
             "X",
             "extrude",
             ExtrudeTool::new);
@@ -53,6 +53,11 @@ public final class ExtrudeTool implements Tool {
     @Override
     public void moved(Pointer pointer) {
         hovered = FaceUnderPointer.of(context, pointer).orElse(null);
+    }
+
+    @Override
+    public void left() {
+        hovered = null;
     }
 
     @Override

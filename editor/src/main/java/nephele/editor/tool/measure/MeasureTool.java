@@ -44,6 +44,11 @@ public final class MeasureTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
         from = hovered;

@@ -33,9 +33,9 @@ public final class PaintTool implements Tool {
             "paint",
             Words.of("Paint", "Pintar", "Pintar"),
             Words.of(
-                    "Click or drag over faces to paint; Shift: whole solid, Control: continue, Alt: take material",
-                    "Clique ou arraste sobre faces para pintar; Shift: sólido, Control: continuar, Alt: pegar material",
-                    "Clica ou arrasta sobre faces para pintar; Shift: sólido, Control: continuar, Alt: obter material"),
+                    "Click or drag over faces to paint; Shift: whole solid, Control: continue, Alt: pick",
+                    "Pinte faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: pegar",
+                    "Pinta faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: obter"),
             "M",
             "paint",
             PaintTool::new);
@@ -67,6 +67,11 @@ public final class PaintTool implements Tool {
     @Override
     public void moved(Pointer pointer) {
         hovered = FacesUnderPointer.at(context, pointer).orElse(null);
+    }
+
+    @Override
+    public void left() {
+        hovered = null;
     }
 
     @Override

@@ -57,6 +57,11 @@ public final class PlaceTool implements Tool {
     }
 
     @Override
+    public void left() {
+        ghost = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         isPressed = true;
         ghost = null;

@@ -85,6 +85,11 @@ public final class PortalTool implements Tool {
     }
 
     @Override
+    public void left() {
+        aim = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moving = first == null ? grabbed(pointer).orElse(null) : null;
         if (moving == null) {

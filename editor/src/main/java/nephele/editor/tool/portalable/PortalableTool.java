@@ -59,6 +59,11 @@ public final class PortalableTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = null;
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
         FacesUnderPointer.at(context, pointer).ifPresent(face -> {

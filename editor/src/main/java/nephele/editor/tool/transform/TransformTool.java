@@ -77,6 +77,11 @@ public final class TransformTool implements Tool {
     }
 
     @Override
+    public void left() {
+        hovered = "";
+    }
+
+    @Override
     public void pressed(Pointer pointer) {
         moved(pointer);
         Optional<Grip> grip = under(pointer);

@@ -37,11 +37,9 @@ public final class VertexTool implements Tool {
             "vertex",
             Words.of("Vertex", "Vértice", "Vértice"),
             Words.of(
-                    "Drag vertices or middles of edges; Shift adds, Alt moves vertically, Control splits an edge",
-                    "Arraste vértices ou meios de arestas; Shift acrescenta, Alt move na vertical, Ctrl divide a"
-                            + " aresta",
-                    "Arrasta vértices ou meios de arestas; Shift acrescenta, Alt move na vertical, Ctrl divide a"
-                            + " aresta"),
+                    "Drag vertices or middles of edges; Shift: several, Alt: vertically, Ctrl: split the edge",
+                    "Arraste vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta",
+                    "Arrasta vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta"),
             "V",
             "vertex",
             VertexTool::new);
@@ -96,6 +94,11 @@ public final class VertexTool implements Tool {
     /** Returns {@code null} for an entity of another kind. */
     private Solid solid(Level level, EntityRef ref) {
         return context.document().entities().find(level, ref).orElse(null) instanceof Solid solid ? solid : null;
+    }
+
+    @Override
+    public void left() {
+        hovered = null;
     }
 
     @Override

@@ -1,6 +1,5 @@
 package nephele.editor.window.dialog;
 
-import java.awt.Component;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
@@ -18,16 +17,16 @@ public final class AssetDialog implements AssetChooser {
     private static final int SMALL_POINTS = 16;
 
     private final EditorSession session;
-    private final DialogFrame frame;
+    private final DialogOpener frame;
     private final AssetPictures pictures;
 
     /**
-     * @param owner in the window over which it opens
+     * @param frame shows the dialogue
      * @param pictures of the assets of the session
      */
-    public AssetDialog(EditorSession session, Component owner, AssetPictures pictures) {
+    public AssetDialog(EditorSession session, DialogOpener frame, AssetPictures pictures) {
         this.session = session;
-        frame = new DialogFrame(owner);
+        this.frame = frame;
         this.pictures = pictures;
     }
 

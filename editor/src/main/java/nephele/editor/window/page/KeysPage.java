@@ -69,7 +69,7 @@ final class KeysPage extends JPanel {
         table.setPreferredScrollableViewportSize(new Dimension(UIScale.scale(740), UIScale.scale(380)));
         table.setDefaultRenderer(Object.class, new Cell());
         table.getAccessibleContext().setAccessibleName(PageText.KEYS.in(language));
-        int[] widths = {220, 90, 190, 240};
+        int[] widths = {240, 104, 176, 220};
         for (int i = 0; i < widths.length; i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
         }

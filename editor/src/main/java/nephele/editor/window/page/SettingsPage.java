@@ -56,10 +56,9 @@ public final class SettingsPage extends JPanel {
 
     /** Shows itself anew, in another language, theme or size. */
     private void restyle() {
-        Tab shown = tab();
         Window window = SwingUtilities.getWindowAncestor(this);
         SwingUtilities.invokeLater(() -> {
-            fill(shown);
+            fill(tab());
             if (window != null) {
                 SwingUtilities.updateComponentTreeUI(window);
                 window.pack();

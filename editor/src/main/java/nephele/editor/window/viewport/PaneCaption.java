@@ -26,11 +26,7 @@ final class PaneCaption {
         return switch (mode) {
             case LIT -> Words.of("Perspective, lit", "Perspectiva, iluminada", "Perspetiva, iluminada");
             case UNLIT -> Words.of("Perspective, unlit", "Perspectiva, sem luz", "Perspetiva, sem luz");
-            case PORTALABLE ->
-                Words.of(
-                        "Perspective, portal surfaces",
-                        "Perspectiva, superfícies de portal",
-                        "Perspetiva, superfícies de portal");
+            case PORTALABLE -> Words.of("Perspective, portalable", "Perspectiva, portais", "Perspetiva, portais");
             case COLLISION -> Words.of("Perspective, collision", "Perspectiva, colisão", "Perspetiva, colisão");
             case WIREFRAME -> Words.of("Perspective, edges", "Perspectiva, arestas", "Perspetiva, arestas");
         };

@@ -157,6 +157,9 @@ final class ViewportControl extends MouseAdapter {
 
     @Override
     public void mouseExited(MouseEvent event) {
+        if (isIdle()) {
+            session.tool().left();
+        }
         pointed.accept(Optional.empty());
     }
 

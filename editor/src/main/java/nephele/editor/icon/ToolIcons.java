@@ -1,23 +1,16 @@
-package nephele.editor.window;
+package nephele.editor.icon;
 
-import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
 import javax.swing.Icon;
 
 /** The symbols of tools and actions, drawn from lines: no picture files, sharp at every scale, in every theme. */
-final class ToolIcons {
-    /**
-     * Drawings, one a line: its name, then its parts. Each part is an outline, or an area if it begins with {@code *}:
-     * points {@code x,y} on a square of 24 units, {@code z} closes, {@code o x,y,r} is a circle and {@code o x,y,rx,ry}
-     * an ellipse.
-     */
-    private static final Map<String, String> DRAWINGS = table(
+public final class ToolIcons {
+    static final int SIDE_POINTS = 20;
+
+    /** In the notation of {@link SymbolDrawing}. */
+    private static final Map<String, String> DRAWINGS = SymbolDrawing.table(
             """
             select     *5,3 5,19 9.2,15.4 12,21.5 14.6,20.3 11.9,14.4 17.5,14 z
             brush      4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20
@@ -55,63 +48,19 @@ final class ToolIcons {
             duplicate  4,4 15,4 15,15 4,15 z|9,15 9,20 20,20 20,9 15,9
             """);
 
-    private static Map<String, String> table(String lines) {
-        return lines.lines()
-                .map(line -> line.split("\\s+", 2))
-                .collect(Collectors.toUnmodifiableMap(row -> row[0], row -> row[1]));
-    }
-
     private ToolIcons() {}
 
     /** Returns the symbol of an id, or of the word of it that has one, or else a letter of the title. */
-    static Icon of(String id, String title) {
+    public static Icon of(String id, String title) {
         if (OptionDrawings.ALL.containsKey(id)) {
-            return drawn(OptionDrawings.ALL.get(id));
+            return SymbolDrawing.icon(OptionDrawings.ALL.get(id), SIDE_POINTS);
         }
         for (String word : id.toLowerCase(Locale.ROOT).split("[.\\-_ ]")) {
             if (DRAWINGS.containsKey(word)) {
-                return drawn(DRAWINGS.get(word));
+                return SymbolDrawing.icon(DRAWINGS.get(word), SIDE_POINTS);
             }
         }
         String letter = title.isEmpty() ? "?" : title.substring(0, Math.min(2, title.length()));
-        return new Symbol(List.of(), List.of(), letter);
-    }
-
-    private static Icon drawn(String drawing) {
-        List<Shape> lines = new ArrayList<>();
-        List<Shape> areas = new ArrayList<>();
-        for (String part : drawing.split("\\|")) {
-            boolean isArea = part.startsWith("*");
-            (isArea ? areas : lines).add(shape(isArea ? part.substring(1) : part));
-        }
-        return new Symbol(lines, areas, "");
-    }
-
-    private static Shape shape(String part) {
-        Path2D path = new Path2D.Double();
-        boolean isEllipse = part.startsWith("o ");
-        for (String word : (isEllipse ? part.substring(2) : part).split(" ")) {
-            String[] numbers = word.split(",");
-            if (isEllipse) {
-                return ellipse(numbers);
-            } else if (word.equals("z")) {
-                path.closePath();
-            } else if (path.getCurrentPoint() == null) {
-                path.moveTo(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]));
-            } else {
-                path.lineTo(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]));
-            }
-        }
-        return path;
-    }
-
-    private static Shape ellipse(String... numbers) {
-        double radiusX = Double.parseDouble(numbers[2]);
-        double radiusY = Double.parseDouble(numbers[numbers.length - 1]);
-        return new Ellipse2D.Double(
-                Double.parseDouble(numbers[0]) - radiusX,
-                Double.parseDouble(numbers[1]) - radiusY,
-                2 * radiusX,
-                2 * radiusY);
+        return new Symbol(List.of(), List.of(), letter, SIDE_POINTS);
     }
 }

@@ -1,8 +1,7 @@
-package nephele.editor.window.dialog;
+package nephele.editor.prove.picture;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -10,9 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
-import javax.swing.AbstractButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
@@ -28,6 +25,7 @@ public record PaintedPanel(JComponent panel) {
         }
     }
 
+    /** Returns the settings of a look. */
     public static EditorSettings settings(Theme theme, int percent, Language language) {
         return EditorSettings.DEFAULT
                 .with(EditorSetting.THEME, theme)
@@ -44,6 +42,7 @@ public record PaintedPanel(JComponent panel) {
         }
     }
 
+    /** Returns the panel's picture. */
     public BufferedImage picture() {
         var picture = new BufferedImage(panel.getWidth(), panel.getHeight(), BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = picture.createGraphics();
@@ -60,29 +59,12 @@ public record PaintedPanel(JComponent panel) {
         return this;
     }
 
-    /** Returns the texts that are cut off. */
-    public List<String> clipped() {
-        List<String> found = new ArrayList<>();
-        clipped(panel, found);
-        return found;
+    /** Returns the texts that are cut off; the texts of the user are excepted. */
+    public List<String> clipped(UserTexts data) {
+        return CutTexts.in(panel, data);
     }
 
-    private static void clipped(Container container, List<String> found) {
-        for (Component child : container.getComponents()) {
-            Dimension wanted = child.getPreferredSize();
-            String text = child instanceof AbstractButton button
-                    ? button.getText()
-                    : child instanceof JLabel label ? label.getText() : "";
-            boolean isText = text != null && !text.isBlank() && child.isVisible();
-            if (isText && (child.getWidth() < wanted.width || child.getHeight() < wanted.height)) {
-                found.add(text + " " + child.getSize() + " of " + wanted);
-            }
-            if (child instanceof Container inner && child.isVisible()) {
-                clipped(inner, found);
-            }
-        }
-    }
-
+    /** Returns all components of a type within a container. */
     public static <T extends Component> List<T> all(Container container, Class<T> type) {
         List<T> found = new ArrayList<>();
         for (Component child : container.getComponents()) {

@@ -1,4 +1,4 @@
-package nephele.editor.window;
+package nephele.editor.icon;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
@@ -16,18 +16,20 @@ import javax.swing.UIManager;
 
 /** A symbol of lines on a square of 24 units, in the colour of the component's text; a letter if there is no drawing. */
 final class Symbol implements Icon {
-    private static final int SIDE_POINTS = 20;
     private static final double UNITS = 24;
     private static final float LINE_UNITS = 1.7f;
 
     private final List<Shape> lines;
     private final List<Shape> areas;
     private final String letter;
+    private final int sidePoints;
 
-    Symbol(List<Shape> lines, List<Shape> areas, String letter) {
+    /** @param sidePoints width and height at 100 % */
+    Symbol(List<Shape> lines, List<Shape> areas, String letter, int sidePoints) {
         this.lines = lines;
         this.areas = areas;
         this.letter = letter;
+        this.sidePoints = sidePoints;
     }
 
     @Override
@@ -65,11 +67,11 @@ final class Symbol implements Icon {
 
     @Override
     public int getIconWidth() {
-        return UIScale.scale(SIDE_POINTS);
+        return UIScale.scale(sidePoints);
     }
 
     @Override
     public int getIconHeight() {
-        return UIScale.scale(SIDE_POINTS);
+        return UIScale.scale(sidePoints);
     }
 }

@@ -1,8 +1,8 @@
-package nephele.editor.window;
+package nephele.editor.icon;
 
 import java.util.Map;
 
-/** The symbols of the option bar by the ids of actions, in the notation of {@link ToolIcons}. */
+/** The symbols of the option bar by the ids of actions, in the notation of {@link SymbolDrawing}. */
 final class OptionDrawings {
     private static final String FRAME = "4,4 20,4 20,20 4,20 z";
     private static final String CUBE = "4,8 12,4 20,8 12,12 z|4,8 4,16 12,20 20,16 20,8|12,12 12,20";
