@@ -131,15 +131,15 @@ public final class ToolScene {
     }
 
     public void press(Vec3 at, Modifier... held) {
-        tool().pressed(pointer(at, Button.PRIMARY, held));
+        session.drag().press(pointer(at, Button.PRIMARY, held));
     }
 
     public void drag(Vec3 to, Modifier... held) {
-        tool().dragged(pointer(to, Button.PRIMARY, held));
+        session.drag().move(pointer(to, Button.PRIMARY, held));
     }
 
     public void release(Vec3 at, Modifier... held) {
-        tool().released(pointer(at, Button.PRIMARY, held));
+        session.drag().release(pointer(at, Button.PRIMARY, held));
     }
 
     /** Presses, drags and releases. */
@@ -159,8 +159,8 @@ public final class ToolScene {
         click(at);
         Pointer once = pointer(at, Button.PRIMARY);
         Pointer twice = new Pointer(kind, camera, SIZE, once.x(), once.y(), Button.PRIMARY, Set.of(), 2);
-        tool().pressed(twice);
-        tool().released(twice);
+        session.drag().press(twice);
+        session.drag().release(twice);
     }
 
     /** Returns the pointer over a place. */

@@ -5,14 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import nephele.editor.action.Actions;
+import nephele.editor.action.ScriptDesk;
+import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
+import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolScene;
 import nephele.engine.level.Level;
@@ -21,6 +26,7 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Escape, another tool and another file in the middle of any tool's drag leave the level exactly as before it. */
@@ -117,6 +123,69 @@ class EndedDragOfEachToolTest {
     @MethodSource("tools")
     void escape(ToolEntry tool) {
         endedBy(tool, session -> session.tool().cancel());
+    }
+
+    @ParameterizedTest
+    @MethodSource("tools")
+    void undo(ToolEntry tool) {
+        endedBy(tool, session -> command(session, "undo"));
+    }
+
+    /** Returns each tool with each of some commands that change the document. */
+    private static Stream<Arguments> toolsAndCommands() {
+        return Tools.ALL.stream().flatMap(tool -> Stream.of(
+                        "redo", "delete", "duplicate", "paste", "select-all", "hide", "select-invert")
+                .map(command -> Arguments.of(tool, command)));
+    }
+
+    /** The command does the same as without the drag, and the rest of the movement nothing. */
+    @ParameterizedTest
+    @MethodSource("toolsAndCommands")
+    void commandInTheMiddle(ToolEntry tool, String command) {
+        Drag undisturbed = withRedo(tool);
+        command(undisturbed.scene().session(), command);
+        Drag drag = withRedo(tool);
+        drag.begin();
+        command(drag.scene().session(), command);
+        Snapshot after = drag.scene().document().now();
+        assertEquals(undisturbed.scene().document().now(), after);
+        drag.scene().drag(drag.from());
+        drag.scene().drag(drag.to());
+        drag.scene().release(drag.to());
+        assertSame(after.level(), drag.scene().level());
+        assertEquals(after.selection(), drag.scene().document().selection());
+        assertFalse(drag.scene().document().isDragging());
+    }
+
+    private static Drag withRedo(ToolEntry tool) {
+        Drag drag = Drag.with(tool);
+        drag.scene().document().edit(Words.same("step"), level -> level.with(List.of(), List.of()));
+        drag.scene().document().undo();
+        return drag;
+    }
+
+    /** A level that was read again, a field of the inspector and every other change from elsewhere. */
+    @ParameterizedTest
+    @MethodSource("tools")
+    void changeFromElsewhere(ToolEntry tool) {
+        Drag drag = Drag.with(tool);
+        ToolScene scene = drag.scene();
+        drag.begin();
+        Level other = NewDocument.opened().level();
+        scene.document().edit(Words.same("reload"), mine -> other);
+        scene.drag(drag.from());
+        scene.release(drag.from());
+        assertSame(other, scene.level());
+        assertFalse(scene.document().isDragging());
+        scene.document().undo();
+        assertFalse(scene.document().history().canUndo(), "another step was made");
+    }
+
+    private static void command(EditorSession session, String id) {
+        new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, List.of())
+                .named(id)
+                .orElseThrow()
+                .run();
     }
 
     @ParameterizedTest

@@ -35,10 +35,9 @@ final class EditActions {
             "seleciona primeiro uma entidade que tenha id");
 
     static final List<EditorAction> ALL = List.of(
-            EditorAction.of("undo", UNDO, Menu.EDIT, List.of("Ctrl+Z"), call -> call.session()
-                            .document()
-                            .undo())
-                    .when(session -> session.document().history().canUndo()),
+            EditorAction.of("undo", UNDO, Menu.EDIT, List.of("Ctrl+Z"), call -> undo(call.session()))
+                    .when(session -> session.drag().isShowing()
+                            || session.document().history().canUndo()),
             EditorAction.of("redo", REDO, Menu.EDIT, List.of("Ctrl+Shift+Z", "Ctrl+Y"), call -> call.session()
                             .document()
                             .redo())
@@ -59,6 +58,13 @@ final class EditActions {
                     .when(EditActions::hasSelection));
 
     private EditActions() {}
+
+    /** Takes back the drag in progress, or without one the last step. */
+    private static void undo(EditorSession session) {
+        if (!session.drag().cancel()) {
+            session.document().undo();
+        }
+    }
 
     static boolean hasSelection(EditorSession session) {
         return !session.document().selection().entities().isEmpty();

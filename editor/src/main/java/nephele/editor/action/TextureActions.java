@@ -12,6 +12,7 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureAlignment;
 import nephele.editor.paint.TextureFit;
+import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -119,7 +120,7 @@ final class TextureActions {
                 .findFirst()
                 .orElse(null);
         Solid result = solid;
-        for (BrushFace face : Brush.of(solid).faces()) {
+        for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
                 TexturePlacement placement = placing.of(PaintedFace.of(face, materials.apply(face.material())));
                 Solid.Face said = SolidFaces.said(result, face.name());
@@ -135,6 +136,11 @@ final class TextureActions {
         return result;
     }
 
+    /** Returns none for a solid without volume, which shows no texture. */
+    private static List<BrushFace> brushFaces(Solid solid) {
+        return LevelShapes.brushOf(solid).map(Brush::faces).orElse(List.of());
+    }
+
     private static void pick(ActionCall call) {
         EditorSession session = call.session();
         Map.Entry<EntityRef, Set<String>> first =
@@ -143,7 +149,7 @@ final class TextureActions {
                 .entities()
                 .find(session.document().level(), first.getKey())
                 .orElseThrow();
-        String material = Brush.of(solid).faces().stream()
+        String material = brushFaces(solid).stream()
                 .filter(face -> first.getValue().contains(face.name()))
                 .findFirst()
                 .map(BrushFace::material)

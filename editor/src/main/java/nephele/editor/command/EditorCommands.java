@@ -57,7 +57,8 @@ public final class EditorCommands {
     }
 
     private void run(EditorAction action) {
-        if (desk.asks(action.id())) {
+        boolean isAfterDrag = endsDrag(action) && session.drag().cancel();
+        if (isAfterDrag && !action.isEnabled().test(session) || desk.asks(action.id())) {
             return;
         }
         try {
@@ -65,6 +66,11 @@ public final class EditorCommands {
         } catch (ActionFailure failure) {
             session.status(failure.told());
         }
+    }
+
+    /** An action must not work on what a drag only shows; the view may change meanwhile, and undo takes back the drag. */
+    private static boolean endsDrag(EditorAction action) {
+        return action.menu() != Menu.VIEW && !action.id().equals("undo");
     }
 
     /** Returns all commands. */

@@ -77,6 +77,7 @@ public final class OutsideChanges {
     }
 
     private void look(Path path) {
+        session.drag().cancel();
         switch (session.file().outside()) {
             case SAME -> isBack();
             case DELETED -> isDeleted(path);

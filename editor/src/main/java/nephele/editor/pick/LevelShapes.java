@@ -32,14 +32,15 @@ public final class LevelShapes {
         List<Brush> present = new ArrayList<>();
         for (Solid solid : level.solids()) {
             Optional<Brush> known = brushes.get(solid);
-            Optional<Brush> brush = known == null ? made(solid) : known;
+            Optional<Brush> brush = known == null ? brushOf(solid) : known;
             next.put(solid, brush);
             brush.ifPresent(present::add);
         }
         return new LevelShapes(next, List.copyOf(present));
     }
 
-    private static Optional<Brush> made(Solid solid) {
+    /** Returns the brush of any solid; empty if it has no volume. */
+    public static Optional<Brush> brushOf(Solid solid) {
         try {
             return Optional.of(Brush.of(solid));
         } catch (IllegalArgumentException noVolume) {

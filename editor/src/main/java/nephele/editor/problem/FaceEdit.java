@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.pick.LevelShapes;
 import nephele.editor.record.RecordKind;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
@@ -33,7 +33,8 @@ final class FaceEdit {
             return Optional.empty();
         }
         String name = face(place.rest()).orElse(null);
-        return Brush.of(solid).faces().stream()
+        return LevelShapes.brushOf(solid).stream()
+                .flatMap(brush -> brush.faces().stream())
                 .filter(face -> face.name().equals(name))
                 .findFirst();
     }

@@ -35,6 +35,7 @@ public final class EditorSession {
     private final ToolOptions options = new ToolOptions();
     private final ToolContext context;
     private final Proving proving;
+    private final ToolDrag drag;
     private final List<SessionListener> listeners = new ArrayList<>();
     private Filing filing = Filing.ofThisUser();
     private EditorSettings settings;
@@ -57,6 +58,7 @@ public final class EditorSession {
         document = new Document(level);
         context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
         proving = new Proving(new ProvedSession(this));
+        drag = new ToolDrag(this);
         document.listen((before, after) -> tell(Change.DOCUMENT));
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
@@ -78,6 +80,11 @@ public final class EditorSession {
 
     public Document document() {
         return document;
+    }
+
+    /** Returns the drag of the tool in use. */
+    public ToolDrag drag() {
+        return drag;
     }
 
     public ToolContext context() {
@@ -103,6 +110,7 @@ public final class EditorSession {
 
     /** Replaces the open level by another one with an empty history. */
     public void open(DocumentFile otherFile, Level level, AssetSource otherAssets) {
+        drag.cancel();
         tool.cancel();
         file = otherFile;
         assets = otherAssets;
@@ -188,6 +196,7 @@ public final class EditorSession {
 
     /** Takes another tool; a drag in progress is cancelled. */
     public void use(ToolEntry entry) {
+        drag.cancel();
         tool.cancel();
         document.cancelDrag();
         toolEntry = entry;

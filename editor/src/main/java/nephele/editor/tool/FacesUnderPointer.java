@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Pick;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
@@ -66,7 +66,8 @@ public final class FacesUnderPointer {
     public static Optional<BrushFace> shape(Level level, FaceRef face) {
         return level.solids().stream()
                 .filter(solid -> solid.id().equals(face.solid().id()))
-                .flatMap(solid -> Brush.of(solid).faces().stream())
+                .flatMap(solid -> LevelShapes.brushOf(solid).stream())
+                .flatMap(brush -> brush.faces().stream())
                 .filter(side -> side.name().equals(face.face()))
                 .findFirst();
     }

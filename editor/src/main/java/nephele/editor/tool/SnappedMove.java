@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pick.EntityBounds;
+import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Pick;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
@@ -77,7 +78,7 @@ public final class SnappedMove {
                     .entities()
                     .find(start.level(), ref)
                     .filter(Solid.class::isInstance)
-                    .flatMap(SnappedMove::brush);
+                    .flatMap(solid -> LevelShapes.brushOf((Solid) solid));
             for (Vec3 vertex : brush.map(shape -> shape.shape().vertices()).orElse(List.of())) {
                 boolean isNearer = nearest == null
                         || vertex.minus(grabbed).length()
@@ -86,14 +87,6 @@ public final class SnappedMove {
             }
         }
         return Optional.ofNullable(nearest);
-    }
-
-    private static Optional<Brush> brush(Record solid) {
-        try {
-            return Optional.of(Brush.of((Solid) solid));
-        } catch (IllegalArgumentException noVolume) {
-            return Optional.empty();
-        }
     }
 
     private Optional<Pick> surface(Pointer pointer) {

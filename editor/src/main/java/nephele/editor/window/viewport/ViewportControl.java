@@ -36,7 +36,6 @@ final class ViewportControl extends MouseAdapter {
     private final Flight flight = new Flight(this::fly);
     private Splitter splitter;
     private CameraDrag camera;
-    private boolean isToolDragging;
     private int pane;
     private MouseEvent last;
 
@@ -55,7 +54,7 @@ final class ViewportControl extends MouseAdapter {
     }
 
     private boolean isIdle() {
-        return splitter == null && camera == null && !isToolDragging;
+        return splitter == null && camera == null && !session.drag().isOn();
     }
 
     @Override
@@ -73,8 +72,7 @@ final class ViewportControl extends MouseAdapter {
         last = event;
         Pointer pointer = pointers.pointer(event, place.get());
         if (SwingUtilities.isLeftMouseButton(event)) {
-            isToolDragging = true;
-            session.tool().pressed(pointer);
+            session.drag().press(pointer);
             told(pointer);
         } else {
             camera = CameraDrag.of(pointer, pointers.grabbed(pointer));
@@ -102,9 +100,9 @@ final class ViewportControl extends MouseAdapter {
             double down = pointers.pixels(event.getY() - last.getY());
             look(view -> camera.moved(view, across, down, ViewportScene.pixelsPerPoint(size.get())));
             last = event;
-        } else if (isToolDragging) {
+        } else if (session.drag().isOn()) {
             pointers.place(pane).map(place -> pointers.pointer(event, place)).ifPresent(pointer -> {
-                session.tool().dragged(pointer);
+                session.drag().move(pointer);
                 told(pointer);
             });
         }
@@ -118,17 +116,21 @@ final class ViewportControl extends MouseAdapter {
 
     @Override
     public void mouseReleased(MouseEvent event) {
-        if (isToolDragging && SwingUtilities.isLeftMouseButton(event)) {
-            isToolDragging = false;
-            pointers.place(pane).map(place -> pointers.pointer(event, place)).ifPresent(pointer -> {
-                session.tool().released(pointer);
-                told(pointer);
-            });
-        } else if (!isToolDragging) {
+        boolean isOfTool = session.drag().isOn();
+        if (isOfTool && SwingUtilities.isLeftMouseButton(event)) {
+            pointers.place(pane)
+                    .map(place -> pointers.pointer(event, place))
+                    .ifPresentOrElse(this::release, session.drag()::cancel);
+        } else if (!isOfTool) {
             flight.end();
             splitter = null;
             camera = null;
         }
+    }
+
+    private void release(Pointer pointer) {
+        session.drag().release(pointer);
+        told(pointer);
     }
 
     @Override
@@ -204,7 +206,8 @@ final class ViewportControl extends MouseAdapter {
         if (flight.key(event)) {
             return true;
         }
-        if (event.getID() != KeyEvent.KEY_PRESSED || event.getModifiersEx() != 0 && !isToolDragging) {
+        if (event.getID() != KeyEvent.KEY_PRESSED
+                || event.getModifiersEx() != 0 && !session.drag().isOn()) {
             return false;
         }
         return switch (event.getKeyCode()) {
@@ -215,11 +218,11 @@ final class ViewportControl extends MouseAdapter {
     }
 
     private boolean isCancelled() {
-        boolean isBusy = isToolDragging
+        boolean isBusy = session.drag().isOn()
                 || session.document().isDragging()
                 || !session.tool().marks().isEmpty();
         if (isBusy) {
-            isToolDragging = false;
+            session.drag().cancel();
             session.tool().cancel();
             session.document().cancelDrag();
             pointed.accept(Optional.empty());
