@@ -1,5 +1,7 @@
 package nephele.editor.tool.brush;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -248,13 +250,16 @@ public final class DrawBrushTool implements Tool {
             return corner == null ? List.of() : List.of(new Mark.Handle(corner, MarkColour.PREVIEW));
         }
         Aabb bounds = box.bounds();
-        String size = String.format(
-                Locale.ROOT,
-                "%.4g × %.4g × %.4g m",
-                bounds.maxX() - bounds.minX(),
-                bounds.maxY() - bounds.minY(),
-                bounds.maxZ() - bounds.minZ());
+        String size = metres(bounds.maxX() - bounds.minX()) + " × " + metres(bounds.maxY() - bounds.minY()) + " × "
+                + metres(bounds.maxZ() - bounds.minZ()) + " m";
         return List.of(new Mark.Label(bounds.centre(), size, MarkColour.GUIDE));
+    }
+
+    private static String metres(double length) {
+        return new BigDecimal(length)
+                .round(new MathContext(4))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     @Override
