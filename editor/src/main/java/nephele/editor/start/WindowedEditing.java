@@ -71,7 +71,11 @@ public final class WindowedEditing {
         });
     }
 
+    /** Keeps the settings as soon as they change, and the open file among the recent ones. */
     private void remember(Change change) {
+        if (change == Change.SETTINGS) {
+            keepSettings();
+        }
         Optional<Path> file = change == Change.FILE ? session.file().path() : Optional.empty();
         List<String> before = session.settings().get(EditorSetting.RECENT_FILES);
         file.map(session.settings()::withRecent)
@@ -104,12 +108,16 @@ public final class WindowedEditing {
         game.close();
         work.close();
         session.proving().close();
+        keepSettings();
+        ended.run();
+    }
+
+    private void keepSettings() {
         try {
             files.save(session.settings());
         } catch (IOException problem) {
             report.accept(problem.getMessage());
         }
-        ended.run();
     }
 
     /** Tells what happens to the game. */
