@@ -5,12 +5,15 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
+import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
 
 /** Equal cells in as many columns as show every text whole, up to a number; one column at least. */
 final class FittingGrid implements LayoutManager {
     private static final int GAP_POINTS = 2;
 
     private final int mostColumns;
+    private int laidOutColumns;
 
     FittingGrid(int mostColumns) {
         this.mostColumns = mostColumns;
@@ -52,6 +55,11 @@ final class FittingGrid implements LayoutManager {
     @Override
     public void layoutContainer(Container parent) {
         int columns = columns(parent);
+        if (columns != laidOutColumns && parent instanceof JComponent component) {
+            // The height was asked for at another width; in the middle of a layout nothing can become invalid.
+            laidOutColumns = columns;
+            SwingUtilities.invokeLater(component::revalidate);
+        }
         int height = cell(parent).height;
         int width = (parent.getWidth() - (columns - 1) * gap()) / columns;
         for (int i = 0; i < parent.getComponentCount(); i++) {

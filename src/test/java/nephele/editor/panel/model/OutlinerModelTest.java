@@ -81,6 +81,10 @@ class OutlinerModelTest {
         assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
         assertEquals("Spot light", EntityWords.ofKind("lights", "spot").english());
         assertEquals("Beacon", EntityWords.ofKind("beacons", "beacon").english());
+        List<String> game = PaletteModel.entries(LevelStructure.LEVEL, EntityWords.Group.PLAY).stream()
+                .map(entry -> entry.words().english())
+                .toList();
+        assertEquals(List.of("Start", "Exit", "Cube", "Ball", "Capsule", "Portal", "Portal gun"), game);
         for (PaletteModel.Entry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
         }

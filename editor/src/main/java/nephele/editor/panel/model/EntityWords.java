@@ -84,9 +84,10 @@ public final class EntityWords {
 
     /** Returns the place of a kind in the order of the palette. */
     public static int rank(String section, String kind) {
-        List<Named> order = List.copyOf(KINDS.values());
-        Named named = find(section, kind);
-        return named == null ? order.size() : order.indexOf(named);
+        List<String> order = List.copyOf(KINDS.keySet());
+        String key = section + "." + kind;
+        int rank = order.indexOf(KINDS.containsKey(key) ? key : section);
+        return rank < 0 ? order.size() : rank;
     }
 
     /** Returns the name of a section, such as "Lights" for {@code lights}. */
