@@ -8,6 +8,7 @@ import java.util.Arrays;
 final class FaultyStore implements JournalStore {
     private final JournalStore real;
     private volatile boolean isFull;
+    private volatile Runnable onRefusal = () -> {};
 
     FaultyStore(JournalStore real) {
         this.real = real;
@@ -17,8 +18,17 @@ final class FaultyStore implements JournalStore {
         isFull = full;
     }
 
+    /** Runs an action once, within the next write that finds the disk full. */
+    void onRefusal(Runnable action) {
+        onRefusal = () -> {
+            onRefusal = () -> {};
+            action.run();
+        };
+    }
+
     private void failIfFull() throws IOException {
         if (isFull) {
+            onRefusal.run();
             throw new FileSystemException("f", null, "No space left on device");
         }
     }

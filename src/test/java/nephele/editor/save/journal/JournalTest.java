@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
 import nephele.app.ChildJvm;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.DraftLevel;
@@ -204,6 +206,29 @@ class JournalTest {
             assertEquals(DraftLevel.after(4), recoverable().get(0).level());
             edit(journal, 5);
             assertEquals(DraftLevel.after(5), recoverable().get(0).level());
+        }
+    }
+
+    @Test
+    void aFlushDoesNotFailWithAWriteThatBeganBeforeIt() throws Exception {
+        Path place = journals().resolve("x");
+        var store = new FaultyStore(new StoredJournal(place));
+        var origin = new JournalLog.Origin("t", DocumentFile.UNTITLED, DraftLevel.after(0), NOW);
+        try (Journal journal =
+                new Journal(place, store, origin, JournalListener.NONE, InstantSource.fixed(NOW), () -> {})) {
+            var flush = new FutureTask<>(journal::flush);
+            store.full(true);
+            store.onRefusal(() -> {
+                Thread flushing = new Thread(flush);
+                flushing.start();
+                while (flushing.getState() != Thread.State.WAITING) {
+                    Thread.onSpinWait();
+                }
+                store.full(false);
+            });
+            journal.record("move", DraftLevel.after(1));
+            assertTrue(flush.get(60, TimeUnit.SECONDS));
+            assertEquals(DraftLevel.after(1), recoverable().get(0).level());
         }
     }
 

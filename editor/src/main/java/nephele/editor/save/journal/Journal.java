@@ -111,13 +111,13 @@ public final class Journal implements AutoCloseable {
         }
     }
 
-    /** Writes everything at once and waits for it; returns false if that failed. */
+    /** Writes everything at once and waits for it; returns false if that failed. A write that is under way may fail. */
     public synchronized boolean flush() {
-        long before = failures;
+        long mostFailures = failures + (isWriting ? 1 : 0);
         hurries++;
         notifyAll();
         boolean isInterrupted = false;
-        while ((pending != Pending.NOTHING || isWriting) && failures == before && !isEnding) {
+        while ((pending != Pending.NOTHING || isWriting) && failures <= mostFailures && !isEnding) {
             try {
                 wait();
             } catch (InterruptedException later) {
