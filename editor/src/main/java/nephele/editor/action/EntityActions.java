@@ -1,13 +1,17 @@
 package nephele.editor.action;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.pick.EntityBounds;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
@@ -15,6 +19,7 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
 import nephele.editor.transform.EntityTransform;
@@ -106,15 +111,11 @@ final class EntityActions {
 
     private static void move(ActionCall call) throws ActionFailure {
         Vec3 by = call.vector("by");
-        Document document = call.session().document();
-        document.edit(
+        step(
+                call,
                 MOVE,
-                null,
-                before -> before.with(EntityTransform.moved(
-                        before.level(),
-                        before.selection().entities(),
-                        by,
-                        call.session().options().textureLock())));
+                (level, refs) -> EntityTransform.moved(
+                        level, refs, by, call.session().options().textureLock()));
     }
 
     /** Returns the middle of the box around what is selected, on the grid. */
@@ -136,12 +137,12 @@ final class EntityActions {
         Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
         double degrees = call.number("degrees", 90);
         Vec3 pivot = pivot(call);
-        Document document = call.session().document();
-        document.edit(
+        step(
+                call,
                 TURN,
-                level -> EntityTransform.turned(
+                (level, refs) -> EntityTransform.turned(
                         level,
-                        document.selection().entities(),
+                        refs,
                         pivot,
                         axis,
                         degrees,
@@ -154,10 +155,34 @@ final class EntityActions {
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
-    private static void change(ActionCall call, Words label, java.util.function.UnaryOperator<Record> change) {
+    private static void change(ActionCall call, Words label, UnaryOperator<Record> change) throws ActionFailure {
+        Entities entities = call.session().document().entities();
+        step(call, label, (level, refs) -> (Level) entities.changed(level, refs, change));
+    }
+
+    /** Makes a change of what is selected a step, unless a file could not hold it. */
+    private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
+            throws ActionFailure {
         Document document = call.session().document();
-        document.edit(label, level ->
-                (Level) document.entities().changed(level, document.selection().entities(), change));
+        List<EntityRef> refs = document.selection().entities();
+        Level after = change.apply(document.level(), refs);
+        for (EntityRef ref : refs) {
+            Optional<Words> problem = document.entities().find(after, ref).flatMap(EntityActions::problem);
+            if (problem.isPresent()) {
+                throw new ActionFailure(problem.get());
+            }
+        }
+        document.edit(label, before -> after);
+    }
+
+    /** Returns why a file could not hold an entity, such as a place outside the world. */
+    private static Optional<Words> problem(Record entity) {
+        List<Words> problems = new ArrayList<>();
+        RecordWalk.map(entity, (field, value) -> {
+            FieldType.of(field).problem(value).ifPresent(problems::add);
+            return value;
+        });
+        return problems.stream().findFirst();
     }
 
     private static void set(ActionCall call) throws ActionFailure {

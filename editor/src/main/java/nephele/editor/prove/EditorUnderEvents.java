@@ -11,9 +11,12 @@ import nephele.editor.pane.PaneView;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.Filing;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
+import nephele.editor.start.EditorPages;
 import nephele.editor.start.EditorParts;
 import nephele.editor.surface.OffscreenSurface;
 import nephele.editor.surface.SurfaceMode;
@@ -33,15 +36,22 @@ final class EditorUnderEvents implements AutoCloseable {
     private final EditorSession session;
     private final EditorPanel panel;
     private final Path base;
+    private final DialogStage dialogues;
     private EditorSettings look = EditorSettings.DEFAULT;
 
-    /** @param base the level at the beginning, to which {@link #liveObjects} returns */
-    EditorUnderEvents(Path base, SilentDesk desk) throws LevelFormatException {
+    /**
+     * @param base the level at the beginning, to which {@link #liveObjects} returns
+     * @param folder for backups
+     */
+    EditorUnderEvents(Path base, Path folder, SilentDesk desk, DialogStage dialogues) throws LevelFormatException {
         this.base = base;
+        this.dialogues = dialogues;
         WindowLook.apply(look);
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
-        panel = EditorParts.panel(session, desk, SurfaceMode.OFFSCREEN, (part, opener) -> {});
+        session.filing(Filing.of(new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"))));
+        panel = EditorParts.panel(session, desk, SurfaceMode.OFFSCREEN, desk::part);
+        EditorPages.register(session, desk, panel, dialogues, desk::part);
         session.listen(this::follow);
         resize(SIZE);
     }
@@ -56,6 +66,10 @@ final class EditorUnderEvents implements AutoCloseable {
             WindowLook.apply(now);
             SwingUtilities.updateComponentTreeUI(panel);
         }
+    }
+
+    DialogStage dialogues() {
+        return dialogues;
     }
 
     EditorSession session() {
@@ -82,9 +96,11 @@ final class EditorUnderEvents implements AutoCloseable {
         return (OffscreenSurface) panel.viewport().surface();
     }
 
-    /** Returns the number of objects of OpenGL in the state of the beginning, after each view mode was drawn. */
+    /** Returns the number of objects of OpenGL in the state of the beginning, after all kinds of pictures were drawn. */
     Map<GlKind, Integer> liveObjects() throws LevelFormatException {
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
+        session.proving().close();
+        session.proving().dismiss();
         session.use(Tools.ALL.get(0));
         session.open(opened.file(), opened.level(), opened.assets());
         session.document().select(Selection.NONE);
@@ -96,6 +112,10 @@ final class EditorUnderEvents implements AutoCloseable {
             session.panes(panes -> panes.with(0, view.with(mode)));
             paint();
         }
+        session.proving().corner().show(true, 1);
+        paint();
+        session.proving().close();
+        paint();
         return surface().liveObjects();
     }
 

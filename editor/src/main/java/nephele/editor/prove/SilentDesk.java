@@ -2,17 +2,17 @@ package nephele.editor.prove;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.editor.action.Desk;
 import nephele.editor.text.Words;
 
-/**
- * The desk of a user who agrees to everything and cancels every choice of a place to save, since saving makes backups
- * in the folders of the user who runs the proof.
- */
+/** The desk of a user who agrees to everything, and cancels every choice of a place to save. */
 final class SilentDesk implements Desk {
     private final Supplier<Path> toOpen;
+    private final Map<String, Runnable> parts = new HashMap<>();
     private String copied = "";
 
     /** @param toOpen chooses the next file to open */
@@ -50,9 +50,21 @@ final class SilentDesk implements Desk {
         return copied;
     }
 
+    /** Registers what shows a part; the last one of a name counts. */
+    void part(String name, Runnable opener) {
+        parts.put(name, opener);
+    }
+
     @Override
     public void show(String part) {
-        // There is no window to show it in.
+        Optional.ofNullable(parts.get(part)).ifPresent(Runnable::run);
+    }
+
+    @Override
+    public boolean asks(String action) {
+        boolean isAsked = parts.containsKey(action);
+        show(action);
+        return isAsked;
     }
 
     @Override

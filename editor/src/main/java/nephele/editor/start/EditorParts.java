@@ -27,6 +27,7 @@ import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
+import nephele.editor.window.dialog.DialogFrame;
 
 /** Puts the panels around the viewport. */
 public final class EditorParts {
@@ -69,7 +70,7 @@ public final class EditorParts {
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, surface, slots);
         panel.closeToo(translation);
-        EditorPages.register(session, desk, panel, parts);
+        EditorPages.register(session, desk, panel, new DialogFrame(panel), parts);
         parts.accept("guide", guide::start);
         parts.accept("search", () -> {
             left.setSelectedIndex(0);

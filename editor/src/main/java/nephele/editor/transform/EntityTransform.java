@@ -104,14 +104,22 @@ public final class EntityTransform {
 
     private static Object scaled(RecordField field, Object value, Vec3 pivot, Vec3 factors, double length) {
         if (field.spatial() == Spatial.LENGTH && value instanceof Double metres) {
-            return metres * length;
+            return within(field, metres * length);
         } else if (field.spatial() == Spatial.POINT && value instanceof Vec3 point) {
             return pivot.plus(product(point.minus(pivot), factors));
         } else if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
             Vec3 scaled = product(size, factors);
-            return new Vec3(Math.abs(scaled.x()), Math.abs(scaled.y()), Math.abs(scaled.z()));
+            return new Vec3(
+                    within(field, Math.abs(scaled.x())),
+                    within(field, Math.abs(scaled.y())),
+                    within(field, Math.abs(scaled.z())));
         }
         return value;
+    }
+
+    /** Returns the nearest length that a file permits. */
+    private static double within(RecordField field, double metres) {
+        return Math.max(field.declaration().min(), Math.min(field.declaration().max(), metres));
     }
 
     private static Vec3 product(Vec3 a, Vec3 b) {

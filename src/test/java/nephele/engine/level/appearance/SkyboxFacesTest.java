@@ -1,6 +1,7 @@
 package nephele.engine.level.appearance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -33,6 +34,17 @@ class SkyboxFacesTest {
                 sum += at(sky, onEdge(edge, along, 0.999)).distance(at(sky, onEdge(edge, along, 1.001)));
             }
             assertEquals(0, sum / 100, 0.03, "edge " + edge);
+        }
+    }
+
+    /** An editor shows levels that no check has seen. */
+    @Test
+    void anotherNumberOfFilesIsRefused() {
+        for (SkyboxLayout layout : SkyboxLayout.values()) {
+            Sky.Skybox sky = new Sky.Skybox(layout, List.of());
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> SkyboxFaces.of(sky, SkyboxFacesTest::picture, ColourDecoding.SRGB));
         }
     }
 

@@ -15,7 +15,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
 /** Shows a panel in a dialogue over the window of a component, and waits until it is closed; Esc closes it. */
-public final class DialogFrame {
+public final class DialogFrame implements Dialogues {
     private final Component owner;
 
     public DialogFrame(Component owner) {
@@ -30,7 +30,7 @@ public final class DialogFrame {
      */
     public record Content(JComponent panel, JComponent first, JButton main) {}
 
-    /** Opens a dialogue; its content is made with what closes it. */
+    @Override
     public void open(String title, Function<Runnable, Content> making) {
         Component before = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title, ModalityType.APPLICATION_MODAL);

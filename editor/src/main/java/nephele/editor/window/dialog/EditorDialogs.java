@@ -21,14 +21,14 @@ public final class EditorDialogs {
     private final EditorSession session;
     private final Desk desk;
     private final EditorPanel panel;
-    private final DialogFrame frame;
+    private final Dialogues frame;
 
-    /** @param panel in the window over which the dialogues open */
-    public EditorDialogs(EditorSession session, Desk desk, EditorPanel panel) {
+    /** @param frame where the dialogues open */
+    public EditorDialogs(EditorSession session, Desk desk, EditorPanel panel, Dialogues frame) {
         this.session = session;
         this.desk = desk;
         this.panel = panel;
-        frame = new DialogFrame(panel);
+        this.frame = frame;
     }
 
     /** Registers all dialogues, each with what opens it. */

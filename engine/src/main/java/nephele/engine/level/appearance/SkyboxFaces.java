@@ -56,6 +56,11 @@ final class SkyboxFaces {
     }
 
     static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
+        int wanted = sky.layout() == SkyboxLayout.FACES ? CROSS_CELLS.length : 1;
+        if (sky.files().size() != wanted) {
+            throw new IllegalArgumentException("a skybox of this layout has " + wanted + " files, not "
+                    + sky.files().size());
+        }
         if (sky.layout() == SkyboxLayout.FACES) {
             List<Face> faces = new ArrayList<>();
             for (String file : sky.files()) {
