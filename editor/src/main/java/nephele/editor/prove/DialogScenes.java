@@ -44,9 +44,8 @@ final class DialogScenes {
         for (String part : PARTS) {
             scenes.add(new EditorScene("dialogue-" + part, editor -> {
                 editor.run("select ids=solids/block");
-                DialogFrame.Content content = editor.desk()
-                        .dialogue(part)
-                        .orElseThrow(() -> new IllegalStateException("no dialogue " + part));
+                DialogFrame.Content content =
+                        editor.dialogue(part).orElseThrow(() -> new IllegalStateException("no dialogue " + part));
                 return fitting(editor, content.panel());
             }));
         }

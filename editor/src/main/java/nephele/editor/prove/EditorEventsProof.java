@@ -1,6 +1,5 @@
 package nephele.editor.prove;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import nephele.editor.action.ScriptDesk;
 import nephele.engine.render.gl.GlKind;
 import nephele.lab.prove.process.TemporaryFolder;
 import nephele.lab.prove.proof.Claim;
@@ -30,7 +28,8 @@ public final class EditorEventsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "editor-events",
-                "No random input to the editor (mouse, wheel, keys, commands, panels, sizes, settings, other levels)"
+                "No random input to the editor (mouse, wheel, keys, commands, panels, dialogues,"
+                        + " sizes, settings, other levels, saving, dropped files, repairs of problems)"
                         + " throws, blocks for a minute, or leaves OpenGL objects; the level can always be written"
                         + " and is equal when read back.",
                 "events",
@@ -101,12 +100,13 @@ public final class EditorEventsProof implements Proof {
         }
 
         private void open() throws Exception {
-            // The desk cancels every choice of a place to save: saving makes backups in the user's own folders.
-            ScriptDesk desk = new ScriptDesk(
-                    () -> new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), () -> Optional.of(levels.any(random)));
-            editor = new EditorUnderEvents(levels.base(), desk);
-            events = new RandomEvents(editor, random);
+            DialogStage dialogues = new DialogStage(random);
+            StageDesk desk = new StageDesk(dialogues, () -> Optional.of(levels.any(random)));
+            editor = new EditorUnderEvents(levels.base(), levels.folder(), desk, dialogues);
+            events = new RandomEvents(editor, random, () -> levels.anyToDrop(random));
             objects = editor.liveObjects();
+            // The level of the beginning is not edited: saving would change what the end is compared with.
+            editor.panel().commands().named("open").orElseThrow().run();
         }
 
         private void event(int number) throws Exception {
@@ -131,7 +131,7 @@ public final class EditorEventsProof implements Proof {
     }
 
     /** Copies of the level files, so that nothing can change those of the checkout. */
-    private record LevelCopies(Path folder, List<Path> files) implements AutoCloseable {
+    private record LevelCopies(Path folder, Path base, List<Path> files) implements AutoCloseable {
         private static final List<String> NAMES = List.of(
                 "samples/empty.json",
                 "01-courtyard.json",
@@ -146,6 +146,15 @@ public final class EditorEventsProof implements Proof {
                 "samples/slanted-walls.json",
                 "samples/sky-gradient.json");
 
+        private static final List<String> DROPPED = List.of(
+                "assets/textures/metal-frame.png",
+                "assets/models/vase.obj",
+                "assets/models/knot.gltf",
+                "scenes/invalid/torn.3d",
+                "scenes/invalid/flat-scale.xml",
+                "levels/no-such-file.json",
+                "README.md");
+
         static LevelCopies make() throws IOException {
             Path folder = Files.createTempDirectory("nephele-editor-events");
             List<Path> files = new ArrayList<>();
@@ -154,11 +163,12 @@ public final class EditorEventsProof implements Proof {
                 Files.createDirectories(copy.getParent());
                 files.add(Files.copy(Path.of("levels").resolve(name), copy));
             }
-            return new LevelCopies(folder, List.copyOf(files));
+            Path base = Files.copy(Path.of("levels").resolve(NAMES.get(0)), folder.resolve("base.json"));
+            return new LevelCopies(folder, base, List.copyOf(files));
         }
 
-        Path base() {
-            return files.get(0);
+        Path anyToDrop(SplittableRandom random) {
+            return Path.of(DROPPED.get(random.nextInt(DROPPED.size())));
         }
 
         Path any(SplittableRandom random) {

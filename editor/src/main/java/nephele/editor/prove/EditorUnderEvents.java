@@ -5,14 +5,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Map;
 import javax.swing.SwingUtilities;
-import nephele.editor.action.Desk;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.Filing;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.EditorParts;
@@ -34,15 +35,21 @@ final class EditorUnderEvents implements AutoCloseable {
     private final EditorSession session;
     private final EditorPanel panel;
     private final Path base;
+    private final DialogStage dialogues;
     private EditorSettings look = EditorSettings.DEFAULT;
 
-    /** @param base the level at the beginning, to which {@link #liveObjects} returns */
-    EditorUnderEvents(Path base, Desk desk) throws LevelFormatException {
+    /**
+     * @param base the level at the beginning, to which {@link #liveObjects} returns
+     * @param folder for backups
+     */
+    EditorUnderEvents(Path base, Path folder, StageDesk desk, DialogStage dialogues) throws LevelFormatException {
         this.base = base;
+        this.dialogues = dialogues;
         WindowLook.apply(look);
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
-        panel = EditorParts.panel(session, desk, SurfaceMode.OFFSCREEN, (part, opener) -> {});
+        session.filing(Filing.of(new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"))));
+        panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
         resize(SIZE);
     }
@@ -57,6 +64,10 @@ final class EditorUnderEvents implements AutoCloseable {
             WindowLook.apply(now);
             SwingUtilities.updateComponentTreeUI(panel);
         }
+    }
+
+    DialogStage dialogues() {
+        return dialogues;
     }
 
     EditorSession session() {
@@ -83,9 +94,11 @@ final class EditorUnderEvents implements AutoCloseable {
         return (OffscreenSurface) panel.viewport().surface();
     }
 
-    /** Returns the number of objects of OpenGL in the state of the beginning, after each view mode was drawn. */
+    /** Returns the number of objects of OpenGL in the state of the beginning, after all kinds of pictures were drawn. */
     Map<GlKind, Integer> liveObjects() throws LevelFormatException {
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
+        session.proving().close();
+        session.proving().dismiss();
         session.use(Tools.ALL.get(0));
         session.open(opened.file(), opened.level(), opened.assets());
         session.document().select(Selection.NONE);
@@ -97,6 +110,10 @@ final class EditorUnderEvents implements AutoCloseable {
             session.panes(panes -> panes.with(0, view.with(mode)));
             paint();
         }
+        session.proving().corner().show(true, 1);
+        paint();
+        session.proving().close();
+        paint();
         return surface().liveObjects();
     }
 

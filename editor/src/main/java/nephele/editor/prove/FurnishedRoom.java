@@ -63,7 +63,7 @@ final class FurnishedRoom {
     }
 
     /** Makes the room in the session of a script. */
-    static void make(ScriptRunner script, PicturedDesk desk) throws ActionFailure {
+    static void make(ScriptRunner script, StageDesk desk) throws ActionFailure {
         desk.copy(FLIGHT);
         for (String line : LINES) {
             try {

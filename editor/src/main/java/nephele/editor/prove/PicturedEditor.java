@@ -7,6 +7,7 @@ import java.awt.Dimension;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptRunner;
@@ -24,14 +25,16 @@ import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
+import nephele.editor.window.dialog.DialogFrame;
 
 /** The real editor over a furnished room, in one look, without a display. Used on the event dispatch thread. */
 final class PicturedEditor implements AutoCloseable {
     private final EditorLook look;
-    private final PicturedDesk desk = new PicturedDesk();
+    private final StageDesk desk = new StageDesk((title, making) -> opened = making.apply(() -> {}), Optional::empty);
     private final EditorSession session;
     private final EditorPanel panel;
     private final ScriptRunner script;
+    private DialogFrame.Content opened;
 
     PicturedEditor(EditorLook look) throws ActionFailure {
         this.look = look;
@@ -57,8 +60,15 @@ final class PicturedEditor implements AutoCloseable {
         return panel;
     }
 
-    PicturedDesk desk() {
+    StageDesk desk() {
         return desk;
+    }
+
+    /** Shows a part; returns what its dialogue holds, if it is one that can be used now. */
+    Optional<DialogFrame.Content> dialogue(String part) {
+        opened = null;
+        desk.show(part);
+        return Optional.ofNullable(opened);
     }
 
     /** Runs a line of the action table. */

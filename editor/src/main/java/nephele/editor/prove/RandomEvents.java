@@ -6,8 +6,10 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneLayout;
@@ -18,7 +20,10 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.engine.math.Aabb;
 
-/** Sends seeded random input to an editor, one event a call: mouse, wheel, keys, commands, panels, sizes, settings. */
+/**
+ * Sends seeded random input to an editor, one event a call: mouse, wheel, keys, commands, panels, sizes, settings,
+ * problems, dropped files; to a dialogue while one is open.
+ */
 final class RandomEvents {
     private static final int[] KEYS = {
         KeyEvent.VK_ESCAPE,
@@ -34,8 +39,8 @@ final class RandomEvents {
         KeyEvent.VK_CLOSE_BRACKET,
         KeyEvent.VK_MINUS
     };
-    /** Saving would make backups in the folders of the user who runs the proof. */
-    private static final List<String> LEFT_OUT = List.of("save", "save-as");
+    /** These take minutes: the traced corner has an event of its own. A picture would need a window. */
+    private static final List<String> LEFT_OUT = List.of("trade", "path-trace", "screenshot");
 
     private static final double NEAR_PIXELS = 90;
     private static final int[] SCALES = {100, 125, 150, 200};
@@ -43,6 +48,8 @@ final class RandomEvents {
     private final EditorUnderEvents editor;
     private final SplittableRandom random;
     private final RandomPanelInput panels;
+    private final RandomSessionInput others;
+    private final DialogStage dialogues;
     /** The button of the drag in progress; 0 without one. */
     private int held;
 
@@ -50,10 +57,13 @@ final class RandomEvents {
     private int y;
     private String last = "";
 
-    RandomEvents(EditorUnderEvents editor, SplittableRandom random) {
+    /** @param dropped chooses the next file to drop */
+    RandomEvents(EditorUnderEvents editor, SplittableRandom random, Supplier<Path> dropped) {
         this.editor = editor;
         this.random = random;
         panels = new RandomPanelInput(editor.panel(), random, LEFT_OUT);
+        others = new RandomSessionInput(editor, random, dropped);
+        dialogues = editor.dialogues();
     }
 
     /** Returns the last event in words, to find a failure's cause. */
@@ -63,6 +73,11 @@ final class RandomEvents {
 
     /** Sends the next event. */
     void send() {
+        if (dialogues.isOpen()) {
+            dialogues.send();
+            last = "dialogue " + dialogues.last();
+            return;
+        }
         boolean drags = held != 0 && random.nextInt(100) < 80;
         if (drags) {
             drag();
@@ -80,9 +95,17 @@ final class RandomEvents {
             key();
         } else if (kind < 740) {
             command();
-        } else if (kind < 970) {
+        } else if (kind < 950) {
             last = "";
             panels.send();
+        } else if (kind < 962) {
+            last = "a problem";
+            last = others.problem();
+        } else if (kind < 967) {
+            last = "a drop";
+            last = others.drop();
+        } else if (kind < 970) {
+            last = others.trace();
         } else if (kind < 980) {
             Dimension size = new Dimension(500 + random.nextInt(700), 350 + random.nextInt(450));
             last = "resize " + size;

@@ -10,6 +10,8 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Predicate;
+import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
@@ -64,7 +66,9 @@ final class RandomPanelInput {
 
     /** Sends an event to a random component. */
     void send() {
-        Component at = random.nextInt(4) == 0 ? anyInput() : anyPlace();
+        int how = random.nextInt(8);
+        Component at =
+                how < 2 ? any(RandomPanelInput::isInput) : how < 4 ? any(RandomPanelInput::isButton) : anyPlace();
         last = "nothing";
         if (at == null || leftOut.contains(String.valueOf(at.getName())) || at instanceof JMenu) {
             return;
@@ -104,19 +108,27 @@ final class RandomPanelInput {
         return SwingUtilities.getDeepestComponentAt(root, x, y);
     }
 
-    /** Returns a text field or a choice; a random place would seldom hit one. */
-    private Component anyInput() {
+    /** Returns a component of a kind that a random place would seldom hit; {@code null} for none. */
+    private Component any(Predicate<Component> wanted) {
         List<Component> found = new ArrayList<>();
-        addInputs(root, found);
+        add(root, wanted, found);
         return found.isEmpty() ? null : found.get(random.nextInt(found.size()));
     }
 
-    private static void addInputs(Container container, List<Component> found) {
+    private static boolean isInput(Component each) {
+        return each instanceof JTextComponent || each instanceof JComboBox;
+    }
+
+    private static boolean isButton(Component each) {
+        return each instanceof AbstractButton && each.isEnabled();
+    }
+
+    private static void add(Container container, Predicate<Component> wanted, List<Component> found) {
         for (Component child : container.getComponents()) {
-            if (child instanceof JTextComponent || child instanceof JComboBox) {
+            if (wanted.test(child)) {
                 found.add(child);
             } else if (child instanceof Container inner && child.isVisible()) {
-                addInputs(inner, found);
+                add(inner, wanted, found);
             }
         }
     }

@@ -36,6 +36,7 @@ public final class WindowedEditing {
     private final Consumer<String> report;
     private final WarmGame game;
     private WindowFiles work;
+    private EditorWindow window;
 
     /**
      * @param gameLine the command line of the waiting game, for the file of the open level or {@code null}
@@ -57,7 +58,7 @@ public final class WindowedEditing {
             EditorPanel panel = EditorParts.panel(session, desk, surface, desk::part);
             ProvingWindow.connect(session, desk, panel);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
-            EditorWindow window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
+            window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, desk, journals());
             session.playsWith(game::play);
             session.listen(this::remember);
@@ -140,6 +141,8 @@ public final class WindowedEditing {
         @Override
         public void ended(PlayEnd end) {
             tell(PlayText.of(end));
+            // Not every window system gives the keyboard back by itself.
+            SwingUtilities.invokeLater(window::takeKeyboard);
         }
 
         @Override

@@ -69,6 +69,12 @@ public final class EditorWindow extends JFrame {
         }
     }
 
+    /** Comes to the front, with the keyboard. */
+    public void takeKeyboard() {
+        toFront();
+        panel.viewport().surface().requestFocus();
+    }
+
     /** Returns what the window shows. */
     public EditorPanel panel() {
         return panel;

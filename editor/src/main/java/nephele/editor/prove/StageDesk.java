@@ -1,40 +1,37 @@
 package nephele.editor.prove;
 
-import java.awt.Component;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.Supplier;
 import nephele.editor.action.Desk;
 import nephele.editor.start.EditorSurroundings;
 import nephele.editor.text.Words;
-import nephele.editor.window.dialog.DialogFrame;
+import nephele.editor.window.dialog.DialogOpener;
 
-/** The desk of an editor of which pictures are taken: it keeps what a dialogue would show, and never asks. */
-final class PicturedDesk implements Desk {
+/** The desk of an editor without a window: its user agrees to everything, and cancels every choice of a place to save. */
+final class StageDesk implements Desk {
     private final Map<String, Runnable> parts = new LinkedHashMap<>();
-    private DialogFrame.Content opened;
+    private final DialogOpener dialogues;
+    private final Supplier<Optional<Path>> toOpen;
     private String copied = "";
+
+    /** @param toOpen chooses the next file to open; empty if the user cancels */
+    StageDesk(DialogOpener dialogues, Supplier<Optional<Path>> toOpen) {
+        this.dialogues = dialogues;
+        this.toOpen = toOpen;
+    }
 
     /** Returns what connects an editor with this desk. */
     EditorSurroundings surroundings() {
-        Function<Component, nephele.editor.window.dialog.DialogOpener> dialogues =
-                owner -> (title, making) -> opened = making.apply(() -> {});
-        return new EditorSurroundings(this, parts::put, dialogues);
-    }
-
-    /** Shows a part; returns what its dialogue holds, if it is one that can be used now. */
-    Optional<DialogFrame.Content> dialogue(String part) {
-        opened = null;
-        show(part);
-        return Optional.ofNullable(opened);
+        return new EditorSurroundings(this, parts::put, owner -> dialogues);
     }
 
     @Override
     public Optional<Path> fileToOpen() {
-        return Optional.empty();
+        return toOpen.get();
     }
 
     @Override
@@ -65,6 +62,13 @@ final class PicturedDesk implements Desk {
     @Override
     public void show(String part) {
         Optional.ofNullable(parts.get(part)).ifPresent(Runnable::run);
+    }
+
+    @Override
+    public boolean asks(String action) {
+        boolean isAsked = parts.containsKey(action);
+        show(action);
+        return isAsked;
     }
 
     @Override
