@@ -22,12 +22,13 @@ import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 
 /** A user of a window in this process: real mouse and keys, and pictures of the display. */
 public final class WindowRobot {
-    private static final int LONGEST_STEPS = 1200;
-    private static final int STEP_MILLIS = 50;
-    private static final int HOLD_MILLIS = 40;
+    private static final long LONGEST_NANOS = 60_000_000_000L;
+    private static final int STEP_MILLIS = 25;
+    private static final int HOLD_MILLIS = 20;
 
     private final Robot robot = new Robot();
     private final File pictures;
@@ -54,13 +55,23 @@ public final class WindowRobot {
 
     /** Waits until a condition holds on the event dispatch thread. */
     public void await(String what, BooleanSupplier condition) throws Exception {
-        for (int i = 0; !asked(condition::getAsBoolean); i++) {
-            if (i == LONGEST_STEPS) {
+        await(what, () -> {}, condition);
+    }
+
+    private void await(String what, Attempt attempt, BooleanSupplier condition) throws Exception {
+        long start = System.nanoTime();
+        for (attempt.make(); !asked(condition::getAsBoolean); attempt.make()) {
+            if (System.nanoTime() - start > LONGEST_NANOS) {
                 picture("in-vain");
                 throw new IllegalStateException("waited in vain for " + what + "; " + state.get());
             }
             robot.delay(STEP_MILLIS);
         }
+    }
+
+    /** What is done before each look at a condition. */
+    private interface Attempt {
+        void make() throws Exception;
     }
 
     /** Returns the visible dialogue; {@code null} for none. */
@@ -96,21 +107,37 @@ public final class WindowRobot {
     public void clickButton(String text) throws Exception {
         Predicate<Component> wanted = child -> child instanceof AbstractButton button && text.equals(button.getText());
         await("the button " + text, () -> find(wanted).isPresent());
-        Point middle = asked(() -> {
-            Component button = find(wanted).orElseThrow();
-            if (button.getParent() instanceof javax.swing.JComponent parent) {
-                parent.scrollRectToVisible(button.getBounds());
-            }
-            Point at = button.getLocationOnScreen();
-            at.translate(button.getWidth() / 2, button.getHeight() / 2);
-            return at;
-        });
-        // A click before the display shows the window would go to the one behind it.
-        await("the pointer on " + text, () -> {
-            moveTo(middle);
-            return find(wanted).filter(WindowRobot::isPointedAt).isPresent();
-        });
+        // A click before the display shows the window would go to the one behind it, and a window that opened under the
+        // pointer notices it only when it comes back.
+        await(
+                "the pointer on " + text,
+                () -> {
+                    robot.mouseMove(0, 0);
+                    asked(() -> find(wanted).map(WindowRobot::settled));
+                    moveTo(asked(() -> find(wanted).map(WindowRobot::middle).orElse(new Point())));
+                },
+                () -> find(wanted).filter(WindowRobot::isPointedAt).isPresent());
         press();
+    }
+
+    /**
+     * Moves the dialogue of a button by a pixel. Without a window manager the toolkit may take a new dialogue to be in
+     * the corner of the display, where it is not; a move makes both agree.
+     */
+    private static Component settled(Component button) {
+        if (SwingUtilities.getWindowAncestor(button) instanceof JDialog dialog) {
+            dialog.setLocation(dialog.getX() + 1, dialog.getY());
+        }
+        return button;
+    }
+
+    private static Point middle(Component button) {
+        if (button.getParent() instanceof javax.swing.JComponent parent) {
+            parent.scrollRectToVisible(button.getBounds());
+        }
+        Point at = button.getLocationOnScreen();
+        at.translate(button.getWidth() / 2, button.getHeight() / 2);
+        return at;
     }
 
     /** Clicks on the tab with a title. */
@@ -141,7 +168,7 @@ public final class WindowRobot {
 
     public void click(Point at) {
         moveTo(at);
-        robot.delay(2 * STEP_MILLIS);
+        robot.delay(4 * STEP_MILLIS);
         press();
     }
 
@@ -205,7 +232,7 @@ public final class WindowRobot {
 
     /** Writes a picture of the display, after what was done has been drawn. */
     public void picture(String name) throws Exception {
-        robot.delay(300);
+        robot.delay(200);
         Rectangle screen = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
         ImageIO.write(robot.createScreenCapture(screen), "png", new File(pictures, name + ".png"));
     }
