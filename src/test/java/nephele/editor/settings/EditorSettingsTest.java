@@ -48,8 +48,6 @@ class EditorSettingsTest {
                 .with(EditorSetting.PANELS, Map.of("problems", false))
                 .with(EditorSetting.KEYS, Map.of("edit.undo", List.of("ctrl Z"), "view.front", List.of()))
                 .with(EditorSetting.GUIDE_FINISHED, true)
-                .with(EditorSetting.JOURNAL, false)
-                .with(EditorSetting.BACKUPS, false)
                 .withRecent(folder.resolve("a.json"));
         files().save(chosen);
         EditorSettings read = files().read(problems::add);

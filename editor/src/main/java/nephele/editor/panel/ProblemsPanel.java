@@ -53,7 +53,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
                 choose.accept(list.getSelectedValue());
             }
         });
-        fix.addActionListener(event -> fixes().show(fix, 0, fix.getHeight()));
+        fix.addActionListener(event -> fixSelected());
         hide.addActionListener(event -> hideSelected());
         JPanel buttons = new JPanel(new MigLayout("insets 0", "[grow][][]"));
         buttons.add(state);
@@ -118,7 +118,6 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private void translate() {
         Language language = session.language();
         list.getAccessibleContext().setAccessibleName(PanelText.PROBLEMS.in(language));
-        fix.setText(PanelText.FIX.in(language));
         hide.setText(PanelText.HIDE.in(language));
         state.setText(
                 problems.isEmpty()
@@ -130,22 +129,42 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
 
     private void enableButtons() {
         LevelProblem selected = list.getSelectedValue();
-        fix.setEnabled(selected != null && !selected.fixes().isEmpty());
+        List<ProblemFix> fixes = selected == null ? List.of() : selected.fixes();
+        Language language = session.language();
+        String text = PanelText.FIX.in(language);
+        fix.setText(fixes.size() == 1 ? fixes.get(0).label().in(language) : fixes.isEmpty() ? text : text + " …");
+        fix.setEnabled(!fixes.isEmpty());
         hide.setEnabled(selected != null);
     }
 
-    private JPopupMenu fixes() {
-        JPopupMenu menu = new JPopupMenu();
-        for (ProblemFix remedy : list.getSelectedValue().fixes()) {
-            menu.add(remedy.label().in(session.language()))
-                    .addActionListener(event -> session.document().edit(remedy.label(), remedy.change()));
+    /** Repairs at once where there is one way; otherwise the user chooses. */
+    private void fixSelected() {
+        List<ProblemFix> fixes = list.getSelectedValue().fixes();
+        if (fixes.size() == 1) {
+            apply(fixes.get(0));
+            return;
         }
-        return menu;
+        JPopupMenu menu = new JPopupMenu();
+        for (ProblemFix remedy : fixes) {
+            menu.add(remedy.label().in(session.language())).addActionListener(event -> apply(remedy));
+        }
+        menu.show(fix, 0, fix.getHeight());
+    }
+
+    private void apply(ProblemFix remedy) {
+        keepKeyboard();
+        session.document().edit(remedy.label(), remedy.change());
     }
 
     private void hideSelected() {
         LevelProblem selected = list.getSelectedValue();
+        keepKeyboard();
         session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> HiddenProblems.hide(level, selected));
+    }
+
+    /** A button that is disabled while it has the keyboard would pass it on to a field of the inspector. */
+    private void keepKeyboard() {
+        list.requestFocusInWindow();
     }
 
     @Override

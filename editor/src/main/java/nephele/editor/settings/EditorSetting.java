@@ -48,12 +48,6 @@ public final class EditorSetting<T> {
 
     public static final EditorSetting<Boolean> GUIDE_FINISHED = of("guideFinished", EntryKind.flag(), false);
 
-    /** True if edits are recorded before they are saved. */
-    public static final EditorSetting<Boolean> JOURNAL = of("journal", EntryKind.flag(), true);
-
-    /** True if previous versions of saved levels are kept. */
-    public static final EditorSetting<Boolean> BACKUPS = of("backups", EntryKind.flag(), true);
-
     /** All settings, in the order of the file. */
     public static final List<EditorSetting<?>> ALL = List.of(
             THEME,
@@ -65,9 +59,7 @@ public final class EditorSetting<T> {
             PANELS,
             RECENT_FILES,
             KEYS,
-            GUIDE_FINISHED,
-            JOURNAL,
-            BACKUPS);
+            GUIDE_FINISHED);
 
     private final String key;
     private final EntryKind<T> kind;

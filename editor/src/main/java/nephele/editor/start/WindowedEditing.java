@@ -92,8 +92,7 @@ public final class WindowedEditing {
     }
 
     private JournalFolder journals() {
-        boolean isWanted = files.journals() != null && session.settings().get(EditorSetting.JOURNAL);
-        return isWanted ? new JournalFolder(files.journals(), Clock.systemUTC()) : null;
+        return files.journals() != null ? new JournalFolder(files.journals(), Clock.systemUTC()) : null;
     }
 
     private boolean isSaved(WindowDesk desk) {

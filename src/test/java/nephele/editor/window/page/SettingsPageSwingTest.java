@@ -2,7 +2,6 @@ package nephele.editor.window.page;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -138,7 +137,6 @@ class SettingsPageSwingTest {
         assertEquals(Theme.LIGHT, session.settings().get(EditorSetting.THEME));
         combos.get(2).setSelectedItem(150);
         assertEquals(150, session.settings().get(EditorSetting.SCALE_PERCENT));
-        assertTrue(session.settings().get(EditorSetting.JOURNAL));
         assertFalse(combos.get(3).getAccessibleContext().getAccessibleName().isBlank());
     }
 }

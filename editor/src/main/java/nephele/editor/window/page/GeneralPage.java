@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.function.Function;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -53,9 +52,6 @@ final class GeneralPage extends JPanel {
         JLabel note = new JLabel(PageText.AT_NEXT_START.in(language));
         note.setEnabled(false);
         add(note, "skip 1");
-        add(new JLabel(PageText.FILES.in(language)));
-        add(flag(PageText.JOURNAL, EditorSetting.JOURNAL));
-        add(flag(PageText.BACKUPS, EditorSetting.BACKUPS), "skip 1");
         if (settingsFile != null) {
             JButton open = new JButton(PageText.OPEN_FOLDER.in(language));
             open.addActionListener(event -> open(settingsFile.toAbsolutePath().getParent()));
@@ -105,14 +101,6 @@ final class GeneralPage extends JPanel {
             session.settings(session.settings().with(setting, value));
             changed.run();
         }
-    }
-
-    private JCheckBox flag(PageText name, EditorSetting<Boolean> setting) {
-        JCheckBox box =
-                new JCheckBox(name.in(session.language()), session.settings().get(setting));
-        box.setName(setting.key());
-        box.addActionListener(event -> session.settings(session.settings().with(setting, box.isSelected())));
-        return box;
     }
 
     /** Opens the folder in the user's file manager, or at least tells where it is. */

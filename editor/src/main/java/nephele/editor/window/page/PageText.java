@@ -18,15 +18,6 @@ public enum PageText {
     VIEWPORT_AWT("Canvas of the window system", "Superfície do sistema de janelas", "Superfície do sistema de janelas"),
     VIEWPORT_OFFSCREEN("Offscreen picture", "Imagem fora da tela", "Imagem fora do ecrã"),
     AT_NEXT_START("holds from the next start", "vale a partir do próximo início", "vale a partir do próximo arranque"),
-    FILES("Files", "Arquivos", "Ficheiros"),
-    JOURNAL(
-            "Record edits before they are saved",
-            "Registrar edições antes de salvá-las",
-            "Registar edições antes de as guardar"),
-    BACKUPS(
-            "Keep previous versions of saved levels",
-            "Manter versões anteriores das fases salvas",
-            "Manter versões anteriores dos níveis guardados"),
     OPEN_FOLDER("Open settings folder", "Abrir a pasta das configurações", "Abrir a pasta das definições"),
     FOLDER_IS("The settings are in %s", "As configurações estão em %s", "As definições estão em %s"),
     CLOSE("Close", "Fechar", "Fechar"),
