@@ -17,7 +17,7 @@ public final class FiledSession {
 
     /** Returns the folders of the editor's own files below a test's folder. */
     public static EditorFiles files(Path folder) {
-        return new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"));
+        return EditorFiles.of(null, folder);
     }
 
     /** Returns a session of an untitled level. */

@@ -47,6 +47,7 @@ class EditorSettingsTest {
                 .with(EditorSetting.SPLITTERS, Map.of("outliner", 0.25))
                 .with(EditorSetting.PANELS, Map.of("problems", false))
                 .with(EditorSetting.KEYS, Map.of("edit.undo", List.of("ctrl Z"), "view.front", List.of()))
+                .with(EditorSetting.GUIDE_LINES, false)
                 .with(EditorSetting.GUIDE_FINISHED, true)
                 .withRecent(folder.resolve("a.json"));
         files().save(chosen);

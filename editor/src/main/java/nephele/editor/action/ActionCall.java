@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import nephele.editor.document.Document;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.math.Vec3;
@@ -23,12 +22,6 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
             "%s deve ter três números x,y,z, não '%s'", "%s deve ter três números x,y,z, não '%s'");
     private static final Words NO_NUMBER = Words.of(
             "%s must be a number, not '%s'", "%s deve ser um número, não '%s'", "%s deve ser um número, não '%s'");
-
-    /** Returns the document for an edit computed from its present state; ends a drag first, as the edit would. */
-    public Document documentToEdit() {
-        session.document().cancelDrag();
-        return session.document();
-    }
 
     /** Returns an argument as it was written; empty if it is not given. */
     public Optional<String> text(String name) {

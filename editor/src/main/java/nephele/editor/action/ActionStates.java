@@ -21,6 +21,7 @@ public final class ActionStates {
             Map.entry("two-panes", panes(Arrangement.TWO)),
             Map.entry("four-panes", panes(Arrangement.FOUR)),
             Map.entry("maximise", session -> session.panes().isMaximised()),
+            Map.entry("guide-lines", session -> session.settings().get(EditorSetting.GUIDE_LINES)),
             Map.entry("theme-light", theme(Theme.LIGHT)),
             Map.entry("theme-dark", theme(Theme.DARK)),
             Map.entry("language-en", language(Language.EN)),

@@ -89,7 +89,7 @@ final class BrushActions {
         Vec3 min = call.vector("min");
         Vec3 max = call.vector("max");
         EditorSession session = call.session();
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         ShapeOptions shape = shape(call);
         String wish = call.text("id").orElse(call.text("shape").orElse("box"));
         String material = call.text("material").orElse(session.options().material());
@@ -154,7 +154,7 @@ final class BrushActions {
     }
 
     private static void hollow(ActionCall call) throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         double wall = call.number("wall", call.session().grid().stepMetres());
         List<Solid> gone = solids(call.session());
         List<Solid> made = new ArrayList<>();
@@ -166,7 +166,7 @@ final class BrushActions {
 
     /** Subtracts what is selected from every solid that it touches, and removes it. */
     private static void subtract(ActionCall call) throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         List<Solid> cutters = solids(call.session());
         List<Solid> gone = new ArrayList<>(cutters);
         List<Solid> made = new ArrayList<>();
@@ -198,7 +198,7 @@ final class BrushActions {
     }
 
     private static void merge(ActionCall call) throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         List<Solid> gone = solids(call.session());
         Solid merged = done(BrushBoolean.merged(gone));
         document.edit(MERGE, null, before -> with(document, before, gone, List.of(merged)));

@@ -54,6 +54,28 @@ public record EditorAction(
         void run(ActionCall call) throws ActionFailure;
     }
 
+    /**
+     * Does it, after {@link #endDrag}.
+     *
+     * @throws ActionFailure with a message for the user
+     */
+    public void run(ActionCall call) throws ActionFailure {
+        if (endDrag(call.session())) {
+            effect.run(call);
+        }
+    }
+
+    /**
+     * Ends a drag, since an action must not work on what a drag only shows; but the view may change meanwhile, and undo
+     * takes back the drag itself.
+     *
+     * @return false if the level before the drag leaves nothing to do
+     */
+    public boolean endDrag(EditorSession session) {
+        boolean goesOn = menu == Menu.VIEW || id.equals("undo");
+        return goesOn || !session.drag().cancel() || isEnabled.test(session);
+    }
+
     /** Returns an action without parameters that is always possible. */
     static EditorAction of(String id, Words title, Menu menu, List<String> keys, Effect effect) {
         return new EditorAction(id, title, menu, keys, List.of(), session -> true, effect);

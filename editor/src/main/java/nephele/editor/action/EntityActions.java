@@ -70,7 +70,7 @@ final class EntityActions {
         }
         String typed = call.needed("kind");
         Vec3 at = call.vector("at", Vec3.ZERO);
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         LevelStructure structure = document.entities().structure();
         for (EntitySection section : structure.lists()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
@@ -120,7 +120,7 @@ final class EntityActions {
 
     /** Returns the middle of the box around what is selected, on the grid. */
     private static Vec3 pivot(ActionCall call) throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         Aabb box = Aabb.EMPTY;
         for (EntityRef ref : document.selection().entities()) {
             Aabb bounds = document.entities()
@@ -163,7 +163,7 @@ final class EntityActions {
     /** Makes a change of what is selected a step, unless a file could not hold it. */
     private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
             throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         List<EntityRef> refs = document.selection().entities();
         Level after = change.apply(document.level(), refs);
         for (EntityRef ref : refs) {
@@ -188,7 +188,7 @@ final class EntityActions {
     private static void set(ActionCall call) throws ActionFailure {
         String name = call.needed("value");
         String text = call.needed("to");
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         boolean isKnown = false;
         for (EntityRef ref : document.selection().entities()) {
             Record entity = document.entities().find(document.level(), ref).orElseThrow();

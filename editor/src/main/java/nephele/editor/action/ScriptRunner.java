@@ -49,7 +49,7 @@ public final class ScriptRunner {
         if (!action.isEnabled().test(session)) {
             throw new ActionFailure(NOT_NOW.with(action.id()));
         }
-        action.effect().run(new ActionCall(session, desk, arguments));
+        action.run(new ActionCall(session, desk, arguments));
     }
 
     private static Map<String, String> arguments(EditorAction action, List<String> words) throws ActionFailure {

@@ -103,7 +103,7 @@ final class TextureActions {
     }
 
     private static void place(ActionCall call, Placing placing) throws ActionFailure {
-        Document document = call.documentToEdit();
+        Document document = call.session().document();
         Level level = document.level();
         for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
             Solid solid = (Solid) document.entities().find(level, each.getKey()).orElseThrow();

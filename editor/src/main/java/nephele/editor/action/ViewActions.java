@@ -2,6 +2,7 @@ package nephele.editor.action;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
@@ -18,6 +19,7 @@ import nephele.editor.pick.Grid;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
+import nephele.editor.settings.EditorSettings;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.math.Aabb;
@@ -81,6 +83,8 @@ final class ViewActions {
                                     .grid(new Grid(call.number(
                                             "metres", call.session().grid().stepMetres()))))
                     .taking("metres"),
+            setting("guide-lines", Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"), ViewActions::guideLines)
+                    .keyed("Shift+G"),
             setting("theme-light", Words.of("Light Theme", "Tema claro", "Tema claro"), session -> session.settings()
                     .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)),
             setting("theme-dark", Words.of("Dark Theme", "Tema escuro", "Tema escuro"), session -> session.settings()
@@ -101,10 +105,12 @@ final class ViewActions {
                 id, title, Menu.VIEW, List.of(key), call -> call.session().panes(panes -> panes.with(arrangement)));
     }
 
-    private static EditorAction setting(
-            String id,
-            Words title,
-            java.util.function.Function<EditorSession, nephele.editor.settings.EditorSettings> change) {
+    private static EditorSettings guideLines(EditorSession session) {
+        return session.settings()
+                .with(EditorSetting.GUIDE_LINES, !session.settings().get(EditorSetting.GUIDE_LINES));
+    }
+
+    private static EditorAction setting(String id, Words title, Function<EditorSession, EditorSettings> change) {
         return EditorAction.of(
                 id, title, Menu.VIEW, List.of(), call -> call.session().settings(change.apply(call.session())));
     }

@@ -57,20 +57,14 @@ public final class EditorCommands {
     }
 
     private void run(EditorAction action) {
-        boolean isAfterDrag = endsDrag(action) && session.drag().cancel();
-        if (isAfterDrag && !action.isEnabled().test(session) || desk.asks(action.id())) {
+        if (!action.endDrag(session) || desk.asks(action.id())) {
             return;
         }
         try {
-            action.effect().run(new ActionCall(session, desk, Map.of()));
+            action.run(new ActionCall(session, desk, Map.of()));
         } catch (ActionFailure failure) {
             session.status(failure.told());
         }
-    }
-
-    /** An action must not work on what a drag only shows; the view may change meanwhile, and undo takes back the drag. */
-    private static boolean endsDrag(EditorAction action) {
-        return action.menu() != Menu.VIEW && !action.id().equals("undo");
     }
 
     /** Returns all commands. */

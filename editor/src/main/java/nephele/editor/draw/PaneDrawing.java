@@ -3,7 +3,7 @@ package nephele.editor.draw;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.draw.MarkDrawing.Outline;
-import nephele.editor.draw.ViewportFrame.FloorGrid;
+import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
@@ -31,8 +31,6 @@ final class PaneDrawing implements AutoCloseable {
     private static final double CAPTION_BASELINE_POINTS = 34;
     private static final LineColour CAPTION = LineColour.of(0xe6eaee, 1);
 
-    private static final LineColour BETWEEN_SURFACES = LineColour.of(0x000000, 0.6);
-
     private final LineDrawing drawing;
     private final OverlayPass overlay;
     private final LineCanvas ground = new LineCanvas();
@@ -51,8 +49,8 @@ final class PaneDrawing implements AutoCloseable {
         /** Surfaces in a view mode. */
         record Surfaces(LevelPicture picture) implements Shown {}
 
-        /** Surfaces of few colours, and the edges between them. */
-        record EdgedSurfaces(LevelPicture picture, LevelEdges edges) implements Shown {}
+        /** Surfaces, and the edges between them in a colour. */
+        record EdgedSurfaces(LevelPicture picture, LevelEdges edges, LineColour colour) implements Shown {}
 
         /** Edges alone. */
         record Edges(LevelEdges edges) implements Shown {}
@@ -90,12 +88,12 @@ final class PaneDrawing implements AutoCloseable {
             surfaces.picture().draw(view, picture);
         } else if (shown instanceof Shown.EdgedSurfaces surfaces) {
             surfaces.picture().draw(view, picture);
-            surfaces.edges().draw(projection, BETWEEN_SURFACES, LineLayer.BEHIND_SURFACES, picture);
+            surfaces.edges().draw(projection, surfaces.colour(), LineLayer.BEHIND_SURFACES, picture);
         } else {
             clear(picture, frame.look().background().rgb());
         }
         ground.begin(projection);
-        if (frame.look().floorGrid() == FloorGrid.SHOWN) {
+        if (frame.look().guideLines() == GuideLines.SHOWN) {
             new FloorLines(camera.eye(), frame.look().gridMetres(), palette).add(ground);
         }
         drawing.draw(ground, picture);

@@ -41,10 +41,10 @@ public record ViewportFrame(
      * @param gridMetres spacing of the grid to which the editor snaps; lines that would be too close are left out
      * @param pixelsPerPoint 1 on an ordinary display, 2 at 200 %
      */
-    public record Look(Background background, double gridMetres, FloorGrid floorGrid, double pixelsPerPoint) {}
+    public record Look(Background background, double gridMetres, GuideLines guideLines, double pixelsPerPoint) {}
 
-    /** Selects whether perspective panes show the grid on the plane y = 0. */
-    public enum FloorGrid {
+    /** Selects whether perspective panes show the grid on the plane y = 0, and lit ones the edges of brushes. */
+    public enum GuideLines {
         SHOWN,
         HIDDEN
     }

@@ -11,11 +11,13 @@ import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import nephele.editor.panel.model.ChoiceWord;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordKind;
+import nephele.editor.term.ChoiceWord;
+import nephele.editor.term.KindWords;
+import nephele.editor.text.Words;
 import nephele.engine.level.TextKind;
 
 /** Makes the editor of a field by its kind. */
@@ -100,7 +102,7 @@ final class FieldEditors {
             InspectorField field, FieldChanges changes, Supplier<List<Object>> choices, Consumer<Object> choose) {
         var combo = new JComboBox<>();
         boolean[] isShowing = {false};
-        combo.setRenderer(new ChoiceCell());
+        combo.setRenderer(new ChoiceCell(value -> word(field, value).in(changes.language())));
         combo.addActionListener(event -> {
             if (!isShowing[0] && combo.getSelectedItem() != null) {
                 choose.accept(combo.getSelectedItem());
@@ -153,8 +155,7 @@ final class FieldEditors {
                 : "";
     }
 
-    /** Returns the text of a choice. */
-    static String word(Object value) {
-        return value == null ? "" : ChoiceWord.of(value);
+    private static Words word(InspectorField field, Object value) {
+        return field.type().kind() == FieldKind.VARIANT ? KindWords.of((String) value) : ChoiceWord.words(value);
     }
 }

@@ -12,12 +12,12 @@ import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import nephele.editor.panel.model.ChoiceWord;
-import nephele.editor.panel.model.FieldWords;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
+import nephele.editor.term.ChoiceWord;
+import nephele.editor.term.FieldWords;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {

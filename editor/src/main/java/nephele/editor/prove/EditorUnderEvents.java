@@ -48,7 +48,7 @@ final class EditorUnderEvents implements AutoCloseable {
         WindowLook.apply(look);
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
-        session.filing(Filing.of(new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"))));
+        session.filing(Filing.of(EditorFiles.of(null, folder)));
         panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
         resize(SIZE);

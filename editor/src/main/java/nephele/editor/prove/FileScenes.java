@@ -39,7 +39,7 @@ final class FileScenes {
     private static EditorSession sessionIn(Path folder, DocumentFile.Opened opened, PicturedEditor editor) {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
-        session.filing(Filing.of(new EditorFiles(null, folder.resolve("journal"), folder.resolve("backups"))));
+        session.filing(Filing.of(EditorFiles.of(null, folder)));
         return session;
     }
 

@@ -13,18 +13,21 @@ import nephele.engine.userfile.UserFolders;
  * @param settings {@code editor.json}; {@code null} if there is no place for it, nothing is then kept
  * @param journals folder of the edits that are not saved
  * @param backups folder of the previous versions of saved levels
+ * @param fault file that tells of the last fault of the program
  */
-public record EditorFiles(Path settings, Path journals, Path backups) {
+public record EditorFiles(Path settings, Path journals, Path backups, Path fault) {
     /** Returns the places in a user's folders; without a folder of state, they are in that of temporary files. */
     public static EditorFiles in(UserFolders folders) {
         Path state = Optional.ofNullable(folders.state())
                 .orElseGet(() -> Path.of(System.getProperty("java.io.tmpdir"), "nephele"));
-        Path editor = state.resolve("editor");
         Path settings = folders.settings();
+        return of(settings == null ? null : settings.resolve("editor.json"), state.resolve("editor"));
+    }
+
+    /** Returns the places in a folder, and that of the settings, {@code null} if they are not kept. */
+    public static EditorFiles of(Path settings, Path folder) {
         return new EditorFiles(
-                settings == null ? null : settings.resolve("editor.json"),
-                editor.resolve("journal"),
-                editor.resolve("backups"));
+                settings, folder.resolve("journal"), folder.resolve("backups"), folder.resolve("fault.txt"));
     }
 
     /**

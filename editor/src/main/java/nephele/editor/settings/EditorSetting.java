@@ -46,6 +46,9 @@ public final class EditorSetting<T> {
     public static final EditorSetting<Map<String, List<String>>> KEYS =
             of("keys", EntryKind.map(EntryKind.list(EntryKind.text(), MOST_KEYS)), Map.of());
 
+    /** Whether perspective panes show the grid of the ground, and lit ones the edges of brushes. */
+    public static final EditorSetting<Boolean> GUIDE_LINES = of("guideLines", EntryKind.flag(), true);
+
     public static final EditorSetting<Boolean> GUIDE_FINISHED = of("guideFinished", EntryKind.flag(), false);
 
     /** All settings, in the order of the file. */
@@ -59,6 +62,7 @@ public final class EditorSetting<T> {
             PANELS,
             RECENT_FILES,
             KEYS,
+            GUIDE_LINES,
             GUIDE_FINISHED);
 
     private final String key;

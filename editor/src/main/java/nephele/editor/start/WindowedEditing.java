@@ -52,6 +52,7 @@ public final class WindowedEditing {
 
     /** Opens the window on the event dispatch thread; returns at once. */
     public void open(SurfaceMode surface, Runnable ended) {
+        Thread.setDefaultUncaughtExceptionHandler(new FaultFile(files.fault(), this::tellFault));
         SwingUtilities.invokeLater(() -> {
             WindowLook.apply(session.settings());
             WindowDesk desk = new WindowDesk(session);
@@ -97,7 +98,7 @@ public final class WindowedEditing {
 
     private boolean isSaved(WindowDesk desk) {
         try {
-            Actions.named("save").orElseThrow().effect().run(new ActionCall(session, desk, java.util.Map.of()));
+            Actions.named("save").orElseThrow().run(new ActionCall(session, desk, java.util.Map.of()));
         } catch (ActionFailure failure) {
             session.status(failure.told());
         }
@@ -148,6 +149,11 @@ public final class WindowedEditing {
         public void failed(String message) {
             tell(Words.same(message));
         }
+    }
+
+    private void tellFault(Words words) {
+        report.accept(words.english());
+        tell(words);
     }
 
     private void tell(Words words) {

@@ -11,6 +11,8 @@ import nephele.editor.record.FieldKind;
 import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.editor.term.ChoiceWord;
+import nephele.editor.term.FieldWords;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetId;
 import nephele.engine.level.Spatial;

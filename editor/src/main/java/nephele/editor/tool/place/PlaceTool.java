@@ -7,6 +7,7 @@ import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.mark.MarkOutline;
 import nephele.editor.pick.EntityBounds;
+import nephele.editor.term.EntityWords;
 import nephele.editor.text.Words;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;
@@ -34,9 +35,9 @@ public final class PlaceTool implements Tool {
 
     private static final Words PLACE = Words.of("Place %s", "Colocar %s", "Colocar %s");
     private static final Words HINT = Words.of(
-            "Click to place %s; hold the button to move it before",
-            "Clique para colocar %s; segure o botão para mover antes",
-            "Clica para colocar %s; mantém o botão premido para mover antes");
+            "%s: click to place it; hold the button to move it first",
+            "%s: clique para colocar; segure o botão para mover antes",
+            "%s: clica para colocar; mantém o botão premido para mover antes");
     private static final Words UNKNOWN = Words.of(
             "There is nothing of the kind %s in %s: choose another kind",
             "Não há nada do tipo %s em %s: escolha outro tipo", "Não há nada do tipo %s em %s: escolhe outro tipo");
@@ -123,7 +124,8 @@ public final class PlaceTool implements Tool {
         Snapshot now = context.document().now();
         PointedPlace anywhere = new PointedPlace(Vec3.ZERO, new Vec3(0, 1, 0));
         return NewEntity.of(now.level(), context.document().entities(), context.options(), anywhere)
-                .map(entity -> HINT.with(entity.ref().shortName()))
+                .map(entity -> HINT.with(EntityWords.ofKind(
+                        context.options().section(), context.options().kind())))
                 .orElseGet(() ->
                         UNKNOWN.with(context.options().kind(), context.options().section()));
     }

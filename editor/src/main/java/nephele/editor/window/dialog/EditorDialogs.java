@@ -102,7 +102,7 @@ public final class EditorDialogs {
     /** Runs an action with values; returns what went wrong, or {@link Words#NONE}. */
     private Words run(String action, Map<String, String> values) {
         try {
-            Actions.named(action).orElseThrow().effect().run(new ActionCall(session, desk, values));
+            Actions.named(action).orElseThrow().run(new ActionCall(session, desk, values));
             return Words.NONE;
         } catch (ActionFailure failure) {
             return failure.told();

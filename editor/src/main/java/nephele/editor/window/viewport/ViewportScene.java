@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import nephele.editor.draw.Background;
 import nephele.editor.draw.ViewportDrawing;
 import nephele.editor.draw.ViewportFrame;
-import nephele.editor.draw.ViewportFrame.FloorGrid;
+import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.PaneCamera.PaneSize;
@@ -79,8 +79,12 @@ final class ViewportScene implements SurfacePainter {
             active = panes.get(i).place().index() == layout.active() ? i : active;
         }
         boolean isDark = session.settings().get(EditorSetting.THEME) == Theme.DARK;
+        boolean hasLines = session.settings().get(EditorSetting.GUIDE_LINES);
         Look look = new Look(
-                isDark ? Background.DARK : Background.LIGHT, session.grid().stepMetres(), FloorGrid.SHOWN, scale);
+                isDark ? Background.DARK : Background.LIGHT,
+                session.grid().stepMetres(),
+                hasLines ? GuideLines.SHOWN : GuideLines.HIDDEN,
+                scale);
         return new ViewportFrame(
                 session.document().level(),
                 session.assets(),

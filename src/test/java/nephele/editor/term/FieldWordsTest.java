@@ -1,4 +1,4 @@
-package nephele.editor.panel.model;
+package nephele.editor.term;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.editor.panel.model.BeaconLevel;
+import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Language;

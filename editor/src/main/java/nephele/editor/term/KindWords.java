@@ -1,4 +1,4 @@
-package nephele.editor.panel.model;
+package nephele.editor.term;
 
 import static java.util.Map.entry;
 

@@ -1,0 +1,43 @@
+package nephele.editor.term;
+
+import java.util.Map;
+import nephele.editor.text.Words;
+import nephele.engine.level.json.WordFormats;
+
+/** The word for a constant or a key of a table. */
+public final class ChoiceWord {
+    private static final Map<String, Words> ALL = Map.ofEntries(
+            word("arch", "Arch", "Arco", "Arco"),
+            word("auto", "Automatic", "Automático", "Automático"),
+            word("billboard", "Billboards", "Painéis voltados à câmera", "Painéis voltados à câmara"),
+            word("clip", "Clipped", "Cortada", "Cortada"),
+            word("cross", "Cross", "Cruz", "Cruz"),
+            word("ellipse", "Ellipse", "Elipse", "Elipse"),
+            word("face", "Along the face", "Ao longo da face", "Ao longo da face"),
+            word("faces", "Six pictures", "Seis imagens", "Seis imagens"),
+            word("filmic", "Filmic", "Fílmica", "Fílmica"),
+            word("particles", "Particles", "Partículas", "Partículas"),
+            word("procedural", "Procedural noise", "Ruído procedural", "Ruído procedural"),
+            word("rectangle", "Rectangle", "Retângulo", "Retângulo"),
+            word("skybox", "Sky box", "Caixa de céu", "Caixa de céu"),
+            word("skyplane", "Sky planes", "Planos de céu", "Planos de céu"),
+            word("volume", "Volume", "Volume", "Volume"),
+            word("world", "Along the world's axes", "Ao longo dos eixos do mundo", "Ao longo dos eixos do mundo"));
+
+    private ChoiceWord() {}
+
+    private static Map.Entry<String, Words> word(String name, String english, String brazilian, String european) {
+        return Map.entry(name, Words.of(english, brazilian, european));
+    }
+
+    /** Returns the word that files have. */
+    public static String of(Object value) {
+        return value instanceof Enum<?> ? WordFormats.Choice.word(value) : String.valueOf(value);
+    }
+
+    /** Returns the words that a designer reads: those of files for a key, and for a constant without a name here. */
+    public static Words words(Object value) {
+        Words inFiles = Words.same(of(value));
+        return value instanceof Enum<?> ? ALL.getOrDefault(of(value), inFiles) : inFiles;
+    }
+}
