@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class EditorEventsSwingTest {
     @Test
     void noInputBreaksTheEditor() throws Exception {
-        ProofResult result = new EditorEventsProof().run(0, 300, Proof.Progress.NONE);
+        ProofResult result = new EditorEventsProof().run(0, 200, Proof.Progress.NONE);
         assertEquals(List.of(), result.examples());
         assertTrue(result.value("pictures drawn") > 30, result.toString());
     }

@@ -84,6 +84,7 @@ class EditorPanelSwingTest {
                 action("view.focus", Menu.VIEW, Words.of("Focus", "Enquadrar", "Enquadrar"), "F"),
                 action("play.start", Menu.PLAY, Words.of("Play", "Jogar", "Jogar"), "F5"),
                 action("prove.check", Menu.PROVE, Words.of("Check", "Verificar", "Verificar"), "F7"),
+                action("window.light", Menu.WINDOW, Words.of("Light", "Claro", "Claro"), "F2"),
                 action("help.keys", Menu.HELP, Words.of("Keys", "Teclas", "Teclas"), "F1"));
     }
 

@@ -30,6 +30,7 @@ public record EditorAction(
         TOOL(Words.of("Tool", "Ferramenta", "Ferramenta")),
         PLAY(Words.of("Play", "Jogar", "Jogar")),
         PROVE(Words.of("Prove", "Provar", "Provar")),
+        WINDOW(Words.of("Window", "Janela", "Janela")),
         HELP(Words.of("Help", "Ajuda", "Ajuda"));
 
         private final Words title;
@@ -72,7 +73,7 @@ public record EditorAction(
      * @return false if the level before the drag leaves nothing to do
      */
     public boolean endDrag(EditorSession session) {
-        boolean goesOn = menu == Menu.VIEW || id.equals("undo");
+        boolean goesOn = menu == Menu.VIEW || menu == Menu.WINDOW || id.equals("undo");
         return goesOn || !session.drag().cancel() || isEnabled.test(session);
     }
 

@@ -83,8 +83,12 @@ final class ViewActions {
                                     .grid(new Grid(call.number(
                                             "metres", call.session().grid().stepMetres()))))
                     .taking("metres"),
-            setting("guide-lines", Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"), ViewActions::guideLines)
-                    .keyed("Shift+G"),
+            EditorAction.of(
+                    "guide-lines",
+                    Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"),
+                    Menu.VIEW,
+                    List.of("Shift+G"),
+                    call -> call.session().settings(guideLines(call.session()))),
             setting("theme-light", Words.of("Light Theme", "Tema claro", "Tema claro"), session -> session.settings()
                     .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)),
             setting("theme-dark", Words.of("Dark Theme", "Tema escuro", "Tema escuro"), session -> session.settings()
@@ -112,7 +116,7 @@ final class ViewActions {
 
     private static EditorAction setting(String id, Words title, Function<EditorSession, EditorSettings> change) {
         return EditorAction.of(
-                id, title, Menu.VIEW, List.of(), call -> call.session().settings(change.apply(call.session())));
+                id, title, Menu.WINDOW, List.of(), call -> call.session().settings(change.apply(call.session())));
     }
 
     private static EditorAction language(Language language) {

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
@@ -51,6 +52,18 @@ class PaintToolTest {
     private static BrushFace shape(ToolTrial trial, int solid, String face) {
         FaceRef ref = new FaceRef(new EntityRef("solids", solid(trial, solid).id()), face);
         return FacesUnderPointer.shape(trial.level(), ref).orElseThrow();
+    }
+
+    @Test
+    void theFaceThatIsClickedIsSelectedEvenIfItHasTheMaterialAlready() {
+        ToolTrial trial = hall();
+        FaceRef top = new FaceRef(new EntityRef("solids", solid(trial, 0).id()), "+y");
+        for (int i = 0; i < 2; i++) {
+            trial.document().select(Selection.NONE);
+            trial.click(FLOOR);
+            assertEquals(List.of(top), trial.document().selection().faces());
+            assertEquals("brick", material(trial, 0, "+y"));
+        }
     }
 
     @Test

@@ -1,10 +1,12 @@
 package nephele.editor.tool.paint;
 
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.mark.MarkOutline;
@@ -48,7 +50,7 @@ public final class PaintTool implements Tool {
             "Não há o material %s: escolha outro", "Não há o material %s: escolhe outro");
 
     private final ToolContext context;
-    private final Set<FaceRef> touched = new HashSet<>();
+    private final Set<FaceRef> touched = new LinkedHashSet<>();
     /** The level with what is painted so far; {@code null} without a stroke. */
     private Level painted;
 
@@ -174,10 +176,22 @@ public final class PaintTool implements Tool {
 
     @Override
     public void released(Pointer pointer) {
-        if (painted != null) {
-            context.document().commitDrag(PAINT);
-            painted = null;
+        if (painted == null) {
+            return;
         }
+        Snapshot after = new Snapshot(painted, touchedFaces());
+        painted = null;
+        if (context.document().isDragging()) {
+            context.document().drag(start -> after);
+            context.document().commitDrag(PAINT);
+        } else if (!touched.isEmpty()) {
+            context.document().select(after.selection());
+        }
+    }
+
+    /** The faces just painted are selected, so that the buttons beside the tool's fit and align their picture. */
+    private Selection touchedFaces() {
+        return new Selection(List.of(), List.copyOf(touched));
     }
 
     @Override
