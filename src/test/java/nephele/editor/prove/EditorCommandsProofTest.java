@@ -15,7 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class EditorCommandsProofTest {
     @Test
     void undoingAndRedoingEverythingGivesTheSameTexts() throws Exception {
-        ProofResult result = new EditorCommandsProof().run(0, 250, Proof.Progress.NONE);
+        ProofResult result = new EditorCommandsProof().run(0, 150, Proof.Progress.NONE);
         assertEquals(List.of(), result.examples());
         assertTrue(result.value("steps undone and redone") > 60, result.toString());
     }

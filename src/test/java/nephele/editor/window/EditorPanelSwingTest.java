@@ -143,7 +143,7 @@ class EditorPanelSwingTest {
     }
 
     @ParameterizedTest
-    @CsvSource("DARK, 200, PT_PT")
+    @CsvSource("LIGHT, 100, PT_PT")
     void aLanguageSwitchedLiveCutsNothingOff(Theme theme, int percent, Language language) throws Exception {
         Dimension size = percent > 100 ? new Dimension(1920, 1200) : new Dimension(1280, 800);
         open(settings(theme, percent, language), size);
