@@ -1,0 +1,73 @@
+package nephele.engine.atmosphere;
+
+import nephele.engine.math.Vec3;
+
+/**
+ * The gases and aerosols around the planet, for 680, 550 and 440 nm (red, green, blue): Rayleigh scattering, Mie
+ * scattering and absorption, both falling exponentially with height, and a layer of ozone that absorbs. Constants: E.
+ * Bruneton and F. Neyret, "Precomputed Atmospheric Scattering", 2008, section 4, with the ozone of E. Bruneton's
+ * implementation of 2017.
+ *
+ * @param groundAlbedo of the planet, a Lambertian reflector
+ * @param mieScale factor on the aerosols; 1 is clear air
+ * @param mieG asymmetry of the aerosols' phase function, in (-1, 1)
+ * @param ozoneScale factor on the ozone
+ */
+public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneScale) {
+    public static final Air CLEAR = new Air(new Vec3(0.3, 0.3, 0.3), 1, 0.8, 1);
+
+    public static final double PLANET_RADIUS_METRES = 6_360_000;
+    public static final double TOP_METRES = 100_000;
+    static final double TOP_RADIUS_METRES = PLANET_RADIUS_METRES + TOP_METRES;
+
+    /** The number of wavelengths. */
+    static final int CHANNELS = 3;
+
+    private static final double[] RAYLEIGH_PER_METRE = {5.802e-6, 13.558e-6, 33.1e-6};
+    private static final double MIE_SCATTERING_PER_METRE = 3.996e-6;
+    private static final double MIE_ABSORPTION_PER_METRE = 0.444e-6;
+    private static final double[] OZONE_PER_METRE = {0.650e-6, 1.881e-6, 0.085e-6};
+    private static final double RAYLEIGH_HEIGHT_METRES = 8_000;
+    private static final double MIE_HEIGHT_METRES = 1_200;
+    private static final double OZONE_MIDDLE_METRES = 25_000;
+    private static final double OZONE_HALF_WIDTH_METRES = 15_000;
+
+    /** Heights between which a polynomial follows the extinction well; the ozone has kinks at three of them. */
+    static final double[] LAYERS_METRES = {600, 2_000, 5_000, 10_000, 17_000, 25_000, 40_000, 65_000};
+
+    /** Returns the scattering by molecules, per metre. */
+    double rayleighPerMetre(double heightMetres, int channel) {
+        return RAYLEIGH_PER_METRE[channel] * Math.exp(-heightMetres / RAYLEIGH_HEIGHT_METRES);
+    }
+
+    /** Returns the scattering by aerosols, per metre; it is the same for all wavelengths. */
+    double miePerMetre(double heightMetres) {
+        return mieScale * MIE_SCATTERING_PER_METRE * Math.exp(-heightMetres / MIE_HEIGHT_METRES);
+    }
+
+    /** Puts the extinction of all constituents, per metre, for each wavelength. */
+    void putExtinctionPerMetre(double heightMetres, double[] extinction) {
+        double mie = (1 + MIE_ABSORPTION_PER_METRE / MIE_SCATTERING_PER_METRE) * miePerMetre(heightMetres);
+        double molecules = Math.exp(-heightMetres / RAYLEIGH_HEIGHT_METRES);
+        double ozone =
+                ozoneScale * Math.max(0, 1 - Math.abs(heightMetres - OZONE_MIDDLE_METRES) / OZONE_HALF_WIDTH_METRES);
+        for (int c = 0; c < CHANNELS; c++) {
+            extinction[c] = RAYLEIGH_PER_METRE[c] * molecules + mie + OZONE_PER_METRE[c] * ozone;
+        }
+    }
+
+    /** Returns the phase function of molecules, per steradian: Rayleigh's, without polarisation. */
+    static double rayleighPhase(double cosine) {
+        return 3 / (16 * Math.PI) * (1 + cosine * cosine);
+    }
+
+    /**
+     * Returns the phase function of aerosols, per steradian: W. M. Cornette and J. G. Shanks, "Physically reasonable
+     * analytic expression for the single-scattering phase function", 1992, equation 11.
+     */
+    double miePhase(double cosine) {
+        double g2 = mieG * mieG;
+        double from = (1 - mieG) * (1 - mieG) + 2 * mieG * (1 - cosine);
+        return 3 / (8 * Math.PI) * (1 - g2) * (1 + cosine * cosine) / ((2 + g2) * from * Math.sqrt(from));
+    }
+}

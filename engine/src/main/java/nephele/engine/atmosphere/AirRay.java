@@ -1,0 +1,150 @@
+package nephele.engine.atmosphere;
+
+import java.util.Arrays;
+
+/**
+ * A ray through the air in the frame of the planet, and the point on it that is looked at. The ray ends at the ground or
+ * at the top of the air. It is cut where an integrand is not smooth: at heights, at the point nearest to the planet, at
+ * the edge of the planet's shadow.
+ */
+final class AirRay {
+    private static final double PLANET = Air.PLANET_RADIUS_METRES;
+
+    private double radius;
+    private double zenithCosine;
+    private double sunCosine;
+    private double betweenCosine;
+    private double lengthMetres;
+    private boolean hitsGround;
+    private final double[] cuts = new double[2 * Air.LAYERS_METRES.length + 8];
+    private int cutCount;
+
+    private double pointHeightMetres;
+    private double pointZenithCosine;
+    private double pointSunCosine;
+
+    /**
+     * Sets the ray.
+     *
+     * @param heightMetres of its origin above the ground, 0 to {@link Air#TOP_METRES}
+     * @param zenithCosine between the zenith of the origin and the ray
+     * @param sunCosine between the zenith of the origin and the sun
+     * @param betweenCosine between the ray and the sun
+     */
+    void set(double heightMetres, double zenithCosine, double sunCosine, double betweenCosine) {
+        radius = PLANET + heightMetres;
+        this.zenithCosine = zenithCosine;
+        this.sunCosine = sunCosine;
+        this.betweenCosine = betweenCosine;
+        double ground = halfChordSquared(PLANET);
+        hitsGround = zenithCosine < 0 && ground >= 0;
+        double nearest = -radius * zenithCosine;
+        double half = hitsGround ? -Math.sqrt(ground) : Math.sqrt(Math.max(0, halfChordSquared(Air.TOP_RADIUS_METRES)));
+        lengthMetres = Math.max(0, nearest + half);
+        cut(nearest);
+    }
+
+    /** Negative if the line misses the sphere; the squares of the radii are not subtracted from each other. */
+    private double halfChordSquared(double sphereRadius) {
+        double along = radius * zenithCosine;
+        return along * along + (sphereRadius - radius) * (sphereRadius + radius);
+    }
+
+    private void cut(double nearest) {
+        cutCount = 0;
+        add(0);
+        add(lengthMetres);
+        add(nearest);
+        for (double height : Air.LAYERS_METRES) {
+            double square = halfChordSquared(PLANET + height);
+            if (square > 0) {
+                add(nearest - Math.sqrt(square));
+                add(nearest + Math.sqrt(square));
+            }
+        }
+        cutAtShadow();
+        Arrays.sort(cuts, 0, cutCount);
+    }
+
+    /** The shadow is a half cylinder; cuts where the ray meets its other half do no harm. */
+    private void cutAtShadow() {
+        double a = 1 - betweenCosine * betweenCosine;
+        double b = radius * (zenithCosine - sunCosine * betweenCosine);
+        double c = halfChordOfSunSquared(radius, sunCosine);
+        double root = b * b - a * c;
+        if (a > 1e-14 && root > 0) {
+            add((-b - Math.sqrt(root)) / a);
+            add((-b + Math.sqrt(root)) / a);
+        }
+    }
+
+    /** Returns the squared distance of a point to the axis of the shadow, less that of the shadow's edge. */
+    private static double halfChordOfSunSquared(double radius, double sunCosine) {
+        double along = radius * sunCosine;
+        return (radius - PLANET) * (radius + PLANET) - along * along;
+    }
+
+    private void add(double distance) {
+        if (distance >= 0 && distance <= lengthMetres) {
+            cuts[cutCount++] = distance;
+        }
+    }
+
+    /** Looks at a point of the ray. */
+    void lookAt(double distance) {
+        double rise = distance * (distance + 2 * radius * zenithCosine);
+        double above = (radius - PLANET) * (radius + PLANET) + rise;
+        double r = Math.sqrt(PLANET * PLANET + above);
+        pointHeightMetres = Math.max(0, above / (r + PLANET));
+        pointZenithCosine = clamped((radius * zenithCosine + distance) / r);
+        pointSunCosine = clamped((radius * sunCosine + distance * betweenCosine) / r);
+    }
+
+    private static double clamped(double cosine) {
+        return Math.max(-1, Math.min(1, cosine));
+    }
+
+    /** Returns true if the planet hides the sun from the point. */
+    boolean isInShadow() {
+        return isInShadow(pointHeightMetres, pointSunCosine);
+    }
+
+    /** Returns true if the planet hides the middle of the sun. */
+    static boolean isInShadow(double heightMetres, double sunCosine) {
+        return sunCosine < 0 && halfChordOfSunSquared(PLANET + heightMetres, sunCosine) < 0;
+    }
+
+    double lengthMetres() {
+        return lengthMetres;
+    }
+
+    boolean hitsGround() {
+        return hitsGround;
+    }
+
+    /** Returns the number of pieces between cuts. */
+    int pieceCount() {
+        return cutCount - 1;
+    }
+
+    /** Returns the distance at which a piece begins, and the one before it ends. */
+    double cut(int index) {
+        return cuts[index];
+    }
+
+    double betweenCosine() {
+        return betweenCosine;
+    }
+
+    double pointHeightMetres() {
+        return pointHeightMetres;
+    }
+
+    double pointZenithCosine() {
+        return pointZenithCosine;
+    }
+
+    double pointSunCosine() {
+        return pointSunCosine;
+    }
+}

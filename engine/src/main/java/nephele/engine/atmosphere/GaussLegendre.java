@@ -1,0 +1,73 @@
+package nephele.engine.atmosphere;
+
+/**
+ * Gauss–Legendre quadrature on [0, 1], with the integrals from 0 to each node of the polynomial through the values at the
+ * nodes.
+ */
+final class GaussLegendre {
+    final double[] nodes;
+    final double[] weights;
+    /** Row j has the weights of the values for the integral from 0 to node j. */
+    final double[][] upTo;
+
+    GaussLegendre(int count) {
+        nodes = new double[count];
+        weights = new double[count];
+        for (int i = 0; i < count; i++) {
+            double x = root(count, i);
+            double slope = slope(count, x);
+            nodes[count - 1 - i] = (1 + x) / 2;
+            weights[count - 1 - i] = 1 / ((1 - x * x) * slope * slope);
+        }
+        upTo = integrals();
+    }
+
+    /** Newton's iteration from Chebyshev's estimate of the i-th root, the largest first. */
+    private static double root(int degree, int i) {
+        double x = Math.cos(Math.PI * (i + 0.75) / (degree + 0.5));
+        for (int step = 0; step < 50; step++) {
+            double change = value(degree, x) / slope(degree, x);
+            x -= change;
+            if (Math.abs(change) < 1e-16) {
+                break;
+            }
+        }
+        return x;
+    }
+
+    private static double value(int degree, double x) {
+        double before = 1;
+        double now = x;
+        for (int l = 2; l <= degree; l++) {
+            double next = ((2 * l - 1) * x * now - (l - 1) * before) / l;
+            before = now;
+            now = next;
+        }
+        return degree == 0 ? 1 : now;
+    }
+
+    private static double slope(int degree, double x) {
+        return degree * (x * value(degree, x) - value(degree - 1, x)) / (x * x - 1);
+    }
+
+    /**
+     * The polynomial through the values has the Legendre coefficients (2l + 1) Σ weight × value × P_l, exact for the
+     * degrees below the number of nodes; its integral follows from (2l + 1) P_l = (P_{l+1} − P_{l−1})'.
+     */
+    private double[][] integrals() {
+        int count = nodes.length;
+        double[][] matrix = new double[count][count];
+        for (int j = 0; j < count; j++) {
+            double x = 2 * nodes[j] - 1;
+            for (int k = 0; k < count; k++) {
+                double sum = (1 + x) / 2;
+                for (int l = 1; l < count; l++) {
+                    double integral = (value(l + 1, x) - value(l - 1, x)) / 2;
+                    sum += value(l, 2 * nodes[k] - 1) * integral;
+                }
+                matrix[j][k] = weights[k] * sum;
+            }
+        }
+        return matrix;
+    }
+}

@@ -1,0 +1,38 @@
+package nephele.engine.atmosphere;
+
+import java.util.Arrays;
+
+/**
+ * Sunlight scattered once: the first colour by molecules, the second by aerosols. The phase functions, which are the same
+ * all along a ray, are left to be multiplied.
+ */
+final class SingleScattering implements AirSource {
+    private final Air air;
+    private final SunTransmittance sun;
+    private final double[] sunlight = new double[Air.CHANNELS];
+
+    SingleScattering(Air air, SunTransmittance sun) {
+        this.air = air;
+        this.sun = sun;
+    }
+
+    @Override
+    public int colours() {
+        return 2;
+    }
+
+    @Override
+    public void put(AirRay ray, double[] radiancePerMetre) {
+        if (ray.isInShadow()) {
+            Arrays.fill(radiancePerMetre, 0, 2 * Air.CHANNELS, 0);
+            return;
+        }
+        double height = ray.pointHeightMetres();
+        sun.put(height, ray.pointSunCosine(), sunlight);
+        double mie = air.miePerMetre(height);
+        for (int c = 0; c < Air.CHANNELS; c++) {
+            radiancePerMetre[c] = sunlight[c] * air.rayleighPerMetre(height, c);
+            radiancePerMetre[Air.CHANNELS + c] = sunlight[c] * mie;
+        }
+    }
+}

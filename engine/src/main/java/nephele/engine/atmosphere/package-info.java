@@ -1,0 +1,2 @@
+/** Scattering of sunlight in the air around a round planet. */
+package nephele.engine.atmosphere;
