@@ -31,7 +31,6 @@ class SingleScatteringTest {
                     error = computed;
                 }
                 worst = Math.max(worst, error);
-                System.out.printf("%s %d %.4g %.4g %.3f%%%n", row.text(), c, computed, row.radiance()[c], 100 * error);
             }
         }
         assertTrue(worst < 0.002, "relative error " + worst);

@@ -10,7 +10,7 @@ final class AirIntegral {
     /** For reference values. */
     static final GaussLegendre FINE = new GaussLegendre(10);
     /** For light that is smooth along the ray. */
-    static final GaussLegendre COARSE = new GaussLegendre(4);
+    static final GaussLegendre COARSE = new GaussLegendre(5);
 
     private static final int CHANNELS = Air.CHANNELS;
     private static final int MOST_COLOURS = 3;

@@ -4,40 +4,36 @@ import nephele.engine.math.Vec3;
 
 /**
  * The radiance of a clear sky and of the planet's ground by numerical integration: light scattered once by quadrature
- * along the ray, light scattered more often from the {@link LightField}. It is the reference of the tables that are
- * drawn. Not for several threads; copies share the tables.
+ * along the ray, light scattered more often from the {@link LightField}. It is the reference of the {@link SkyTable}
+ * that is drawn. Not for several threads.
  */
 public final class ClearSky {
-    private final Air air;
-    private final SunTransmittance sun;
-    private final LightField field;
+    /** Colours of {@link #put}: scattered once by molecules, once by aerosols, all other light. */
+    static final int PARTS = 3;
+
+    private static final int CHANNELS = Air.CHANNELS;
+
+    private final AirTables tables;
     private final SingleScattering once;
     private final RepeatedScattering more;
     private final AirIntegral integral;
     private final AirRay ray = new AirRay();
-    private final double[] single = new double[2 * Air.CHANNELS];
-    private final double[] multiple = new double[Air.CHANNELS];
-    private final double[] transmittance = new double[Air.CHANNELS];
-    private final double[] direct = new double[Air.CHANNELS];
-    private final double[] diffuse = new double[Air.CHANNELS];
+    private final double[] parts = new double[PARTS * CHANNELS];
+    private final double[] single = new double[2 * CHANNELS];
+    private final double[] multiple = new double[CHANNELS];
+    private final double[] transmittance = new double[CHANNELS];
+    private final double[] direct = new double[CHANNELS];
+    private final double[] diffuse = new double[CHANNELS];
 
-    /** Computes all orders of scattering, which takes seconds. */
-    public ClearSky(Air air) {
-        this(air, new SunTransmittance(air), null);
+    public ClearSky(AirTables tables) {
+        this(tables, AirIntegral.FINE);
     }
 
-    private ClearSky(Air air, SunTransmittance sun, LightField known) {
-        this.air = air;
-        this.sun = sun;
-        field = known == null ? ScatteringOrders.sum(air, sun) : known;
-        once = new SingleScattering(air, sun);
-        more = new RepeatedScattering(air, field, RepeatedScattering.mieMoments(air, field.degree()));
-        integral = new AirIntegral(air, AirIntegral.FINE);
-    }
-
-    /** Returns one for another thread. */
-    public ClearSky copy() {
-        return new ClearSky(air, sun, field);
+    ClearSky(AirTables tables, GaussLegendre rule) {
+        this.tables = tables;
+        once = new SingleScattering(tables.air(), tables.sun());
+        more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
+        integral = new AirIntegral(tables.air(), rule);
     }
 
     /**
@@ -48,41 +44,43 @@ public final class ClearSky {
      * @param towardsSun unit
      */
     public Vec3 radiance(double heightMetres, Vec3 direction, Vec3 towardsSun) {
-        ray.set(
-                Math.max(0, Math.min(Air.TOP_METRES, heightMetres)),
-                direction.y(),
-                towardsSun.y(),
-                Math.max(-1, Math.min(1, direction.dot(towardsSun))));
-        return radiance();
-    }
-
-    Vec3 radiance(AirRay along) {
-        double between = along.betweenCosine();
-        integral.put(along, more, multiple, transmittance);
-        integral.put(along, once, single, transmittance);
-        double rayleigh = Air.rayleighPhase(between);
-        double mie = air.miePhase(between);
-        for (int c = 0; c < Air.CHANNELS; c++) {
-            multiple[c] += rayleigh * single[c] + mie * single[Air.CHANNELS + c];
-        }
-        Vec3 scattered = new Vec3(multiple[0], multiple[1], multiple[2]);
-        return along.hitsGround() ? scattered.plus(ground(along)) : scattered;
-    }
-
-    private Vec3 radiance() {
+        double between = Math.max(-1, Math.min(1, direction.dot(towardsSun)));
+        ray.set(Math.max(0, Math.min(Air.TOP_METRES, heightMetres)), direction.y(), towardsSun.y(), between);
         return radiance(ray);
     }
 
-    private Vec3 ground(AirRay along) {
+    Vec3 radiance(AirRay along) {
+        put(along, parts);
+        double rayleigh = Air.rayleighPhase(along.betweenCosine());
+        double mie = tables.air().miePhase(along.betweenCosine());
+        double[] sum = new double[CHANNELS];
+        for (int c = 0; c < CHANNELS; c++) {
+            sum[c] = rayleigh * parts[c] + mie * parts[CHANNELS + c] + parts[2 * CHANNELS + c];
+        }
+        return new Vec3(sum[0], sum[1], sum[2]);
+    }
+
+    /** Puts the parts of the radiance; the phase functions are left to be multiplied to the first two. */
+    void put(AirRay along, double[] radiance) {
+        integral.put(along, once, single, transmittance);
+        integral.put(along, more, multiple, transmittance);
+        System.arraycopy(single, 0, radiance, 0, single.length);
+        System.arraycopy(multiple, 0, radiance, single.length, CHANNELS);
+        if (along.hitsGround()) {
+            addGround(along, radiance);
+        }
+    }
+
+    private void addGround(AirRay along, double[] radiance) {
         along.lookAt(along.lengthMetres());
         double cosine = along.pointSunCosine();
-        sun.put(0, cosine, direct);
-        field.putGroundIrradiance(cosine, diffuse);
-        double[] light = new double[Air.CHANNELS];
-        for (int c = 0; c < Air.CHANNELS; c++) {
-            light[c] = transmittance[c] / Math.PI * (Math.max(0, cosine) * direct[c] + diffuse[c]);
+        tables.sun().put(0, cosine, direct);
+        tables.field().putGroundIrradiance(cosine, diffuse);
+        Vec3 albedo = tables.air().groundAlbedo();
+        double[] reflected = {albedo.x(), albedo.y(), albedo.z()};
+        for (int c = 0; c < CHANNELS; c++) {
+            double irradiance = Math.max(0, cosine) * direct[c] + diffuse[c];
+            radiance[2 * CHANNELS + c] += reflected[c] / Math.PI * transmittance[c] * irradiance;
         }
-        Vec3 albedo = air.groundAlbedo();
-        return new Vec3(albedo.x() * light[0], albedo.y() * light[1], albedo.z() * light[2]);
     }
 }

@@ -73,6 +73,11 @@ final class LightField {
         return s * s * (1 + 2 * t) * from + t * t * (1 + 2 * s) * to + s * t * (s * slopeFrom - t * slopeTo);
     }
 
+    /** Returns all numbers, to read or to write them. */
+    float[][] arrays() {
+        return new float[][] {values, groundIrradiance};
+    }
+
     int degree() {
         return degree;
     }

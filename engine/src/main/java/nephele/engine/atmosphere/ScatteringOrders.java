@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
  */
 final class ScatteringOrders {
     /** Degree of the moments of light scattered once, whose aureole is narrow, and of light scattered more often. */
-    private static final int FIRST_DEGREE = 10;
+    static final int FIRST_DEGREE = 10;
 
     private static final int DEGREE = 4;
     private static final double LEAST_SHARE = 1e-3;
@@ -36,7 +36,7 @@ final class ScatteringOrders {
         for (int order = 2; order <= MOST_ORDERS && orders.share > LEAST_SHARE; order++) {
             last = orders.next(last.refined(), DEGREE);
         }
-        return orders.total().refined();
+        return orders.total();
     }
 
     private LightField next(LightField before, int degree) {
