@@ -18,14 +18,25 @@ import java.util.TreeSet;
 final class PackageTable {
     private static final String ENGINE = "nephele.engine.";
 
-    private static final List<String> HEADLESS =
-            List.of("math", "level", "asset", "model", "portal", "xmlscene", "scene", "collision", "sim", "cloud");
+    private static final List<String> HEADLESS = List.of(
+            "math",
+            "level",
+            "asset",
+            "model",
+            "portal",
+            "xmlscene",
+            "scene",
+            "collision",
+            "sim",
+            "cloud",
+            "atmosphere");
 
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
 
     static {
         USES.put("math", List.of());
-        USES.put("level", List.of("math", "asset", "model"));
+        USES.put("atmosphere", List.of("math"));
+        USES.put("level", List.of("math", "asset", "model", "atmosphere"));
         USES.put("asset", List.of("math"));
         USES.put("model", List.of("math", "asset"));
         USES.put("portal", List.of("level"));

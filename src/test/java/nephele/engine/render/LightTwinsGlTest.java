@@ -181,7 +181,8 @@ class LightTwinsGlTest {
 
     @Test
     void skyAmbient() {
-        SkyIrradiance sky = SkyIrradiance.of((x, y, z) -> new Vector3d(1 + x, Math.max(y, 0), 0.5 + 0.5 * z * z));
+        SkyIrradiance sky =
+                SkyIrradiance.of((height, x, y, z) -> new Vector3d(1 + x, Math.max(y, 0), 0.5 + 0.5 * z * z));
         SplittableRandom random = new SplittableRandom(6);
         float[] in = new float[4 * COUNT];
         for (int i = 0; i < COUNT; i++) {

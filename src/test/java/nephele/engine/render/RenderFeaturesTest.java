@@ -94,7 +94,7 @@ class RenderFeaturesTest {
                 Sky.Constant.class, new Sky.Constant(Vec3.ZERO),
                 Sky.Gradient.class, new Sky.Gradient(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO),
                 Sky.Skybox.class, new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png")),
-                Sky.Atmosphere.class, new Sky.Atmosphere());
+                Sky.Atmosphere.class, Sky.Atmosphere.CLEAR);
     }
 
     private static Set<String> required(Level level) {

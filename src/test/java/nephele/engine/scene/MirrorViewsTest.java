@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
 import org.joml.Vector3d;
@@ -17,7 +17,7 @@ class MirrorViewsTest {
     private static final Vec3 SILVER = new Vec3(0.9, 0.8, 0.5);
 
     private static FrameState nothing() {
-        return FrameState.atStart(Level.of("", "", null, List.of()));
+        return FrameState.atStart(new TestLevel().level());
     }
 
     /** Returns a mirror of 2 m by 2 m in a plane of constant z, facing +z or −z. */

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import nephele.engine.level.Level;
 import nephele.engine.level.PortalShape;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
@@ -35,7 +35,7 @@ class ViewTreeTest {
         for (int i = 0; i < portals.length; i++) {
             partners.add(i ^ 1);
         }
-        FrameState frameState = FrameState.atStart(Level.of("", "", null, List.of()));
+        FrameState frameState = FrameState.atStart(new TestLevel().level());
         frameState.portals(new Portals(List.of(portals), partners));
         return frameState;
     }

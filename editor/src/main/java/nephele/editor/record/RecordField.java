@@ -92,6 +92,7 @@ public record RecordField(int index, WrittenField written, FieldKind kind) {
         METRES("Metres", "m"),
         DEGREES("Degrees", "°"),
         KILOGRAMS("Kilograms", "kg"),
+        HOURS("Hours", "h"),
         SECONDS("Seconds", "s"),
         STOPS("Stops", "EV");
 

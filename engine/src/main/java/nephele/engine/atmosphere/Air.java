@@ -56,6 +56,19 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
         }
     }
 
+    /**
+     * Returns the share of light that the air lets pass on its way from outside to a height.
+     *
+     * @param zenithCosine of the direction towards the light, which the planet must not hide
+     */
+    public Vec3 transmittance(double heightMetres, double zenithCosine) {
+        AirRay ray = new AirRay();
+        ray.set(heightMetres, zenithCosine, 1, zenithCosine);
+        double[] depth = new double[CHANNELS];
+        new AirIntegral(this, AirIntegral.FINE).putDepth(ray, depth);
+        return new Vec3(Math.exp(-depth[0]), Math.exp(-depth[1]), Math.exp(-depth[2]));
+    }
+
     /** Returns the phase function of molecules, per steradian: Rayleigh's, without polarisation. */
     static double rayleighPhase(double cosine) {
         return 3 / (16 * Math.PI) * (1 + cosine * cosine);

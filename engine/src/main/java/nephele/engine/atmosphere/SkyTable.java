@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import java.nio.FloatBuffer;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
@@ -18,13 +19,16 @@ public final class SkyTable {
     private static final double BAND_RADIANS = Math.toRadians(8);
 
     private static final double LEAST_RADIANS = 1e-7;
-    static final int ROWS = SKY_ROWS + GROUND_ROWS;
+    public static final int ROWS = SKY_ROWS + GROUND_ROWS;
+    /** Light scattered once by molecules, once by aerosols, and all other light. */
+    public static final int PARTS = ClearSky.PARTS;
+
     private static final int CHANNELS = Air.CHANNELS;
 
     private final Air air;
     private final double horizonRadians;
-    /** Layer by layer, row by row; {@link ClearSky#PARTS} layers. */
-    private final float[] values = new float[ClearSky.PARTS * ROWS * AZIMUTHS * CHANNELS];
+    /** Part by part, row by row. */
+    private final float[] values = new float[PARTS * ROWS * AZIMUTHS * CHANNELS];
 
     /**
      * Computes the table on all processors.
@@ -35,15 +39,14 @@ public final class SkyTable {
     public SkyTable(AirTables tables, double heightMetres, double sunCosine) {
         air = tables.air();
         double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
-        double ratio = Air.PLANET_RADIUS_METRES / (Air.PLANET_RADIUS_METRES + height);
-        horizonRadians = -Math.acos(Math.min(1, ratio));
+        horizonRadians = horizonRadians(height);
         IntStream.range(0, ROWS).parallel().forEach(row -> fillRow(tables, height, sunCosine, row));
     }
 
     private void fillRow(AirTables tables, double height, double sunCosine, int row) {
         ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE);
         AirRay ray = new AirRay();
-        double[] parts = new double[ClearSky.PARTS * CHANNELS];
+        double[] parts = new double[PARTS * CHANNELS];
         double elevation = elevationRadians(row);
         double sines = Math.cos(elevation) * Math.sqrt(Math.max(0, 1 - sunCosine * sunCosine));
         for (int column = 0; column < AZIMUTHS; column++) {
@@ -91,14 +94,24 @@ public final class SkyTable {
         return ((layer * ROWS + row) * AZIMUTHS + column) * CHANNELS;
     }
 
+    /** Returns the elevation of the horizon as seen from a height, at most 0. */
+    public static double horizonRadians(double heightMetres) {
+        double height = Math.max(0, heightMetres);
+        double square = height * (2 * Air.PLANET_RADIUS_METRES + height);
+        return -Math.atan2(Math.sqrt(square), Air.PLANET_RADIUS_METRES);
+    }
+
     /** Returns the elevation of the horizon, at most 0. */
     public double horizonRadians() {
         return horizonRadians;
     }
 
-    /** Returns the numbers for a texture array of RGB: the parts, each with the sky's rows first. */
-    public float[] values() {
-        return values.clone();
+    /** Puts the square roots of a part for a texture of RGBA, row by row, those of the sky first. */
+    public void putTexels(int part, FloatBuffer texels) {
+        int first = index(part, 0, 0);
+        for (int i = 0; i < ROWS * AZIMUTHS; i++) {
+            texels.put(values, first + i * CHANNELS, CHANNELS).put(1);
+        }
     }
 
     /**

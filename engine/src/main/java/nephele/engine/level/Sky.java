@@ -25,6 +25,30 @@ public sealed interface Sky {
             @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files)
             implements Sky {}
 
-    /** {@code "kind": "atmosphere"}: computed scattering. */
-    record Atmosphere() implements Sky {}
+    /**
+     * {@code "kind": "atmosphere"}: sunlight scattered in the air around a round planet, whose ground is at y = 0. The
+     * environment's sun is then outside the air; without one the hour has the sun. North is −z, east is +x.
+     *
+     * @param groundAlbedo of the planet
+     * @param mieScale aerosols, as a factor on those of clear air
+     * @param mieG asymmetry of the aerosols' phase function; positive is forward
+     * @param ozoneScale as a factor on the ozone of clear air
+     * @param latitudeDegrees positive is north
+     * @param dayOfYear 1 is the first of January
+     * @param timeOfDayHours true solar time; 12 is noon
+     * @param dayLengthSeconds simulated time of a day of 24 hours; 0 for a sun that stands still
+     */
+    record Atmosphere(
+            @Written(absent = "0.3", min = 0, max = 1) double groundAlbedo,
+            @Written(absent = "1", min = 0, max = 100) double mieScale,
+            @Written(absent = "0.8", min = -0.99, max = 0.99) double mieG,
+            @Written(absent = "1", min = 0, max = 10) double ozoneScale,
+            @Written(absent = "45", min = -90, max = 90) double latitudeDegrees,
+            @Written(absent = "172", min = 1, max = 366) double dayOfYear,
+            @Written(absent = "10", min = 0, max = 24) double timeOfDayHours,
+            @Written(min = 0, max = 1e9) double dayLengthSeconds)
+            implements Sky {
+        /** Clear air in the morning of a summer's day. */
+        public static final Atmosphere CLEAR = new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 10, 0);
+    }
 }

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Aabb;
@@ -39,7 +40,7 @@ final class Illumination {
 
     Illumination(Level level, Optional<SkyRadiance> sky) {
         Environment environment = level.environment();
-        sun = environment.sun();
+        sun = Daylight.onGround(environment);
         towardsSun = sun == null ? new Vector3d() : unit(sun.directionTowardsSun());
         lights = level.lights().stream()
                 .flatMap(light -> PunctualLight.of(light).stream())

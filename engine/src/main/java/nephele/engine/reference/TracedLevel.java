@@ -35,7 +35,7 @@ public final class TracedLevel {
         looks = new SurfaceAppearance(
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         mirrors = ReflectingFaces.of(statics.solids(), textures);
-        sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
+        sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogTransmittance.of(level.environment());
         light = new Illumination(level, sky);
         exits = new ExitLight(level);
@@ -71,8 +71,8 @@ public final class TracedLevel {
         return rays.shape(path.item()).at(path, place, toEye, looks);
     }
 
-    Vector3d sky(Vector3dc away) {
-        return sky.map(all -> all.from(away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
+    Vector3d sky(double eyeHeight, Vector3dc away) {
+        return sky.map(all -> all.from(eyeHeight, away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
     }
 
     ExitLight exits() {

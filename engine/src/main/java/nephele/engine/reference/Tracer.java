@@ -36,7 +36,7 @@ final class Tracer {
             return mirrored(level.throughFog(level.light().radiance(surface, shadows, sample), path.metres()));
         }
         Vector3d away = new Vector3d(path.direction()).normalize();
-        return mirrored(level.throughFog(level.sky(away), Double.POSITIVE_INFINITY));
+        return mirrored(level.throughFog(level.sky(from.y(), away), Double.POSITIVE_INFINITY));
     }
 
     /**

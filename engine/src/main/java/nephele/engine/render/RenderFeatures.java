@@ -13,6 +13,7 @@ import nephele.engine.render.pass.shadow.DynamicShadowPass;
 import nephele.engine.render.pass.shadow.LightShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
+import nephele.engine.render.pass.sky.AtmospherePass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
@@ -32,6 +33,7 @@ public final class RenderFeatures {
             SolidPass.FEATURE,
             DynamicPass.FEATURE,
             GradientSkyPass.FEATURE,
+            AtmospherePass.FEATURE,
             SkyboxPass.FEATURE,
             RimPass.FEATURE,
             PortalPass.FEATURE,

@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -27,6 +28,7 @@ public final class FrameState {
     public static final int NOTHING = -1;
 
     private final double[] bodies;
+    private final Environment authored;
     private Environment environment;
     private double seconds;
     private Portals portals;
@@ -40,7 +42,8 @@ public final class FrameState {
     private ShotPalette shotPalette = ShotPalette.BLUE_ORANGE;
 
     private FrameState(Environment environment, int bodyCount) {
-        this.environment = environment;
+        authored = environment;
+        this.environment = Daylight.at(environment, 0);
         bodies = new double[STRIDE * bodyCount];
     }
 
@@ -78,8 +81,13 @@ public final class FrameState {
         return seconds;
     }
 
+    /** Sets the simulated time; a sun that moves follows it. */
     public void seconds(double now) {
         seconds = now;
+        if (Daylight.moves(authored)) {
+            Environment later = Daylight.at(authored, now);
+            environment = later.equals(environment) ? environment : later;
+        }
     }
 
     /** Returns the colours of the shots' portals. */

@@ -3,41 +3,72 @@ package nephele.engine.level.appearance;
 import java.util.Optional;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
+import nephele.engine.atmosphere.AirTables;
+import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /** The radiance of a sky in every direction. */
 @FunctionalInterface
 public interface SkyRadiance {
-    /** Replaces computed scattering: a clear day, linear radiance. */
-    Sky.Gradient ATMOSPHERE_STAND_IN =
-            new Sky.Gradient(new Vec3(0.12, 0.28, 0.65), new Vec3(0.62, 0.74, 0.88), new Vec3(0.16, 0.15, 0.14));
+    /**
+     * Returns linear RGB for a unit direction, y up.
+     *
+     * @param eyeHeight y of the place that sees it; an atmosphere looks different from a height
+     */
+    Vector3d from(double eyeHeight, double x, double y, double z);
 
-    /** @return linear RGB for a unit direction, y up */
-    Vector3d from(double x, double y, double z);
+    /** Returns what a place at y = 0 sees. */
+    default Vector3d from(double x, double y, double z) {
+        return from(0, x, y, z);
+    }
 
     /**
-     * Returns the radiance of a sky.
+     * Returns the radiance of the sky of an environment.
      *
+     * @param environment with the sun of its hour
      * @param pictureOf decodes an asset; called for skyboxes only
      * @return empty without a sky
      */
+    static Optional<SkyRadiance> of(
+            Environment environment, Function<String, Picture> pictureOf, ColourDecoding decoding) {
+        return environment.sky() instanceof Sky.Atmosphere atmosphere
+                ? Optional.ofNullable(environment.sun()).map(sun -> of(atmosphere, sun))
+                : of(environment.sky(), pictureOf, decoding);
+    }
+
+    /** Returns the radiance of a sky without a sun; empty for none, and for an atmosphere, which is then dark. */
     static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
         if (sky instanceof Sky.Constant constant) {
-            return Optional.of((x, y, z) -> constant.radiance().toVector());
+            return Optional.of((height, x, y, z) -> constant.radiance().toVector());
         } else if (sky instanceof Sky.Gradient gradient) {
             return Optional.of(of(gradient));
-        } else if (sky instanceof Sky.Atmosphere) {
-            return Optional.of(of(ATMOSPHERE_STAND_IN));
         } else if (sky instanceof Sky.Skybox box) {
-            return Optional.of(SkyboxFaces.of(box, pictureOf, decoding)::radiance);
+            return Optional.of(around(SkyboxFaces.of(box, pictureOf, decoding)));
         }
         return Optional.empty();
     }
 
+    private static SkyRadiance around(SkyboxFaces faces) {
+        return (height, x, y, z) -> faces.radiance(x, y, z);
+    }
+
+    /** By numerical integration, which takes some 0.1 ms for a direction. */
+    private static SkyRadiance of(Sky.Atmosphere atmosphere, Sun sun) {
+        AirTables tables = AirTables.of(Daylight.air(atmosphere));
+        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
+        return (height, x, y, z) -> new ClearSky(tables)
+                .radiance(height, new Vec3(x, y, z), towardsSun)
+                .toVector()
+                .mul(sun.irradiance().toVector());
+    }
+
     private static SkyRadiance of(Sky.Gradient gradient) {
-        return (x, y, z) -> {
+        return (height, x, y, z) -> {
             Vec3 end = y < 0 ? gradient.ground() : gradient.zenith();
             return gradient.horizon().toVector().lerp(end.toVector(), Math.min(Math.abs(y), 1));
         };

@@ -2,10 +2,12 @@ package nephele.engine.level.placed;
 
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.Daylight;
 
 /**
  * A level with all data derived once for scene, simulation, reference path tracer and editor.
  *
+ * @param level with the sun of its hour
  * @param statics the static shapes
  */
 public record PlacedLevel(Level level, AssetSource assets, StaticShapes statics) {
@@ -15,7 +17,7 @@ public record PlacedLevel(Level level, AssetSource assets, StaticShapes statics)
      * @throws nephele.engine.asset.AssetException that names a mesh that is missing or cannot be used
      */
     public static PlacedLevel of(Level level, AssetSource assets) {
-        return new PlacedLevel(level, assets, StaticShapes.of(level, assets));
+        return new PlacedLevel(Daylight.lit(level), assets, StaticShapes.of(level, assets));
     }
 
     /**
@@ -23,6 +25,6 @@ public record PlacedLevel(Level level, AssetSource assets, StaticShapes statics)
      * records.
      */
     public PlacedLevel edited(Level other) {
-        return new PlacedLevel(other, assets, statics.edited(level, other, assets));
+        return new PlacedLevel(Daylight.lit(other), assets, statics.edited(level, other, assets));
     }
 }

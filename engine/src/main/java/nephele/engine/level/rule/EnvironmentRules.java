@@ -28,7 +28,6 @@ final class EnvironmentRules {
     static final LevelRule NOT_YET = (level, assets, report) -> {
         Environment environment = level.environment();
         tell(!environment.clouds().isEmpty(), "environment.clouds", report);
-        tell(environment.sky() instanceof Sky.Atmosphere, "environment.sky", report);
     };
 
     private EnvironmentRules() {}

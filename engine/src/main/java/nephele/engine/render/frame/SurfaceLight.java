@@ -1,10 +1,15 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.atmosphere.AirTables;
+import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Quality.ShadowSampling;
 import nephele.engine.render.gl.GlContext;
@@ -18,12 +23,16 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
+import org.joml.Vector3d;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
  * Positions are relative to the {@link #anchor}, so they do not depend on the eye.
  */
 public final class SurfaceLight implements GlObject {
+    /** Along a side of the cube over which an atmosphere's light, of degree 2, is integrated. */
+    private static final int SMOOTH_CELLS = 16;
+
     private final Level level;
     private final Scene scene;
     private final SharedResources shared;
@@ -34,6 +43,8 @@ public final class SurfaceLight implements GlObject {
     private final PunctualLighting lights;
     private final DynamicShadows dynamicShadows;
     private Environment followed;
+    /** Of the atmosphere; {@code null} for another sky. */
+    private AirTables airTables;
 
     SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
         this.scene = scene;
@@ -56,26 +67,44 @@ public final class SurfaceLight implements GlObject {
         if (now == followed) {
             return;
         }
-        sun.put(now.sun(), block);
+        sun.put(Daylight.onGround(now), block);
         lights.put(block);
         if (now.ambient() != null) {
             block.ambient(now.ambient());
         }
         if (LightRequirements.skyShines(level)
-                && (followed == null || !now.sky().equals(followed.sky()))) {
-            block.sky(irradiance(now.sky()));
+                && (followed == null || !SkyOfLevel.of(shared, now).equals(SkyOfLevel.of(shared, followed)))) {
+            block.sky(irradiance(now));
         }
         block.upload();
         followed = now;
     }
 
-    private record SkyOfLevel(Same level, Sky sky) {}
+    /** @param sun {@code null} if the sky does not depend on it */
+    private record SkyOfLevel(Same level, Sky sky, Sun sun) {
+        static SkyOfLevel of(SharedResources shared, Environment now) {
+            Sun sun = now.sky() instanceof Sky.Atmosphere ? now.sun() : null;
+            return new SkyOfLevel(shared.openedLevel(), now.sky(), sun);
+        }
+    }
 
-    private SkyIrradiance irradiance(Sky sky) {
-        return shared.shareValue(SkyIrradiance.class, new SkyOfLevel(shared.openedLevel(), sky), () -> SkyRadiance.of(
-                        sky, shared::picture, ColourDecoding.SRGB)
+    private SkyIrradiance irradiance(Environment now) {
+        if (now.sky() instanceof Sky.Atmosphere sky) {
+            return now.sun() == null ? SkyIrradiance.black() : irradiance(sky, now.sun());
+        }
+        return shared.shareValue(SkyIrradiance.class, SkyOfLevel.of(shared, now), () -> SkyRadiance.of(
+                        now, shared::picture, ColourDecoding.SRGB)
                 .map(SkyIrradiance::of)
                 .orElseGet(SkyIrradiance::black));
+    }
+
+    private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
+        if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
+            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
+        }
+        SmoothSky smooth = new SmoothSky(airTables, Directions.unit(sun.directionTowardsSun()));
+        Vector3d outside = sun.irradiance().toVector();
+        return SkyIrradiance.of((height, x, y, z) -> smooth.radiance(x, y, z).mul(outside), SMOOTH_CELLS);
     }
 
     /** Returns the world position that is the origin of positions in light shaders. */

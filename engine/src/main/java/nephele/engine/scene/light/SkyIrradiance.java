@@ -28,15 +28,20 @@ public record SkyIrradiance(double[] coefficients) {
     }
 
     public static SkyIrradiance of(SkyRadiance sky) {
+        return of(sky, CELLS);
+    }
+
+    /** @param side cells along a side of the cube over which the sky is integrated */
+    public static SkyIrradiance of(SkyRadiance sky, int side) {
         double[] sums = new double[3 * TERMS];
         double total = 0;
-        for (int cell = 0; cell < 6 * CELLS * CELLS; cell++) {
-            double s = 2 * (cell % CELLS + 0.5) / CELLS - 1;
-            double t = 2 * (cell / CELLS % CELLS + 0.5) / CELLS - 1;
+        for (int cell = 0; cell < 6 * side * side; cell++) {
+            double s = 2 * (cell % side + 0.5) / side - 1;
+            double t = 2 * (cell / side % side + 0.5) / side - 1;
             double length2 = 1 + s * s + t * t;
             double solidAngle = 1 / (length2 * Math.sqrt(length2));
             total += solidAngle;
-            accumulate(sums, sky, cubeDirection(cell / (CELLS * CELLS), s, t), solidAngle);
+            accumulate(sums, sky, cubeDirection(cell / (side * side), s, t), solidAngle);
         }
         for (int i = 0; i < sums.length; i++) {
             sums[i] *= 4 * Math.PI / total;

@@ -10,6 +10,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Offscreen;
@@ -43,11 +44,13 @@ class SkyRadianceGlTest {
                 new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png")),
                 new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), new Vec3(0.7, 0.7, 0.6), new Vec3(0.3, 0.2, 0.1)),
                 new Sky.Constant(new Vec3(0.1, 0.2, 0.3)),
-                new Sky.Atmosphere());
+                new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, 172, 4.6, 0));
         TestAssets assets = pictures();
         for (Sky sky : skies) {
             SkyRadiance radiance = SkyRadiance.of(
-                            sky, id -> PictureDecoder.decode(id, assets.bytes(id)), ColourDecoding.SRGB)
+                            Daylight.at(new TestLevel().sky(sky).level().environment(), 0),
+                            id -> PictureDecoder.decode(id, assets.bytes(id)),
+                            ColourDecoding.SRGB)
                     .orElseThrow();
             try (Offscreen offscreen = new Offscreen(3, 3);
                     Renderer renderer = Renderer.load(

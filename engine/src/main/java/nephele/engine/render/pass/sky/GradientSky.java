@@ -1,13 +1,10 @@
 package nephele.engine.render.pass.sky;
 
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 
 /** The Java twin of {@code gradient.frag}. */
 public final class GradientSky {
-    static final Sky.Gradient ATMOSPHERE_STAND_IN = SkyRadiance.ATMOSPHERE_STAND_IN;
-
     private GradientSky() {}
 
     /**

@@ -42,16 +42,8 @@ public final class GradientSkyPass implements Pass {
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
         Sky sky = environment.sky();
-        if (FogTransmittance.of(environment).isPresent()) {
-            return List.of();
-        } else if (sky instanceof Sky.Gradient) {
-            return List.of(new Required("environment.sky: a gradient", GradientSkyPass::new));
-        } else if (sky instanceof Sky.Atmosphere) {
-            return List.of(new Required(
-                    "environment.sky: an atmosphere, shown as a gradient because scattering is not computed yet",
-                    GradientSkyPass::new));
-        }
-        return List.of();
+        boolean isSeen = FogTransmittance.of(environment).isEmpty() && sky instanceof Sky.Gradient;
+        return isSeen ? List.of(new Required("environment.sky: a gradient", GradientSkyPass::new)) : List.of();
     }
 
     private static void set(Vector3 uniform, Vec3 v) {
@@ -60,8 +52,7 @@ public final class GradientSkyPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        Sky now = frame.frameState().environment().sky();
-        Sky.Gradient sky = now instanceof Sky.Gradient gradient ? gradient : GradientSky.ATMOSPHERE_STAND_IN;
+        Sky.Gradient sky = (Sky.Gradient) frame.frameState().environment().sky();
         set(colours.zenith, sky.zenith());
         set(colours.horizon, sky.horizon());
         set(colours.ground, sky.ground());
