@@ -10,7 +10,7 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 
 /** A row of the tables of a clear sky's radiance by another program; degrees and metres, radiance per irradiance. */
-record AtmosphereRow(
+public record AtmosphereRow(
         String text,
         double eyeHeight,
         double sunElevation,
@@ -19,7 +19,7 @@ record AtmosphereRow(
         double[] radiance,
         double[] standardError) {
 
-    static List<AtmosphereRow> read(String name) {
+    public static List<AtmosphereRow> read(String name) {
         try (BufferedReader lines = new BufferedReader(
                 new InputStreamReader(AtmosphereRow.class.getResourceAsStream(name), StandardCharsets.UTF_8))) {
             return lines.lines().skip(1).map(AtmosphereRow::of).toList();
@@ -36,14 +36,14 @@ record AtmosphereRow(
     }
 
     /** Returns the direction of the view; the sun is in the direction of −z. */
-    Vec3 direction() {
+    public Vec3 direction() {
         double view = Math.toRadians(viewElevation);
         double around = Math.toRadians(azimuth);
         return new Vec3(Math.cos(view) * Math.sin(around), Math.sin(view), -Math.cos(view) * Math.cos(around));
     }
 
     /** Returns true within a relative error, four sigma and a share of the brightest channel. */
-    boolean isMetBy(Vec3 computed, double relative, double ofBrightest) {
+    public boolean isMetBy(Vec3 computed, double relative, double ofBrightest) {
         double[] rgb = {computed.x(), computed.y(), computed.z()};
         double brightest = Math.max(radiance[0], Math.max(radiance[1], radiance[2]));
         for (int c = 0; c < 3; c++) {
