@@ -14,13 +14,6 @@ public final class Daylight {
     /** Outside the air, for a level that has no sun of its own. */
     private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
 
-    private static final double OBLIQUITY_DEGREES = 23.44;
-    private static final double DAYS_IN_YEAR = 365.25;
-    /** Day of the year at which the sun's declination grows through zero. */
-    private static final double EQUINOX_DAY = 80;
-    /** A moving sun stands still for this part of a turn, so that nothing is drawn anew for less than a pixel. */
-    private static final double STEP_OF_DAY = 1.0 / 36_000;
-
     public static final double SUN_RADIUS_RADIANS = Math.toRadians(0.2666);
 
     private Daylight() {}
@@ -34,10 +27,9 @@ public final class Daylight {
         if (environment.sun() != null || !(environment.sky() instanceof Atmosphere sky)) {
             return environment;
         }
-        double days = sky.dayLengthSeconds() > 0 ? seconds / sky.dayLengthSeconds() : 0;
-        double stepped = Math.floor(days / STEP_OF_DAY) * STEP_OF_DAY;
+        double days = Heavens.days(sky, seconds);
         return new Environment(
-                new Sun(towardsSun(sky, stepped), SOLAR_IRRADIANCE, true),
+                new Sun(Heavens.towardsSun(sky, days), SOLAR_IRRADIANCE, true),
                 sky,
                 environment.ambient(),
                 environment.exposureStops(),
@@ -55,26 +47,6 @@ public final class Daylight {
     /** Returns true if the sun follows the simulated time. */
     public static boolean moves(Environment environment) {
         return environment.sun() == null && environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
-    }
-
-    /**
-     * Returns the direction towards the sun, unit. Its declination is that of P. I. Cooper, "The absorption of radiation
-     * in solar stills", 1969, equation 1, for a circular orbit.
-     *
-     * @param days after the written hour
-     */
-    static Vec3 towardsSun(Atmosphere sky, double days) {
-        double day = sky.dayOfYear() + sky.timeOfDayHours() / 24 + days;
-        double declination =
-                Math.toRadians(OBLIQUITY_DEGREES) * Math.sin(2 * Math.PI * (day - EQUINOX_DAY) / DAYS_IN_YEAR);
-        double hour = 2 * Math.PI * ((sky.timeOfDayHours() / 24 + days) % 1 - 0.5);
-        double latitude = Math.toRadians(sky.latitudeDegrees());
-        double up = Math.sin(latitude) * Math.sin(declination)
-                + Math.cos(latitude) * Math.cos(declination) * Math.cos(hour);
-        double north = Math.cos(latitude) * Math.sin(declination)
-                - Math.sin(latitude) * Math.cos(declination) * Math.cos(hour);
-        double east = -Math.cos(declination) * Math.sin(hour);
-        return Directions.unit(new Vec3(east, up, -north));
     }
 
     /** Returns the air of a sky. */

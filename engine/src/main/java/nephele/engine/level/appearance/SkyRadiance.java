@@ -63,6 +63,7 @@ public interface SkyRadiance {
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         return (height, x, y, z) -> new ClearSky(tables)
                 .radiance(height, new Vec3(x, y, z), towardsSun)
+                .plus(Heavens.nightGlow(towardsSun.y(), y))
                 .toVector()
                 .mul(sun.irradiance().toVector());
     }

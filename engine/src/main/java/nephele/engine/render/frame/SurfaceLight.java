@@ -8,6 +8,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.Heavens;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
@@ -102,9 +103,14 @@ public final class SurfaceLight implements GlObject {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
             airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
         }
-        SmoothSky smooth = new SmoothSky(airTables, Directions.unit(sun.directionTowardsSun()));
+        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
+        SmoothSky smooth = new SmoothSky(airTables, towardsSun);
         Vector3d outside = sun.irradiance().toVector();
-        return SkyIrradiance.of((height, x, y, z) -> smooth.radiance(x, y, z).mul(outside), SMOOTH_CELLS);
+        return SkyIrradiance.of(
+                (height, x, y, z) -> smooth.radiance(x, y, z)
+                        .add(Heavens.nightGlow(towardsSun.y(), y).toVector())
+                        .mul(outside),
+                SMOOTH_CELLS);
     }
 
     /** Returns the world position that is the origin of positions in light shaders. */

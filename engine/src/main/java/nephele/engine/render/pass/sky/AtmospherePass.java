@@ -10,6 +10,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.Heavens;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
@@ -26,14 +27,15 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.resource.FrameUniforms;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * Draws the light that the air scatters, the planet's ground and the sun's disc where no solid has been drawn. Fog hides
- * them. The twin of {@code atmosphere.frag} is {@link SkyTable#radiance}.
+ * Draws the light that the air scatters, the planet's ground, the sun's disc, moon and stars where no solid has been
+ * drawn. Fog hides them. The twin of {@code atmosphere.frag} is {@link SkyTable#radiance}.
  */
 public final class AtmospherePass implements Pass {
     public static final RenderFeature FEATURE =
@@ -47,10 +49,36 @@ public final class AtmospherePass implements Pass {
     private final Texture texture;
     private Numbers numbers;
     private AirTables tables;
+    private Sky.Atmosphere skyShown;
+    private Sun sunShown;
+    private Vec3 towardsSun;
+    private double daysShown = Double.NaN;
     private Key shown;
     private CompletableFuture<Made> coming;
 
-    private record Numbers(Vector3 towardsSun, Vector3 irradiance, Vector3 disc, Scalar horizon, Scalar mieG) {}
+    private record Numbers(
+            Vector3 towardsSun,
+            Vector3 irradiance,
+            Vector3 disc,
+            Scalar horizon,
+            Scalar mieG,
+            Vector3 towardsMoon,
+            Vector3[] celestial,
+            Vector3 depth) {
+        static Numbers of(Uniforms uniforms) {
+            return new Numbers(
+                    uniforms.vector3("towardsSun"),
+                    uniforms.vector3("irradiance"),
+                    uniforms.vector3("disc"),
+                    uniforms.scalar("horizon"),
+                    uniforms.scalar("mieG"),
+                    uniforms.vector3("towardsMoon"),
+                    new Vector3[] {
+                        uniforms.vector3("equinox"), uniforms.vector3("eastOfEquinox"), uniforms.vector3("northPole")
+                    },
+                    uniforms.vector3("zenithDepth"));
+        }
+    }
 
     /** What a table depends on beside the air. */
     private record Key(double heightMetres, double sunSine) {}
@@ -62,12 +90,7 @@ public final class AtmospherePass implements Pass {
                 context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("skyTable", TextureUnit.COLOURS);
-                    numbers = new Numbers(
-                            uniforms.vector3("towardsSun"),
-                            uniforms.vector3("irradiance"),
-                            uniforms.vector3("disc"),
-                            uniforms.scalar("horizon"),
-                            uniforms.scalar("mieG"));
+                    numbers = Numbers.of(uniforms);
                 });
         tables = context.shared().shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
         texture = context.own(new Texture(
@@ -90,13 +113,19 @@ public final class AtmospherePass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         Environment now = frame.frameState().environment();
-        Sun sun = now.sun();
-        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        follow((Sky.Atmosphere) now.sky(), new Key(shelf(frame.view().eye().y()), towardsSun.y()));
-        set(numbers.towardsSun, towardsSun);
-        set(numbers.irradiance, sun.irradiance());
-        set(numbers.disc, disc(sun.irradiance(), frame.view().eye().y(), towardsSun.y()));
-        numbers.mieG.set((float) tables.air().mieG());
+        double height = shelf(frame.view().eye().y());
+        Sky.Atmosphere sky = (Sky.Atmosphere) now.sky();
+        double days = Heavens.days(sky, frame.frameState().seconds());
+        if (sky != skyShown || now.sun() != sunShown) {
+            followSun(sky, now.sun());
+        }
+        if (days != daysShown || sky != skyShown) {
+            followStars(sky, days);
+        }
+        if (coming != null || shown == null || shown.heightMetres != height || shown.sunSine != towardsSun.y()) {
+            followTable(sky, new Key(height, towardsSun.y()));
+        }
+        skyShown = sky;
         texture.bind(TextureUnit.COLOURS);
         drawing.draw(frame.surface(), Depth.LESS_OR_EQUAL);
     }
@@ -107,13 +136,32 @@ public final class AtmospherePass implements Pass {
         return near < 50 ? 2 : Math.exp(Math.round(Math.log(near) * 50) / 50.0);
     }
 
-    /** The first table is waited for; while the sun moves, the next one is computed beside the frames. */
-    private void follow(Sky.Atmosphere sky, Key wanted) {
+    private void followSun(Sky.Atmosphere sky, Sun sun) {
         if (!Daylight.air(sky).equals(tables.air())) {
             tables = AirTables.of(Daylight.air(sky));
             shown = null;
             coming = null;
         }
+        sunShown = sun;
+        towardsSun = Directions.unit(sun.directionTowardsSun());
+        set(numbers.towardsSun, towardsSun);
+        set(numbers.irradiance, sun.irradiance());
+        numbers.mieG.set((float) tables.air().mieG());
+        Vec3 zenith = tables.air().transmittance(0, 1);
+        set(numbers.depth, new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z())));
+    }
+
+    private void followStars(Sky.Atmosphere sky, double days) {
+        daysShown = days;
+        set(numbers.towardsMoon, Heavens.towardsMoon(sky, days));
+        Vec3[] axes = Heavens.celestialAxes(sky, days);
+        for (int i = 0; i < axes.length; i++) {
+            set(numbers.celestial[i], axes[i]);
+        }
+    }
+
+    /** The first table is waited for; while the sun moves, the next one is computed beside the frames. */
+    private void followTable(Sky.Atmosphere sky, Key wanted) {
         if (coming != null && coming.isDone()) {
             show(coming.join());
             coming = null;
@@ -135,6 +183,7 @@ public final class AtmospherePass implements Pass {
     private void show(Made made) {
         shown = made.key;
         numbers.horizon.set((float) made.table.horizonRadians());
+        set(numbers.disc, disc(sunShown.irradiance(), made.key.heightMetres, made.key.sunSine));
         var texels = MemoryUtil.memAlloc(4 * Float.BYTES * SkyTable.AZIMUTHS * SkyTable.ROWS);
         for (int part = 0; part < SkyTable.PARTS; part++) {
             FloatBuffer numbersOfPart = texels.asFloatBuffer();

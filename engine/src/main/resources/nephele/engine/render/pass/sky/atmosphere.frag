@@ -10,6 +10,11 @@ uniform vec3 irradiance; // of the sun outside the air
 uniform vec3 disc; // radiance of the sun's middle
 uniform float horizon; // its elevation
 uniform float mieG;
+uniform vec3 towardsMoon;
+uniform vec3 equinox; // axes of the stars
+uniform vec3 eastOfEquinox;
+uniform vec3 northPole;
+uniform vec3 zenithDepth; // optical depth of the air towards the zenith
 
 const float PI = 3.14159265;
 const float SKY_ROWS = 96.0;
@@ -44,6 +49,75 @@ float miePhase(float cosine, float fromPeak) {
     return 3.0 / (8.0 * PI) * (1.0 - g2) * (1.0 + cosine * cosine) / ((2.0 + g2) * from * sqrt(from));
 }
 
+const float MOON_SINE = 0.0045;
+const float MOON_ALBEDO = 0.12;
+// The night is brighter than in nature by this factor: half floats and eight stops of exposure shall hold it.
+const float NIGHT_GAIN = 400.0;
+// Light of the night's own air and of unresolved stars, after nautical dusk; per unit irradiance of the sun.
+const vec3 NIGHT_GLOW = vec3(0.55, 0.75, 1.25) * 1.6e-8 * NIGHT_GAIN;
+const float CELLS = 40.0;
+
+// A sphere that the sun lights, with its seas; per unit irradiance.
+vec3 moon(vec3 away) {
+    float across = length(cross(away, towardsMoon));
+    float edge = max(fwidth(across), 1e-6);
+    float inside = 1.0 - smoothstep(-0.5, 0.5, (across - MOON_SINE) / edge);
+    if (inside <= 0.0 || dot(away, towardsMoon) < 0.0) {
+        return vec3(0.0);
+    }
+    vec3 side = (away - towardsMoon * dot(away, towardsMoon)) / MOON_SINE;
+    float towards = sqrt(max(0.0, 1.0 - dot(side, side)));
+    vec3 normal = normalize(side - towards * towardsMoon);
+    // Its surface is rough: the full moon is nearly as bright at its edge as in its middle.
+    float lit = smoothstep(-0.05, 0.35, dot(normal, towardsSun));
+    vec2 spot = side.xy * 3.0 + side.z * vec2(1.7, 2.3);
+    float seas = 0.5 + 0.25 * sin(spot.x * 2.1 + sin(spot.y * 3.3)) + 0.25 * sin(spot.y * 2.7 + 1.9 * sin(spot.x));
+    inside *= min(1.0, PI * MOON_SINE * MOON_SINE / (edge * edge));
+    return vec3(1.0, 0.97, 0.92) * inside * lit * MOON_ALBEDO / PI * mix(1.15, 0.75, seas);
+}
+
+uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
+}
+
+// One star in each cell of a cube around the eye, some 9600 to magnitude 6; per unit irradiance of the sun.
+vec3 stars(vec3 away) {
+    float night = 1.0 - smoothstep(-0.10, 0.0, towardsSun.y);
+    if (night <= 0.0) {
+        return vec3(0.0);
+    }
+    vec3 d = vec3(dot(away, equinox), dot(away, eastOfEquinox), dot(away, northPole));
+    vec3 size = abs(d);
+    int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    float along = d[axis];
+    vec2 across = vec2(d[(axis + 1) % 3], d[(axis + 2) % 3]) / abs(along);
+    vec2 cell = floor((across * 0.5 + 0.5) * CELLS);
+    uvec3 random = mixed(uvec3(uint(cell.x) + 64u, uint(cell.y), uint(axis * 2 + (along > 0.0 ? 1 : 0))));
+    vec3 unit = vec3(random >> 8u) / 16777216.0;
+    vec2 place = ((cell + 0.15 + 0.7 * unit.xy) / CELLS) * 2.0 - 1.0;
+    vec3 star = vec3(0.0);
+    star[axis] = sign(along);
+    star[(axis + 1) % 3] = place.x;
+    star[(axis + 2) % 3] = place.y;
+    star = normalize(star);
+    float pixel = max(length(dFdx(away)), 2e-4);
+    float spread = 0.6 * pixel;
+    float apart = length(d - star);
+    // The number of stars grows by 10^0.5 with each magnitude (the sun has -26.74).
+    float magnitude = max(-1.0, 6.0 + 2.0 * log2(max(unit.z, 1e-4)) * 0.30103);
+    float flux = exp2(-1.328771 * (magnitude + 26.74)) * NIGHT_GAIN;
+    vec3 tint = mix(vec3(1.0, 0.8, 0.6), vec3(0.7, 0.85, 1.0), fract(unit.x * 57.0));
+    return night * flux * tint * exp(-apart * apart / (2.0 * spread * spread)) / (2.0 * PI * spread * spread);
+}
+
 void main() {
     vec3 away = normalize(direction);
     float elevation = atan(away.y, length(away.xz));
@@ -58,6 +132,12 @@ void main() {
     vec3 light = rayleighPhase(cosine) * part(place, 0.0) + miePhase(cosine, fromPeak) * part(place, 1.0)
         + part(place, 2.0);
     light *= irradiance;
+    if (elevation > horizon) {
+        vec3 clear = exp(-zenithDepth / (max(away.y, 0.0) + 0.03));
+        float afterDusk = 1.0 - smoothstep(-0.21, -0.105, towardsSun.y);
+        vec3 glow = afterDusk * NIGHT_GLOW * (1.0 + 0.8 * exp(-away.y * 5.0));
+        light += irradiance * (clear * (moon(away) + stars(away)) + glow);
+    }
 
     // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
     float sine = length(cross(away, towardsSun));
