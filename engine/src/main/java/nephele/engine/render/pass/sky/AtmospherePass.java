@@ -15,22 +15,16 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.gl.shader.Uniforms.Scalar;
-import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.resource.FrameUniforms;
 import org.lwjgl.system.MemoryUtil;
 
 /**
@@ -41,44 +35,18 @@ public final class AtmospherePass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy);
 
-    private static final String FOLDER = "/nephele/engine/render/pass/sky/";
-    /** Below the largest half float. */
-    private static final double MOST_RADIANCE = 60_000;
+    private final SkyProgram day;
+    /** With moon and stars; {@code null} until the sun has set, since the software renderer executes every branch. */
+    private SkyProgram night;
 
-    private final FullScreenDrawing drawing;
+    private final LoadContext context;
     private final Texture texture;
-    private Numbers numbers;
     private AirTables tables;
     private Sky.Atmosphere skyShown;
     private Sun sunShown;
     private Vec3 towardsSun;
-    private double daysShown = Double.NaN;
     private Key shown;
     private CompletableFuture<Made> coming;
-
-    private record Numbers(
-            Vector3 towardsSun,
-            Vector3 irradiance,
-            Vector3 disc,
-            Scalar horizon,
-            Scalar mieG,
-            Vector3 towardsMoon,
-            Vector3[] celestial,
-            Vector3 depth) {
-        static Numbers of(Uniforms uniforms) {
-            return new Numbers(
-                    uniforms.vector3("towardsSun"),
-                    uniforms.vector3("irradiance"),
-                    uniforms.vector3("disc"),
-                    uniforms.scalar("horizon"),
-                    uniforms.scalar("mieG"),
-                    uniforms.vector3("towardsMoon"),
-                    new Vector3[] {
-                        uniforms.vector3("equinox"), uniforms.vector3("eastOfEquinox"), uniforms.vector3("northPole")
-                    },
-                    uniforms.vector3("zenithDepth"));
-        }
-    }
 
     /** What a table depends on beside the air. */
     private record Key(double heightMetres, double sunSine) {}
@@ -86,12 +54,8 @@ public final class AtmospherePass implements Pass {
     private record Made(Key key, SkyTable table) {}
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
-        drawing = new FullScreenDrawing(
-                context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    uniforms.sampler("skyTable", TextureUnit.COLOURS);
-                    numbers = Numbers.of(uniforms);
-                });
+        this.context = context;
+        day = SkyProgram.of(context, false);
         tables = context.shared().shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
         texture = context.own(new Texture(
                 context.gl(),
@@ -115,19 +79,30 @@ public final class AtmospherePass implements Pass {
         Environment now = frame.frameState().environment();
         double height = shelf(frame.view().eye().y());
         Sky.Atmosphere sky = (Sky.Atmosphere) now.sky();
-        double days = Heavens.days(sky, frame.frameState().seconds());
         if (sky != skyShown || now.sun() != sunShown) {
             followSun(sky, now.sun());
-        }
-        if (days != daysShown || sky != skyShown) {
-            followStars(sky, days);
         }
         if (coming != null || shown == null || shown.heightMetres != height || shown.sunSine != towardsSun.y()) {
             followTable(sky, new Key(height, towardsSun.y()));
         }
         skyShown = sky;
+        SkyProgram program = program();
+        program.sun(sunShown, towardsSun, tables.air(), shown.heightMetres);
+        if (program == night) {
+            program.heavens(sky, Heavens.days(sky, frame.frameState().seconds()));
+        }
         texture.bind(TextureUnit.COLOURS);
-        drawing.draw(frame.surface(), Depth.LESS_OR_EQUAL);
+        program.draw(frame.surface());
+    }
+
+    private SkyProgram program() {
+        if (towardsSun.y() >= 0) {
+            return day;
+        }
+        if (night == null) {
+            night = SkyProgram.of(context, true);
+        }
+        return night;
     }
 
     /** A table holds for heights that differ by less than can be seen. */
@@ -144,20 +119,6 @@ public final class AtmospherePass implements Pass {
         }
         sunShown = sun;
         towardsSun = Directions.unit(sun.directionTowardsSun());
-        set(numbers.towardsSun, towardsSun);
-        set(numbers.irradiance, sun.irradiance());
-        numbers.mieG.set((float) tables.air().mieG());
-        Vec3 zenith = tables.air().transmittance(0, 1);
-        set(numbers.depth, new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z())));
-    }
-
-    private void followStars(Sky.Atmosphere sky, double days) {
-        daysShown = days;
-        set(numbers.towardsMoon, Heavens.towardsMoon(sky, days));
-        Vec3[] axes = Heavens.celestialAxes(sky, days);
-        for (int i = 0; i < axes.length; i++) {
-            set(numbers.celestial[i], axes[i]);
-        }
     }
 
     /** The first table is waited for; while the sun moves, the next one is computed beside the frames. */
@@ -182,8 +143,6 @@ public final class AtmospherePass implements Pass {
 
     private void show(Made made) {
         shown = made.key;
-        numbers.horizon.set((float) made.table.horizonRadians());
-        set(numbers.disc, disc(sunShown.irradiance(), made.key.heightMetres, made.key.sunSine));
         var texels = MemoryUtil.memAlloc(4 * Float.BYTES * SkyTable.AZIMUTHS * SkyTable.ROWS);
         for (int part = 0; part < SkyTable.PARTS; part++) {
             FloatBuffer numbersOfPart = texels.asFloatBuffer();
@@ -191,20 +150,5 @@ public final class AtmospherePass implements Pass {
             texture.upload(part, texels);
         }
         MemoryUtil.memFree(texels);
-    }
-
-    /** Returns the radiance of the disc's middle. */
-    private Vec3 disc(Vec3 outside, double eyeHeight, double sunSine) {
-        double horizon = Math.sin(SkyTable.horizonRadians(eyeHeight));
-        Vec3 dimmed = tables.air().transmittance(Math.max(0, eyeHeight), Math.max(horizon + 1e-6, sunSine));
-        double steradians = Math.PI * Daylight.SUN_RADIUS_RADIANS * Daylight.SUN_RADIUS_RADIANS;
-        return new Vec3(
-                Math.min(MOST_RADIANCE, outside.x() * dimmed.x() / steradians),
-                Math.min(MOST_RADIANCE, outside.y() * dimmed.y() / steradians),
-                Math.min(MOST_RADIANCE, outside.z() * dimmed.z() / steradians));
-    }
-
-    private static void set(Vector3 uniform, Vec3 v) {
-        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
     }
 }

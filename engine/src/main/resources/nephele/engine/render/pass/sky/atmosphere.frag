@@ -10,11 +10,13 @@ uniform vec3 irradiance; // of the sun outside the air
 uniform vec3 disc; // radiance of the sun's middle
 uniform float horizon; // its elevation
 uniform float mieG;
+#ifdef NIGHT
 uniform vec3 towardsMoon;
 uniform vec3 equinox; // axes of the stars
 uniform vec3 eastOfEquinox;
 uniform vec3 northPole;
 uniform vec3 zenithDepth; // optical depth of the air towards the zenith
+#endif
 
 const float PI = 3.14159265;
 const float SKY_ROWS = 96.0;
@@ -49,6 +51,13 @@ float miePhase(float cosine, float fromPeak) {
     return 3.0 / (8.0 * PI) * (1.0 - g2) * (1.0 + cosine * cosine) / ((2.0 + g2) * from * sqrt(from));
 }
 
+// The share of a pixel that a disc fills; it may be smaller than a pixel.
+float discInPixel(float sine, float radius, float pixel) {
+    float inside = 1.0 - smoothstep(-0.5, 0.5, (sine - radius) / pixel);
+    return inside * min(1.0, PI * radius * radius / (pixel * pixel));
+}
+
+#ifdef NIGHT
 const float MOON_SINE = 0.0045;
 const float MOON_ALBEDO = 0.12;
 // The night is brighter than in nature by this factor: half floats and eight stops of exposure shall hold it.
@@ -58,21 +67,15 @@ const vec3 NIGHT_GLOW = vec3(0.55, 0.75, 1.25) * 1.6e-8 * NIGHT_GAIN;
 const float CELLS = 40.0;
 
 // A sphere that the sun lights, with its seas; per unit irradiance.
-vec3 moon(vec3 away) {
-    float across = length(cross(away, towardsMoon));
-    float edge = max(fwidth(across), 1e-6);
-    float inside = 1.0 - smoothstep(-0.5, 0.5, (across - MOON_SINE) / edge);
-    if (inside <= 0.0 || dot(away, towardsMoon) < 0.0) {
-        return vec3(0.0);
-    }
-    vec3 side = (away - towardsMoon * dot(away, towardsMoon)) / MOON_SINE;
-    float towards = sqrt(max(0.0, 1.0 - dot(side, side)));
-    vec3 normal = normalize(side - towards * towardsMoon);
+vec3 moon(vec3 away, float pixel) {
+    float towards = dot(away, towardsMoon);
+    vec3 side = (away - towardsMoon * towards) / MOON_SINE;
+    float inside = towards > 0.0 ? discInPixel(length(side) * MOON_SINE, MOON_SINE, pixel) : 0.0;
+    vec3 normal = normalize(side - (sqrt(max(0.0, 1.0 - dot(side, side))) + 1e-4) * towardsMoon);
     // Its surface is rough: the full moon is nearly as bright at its edge as in its middle.
     float lit = smoothstep(-0.05, 0.35, dot(normal, towardsSun));
     vec2 spot = side.xy * 3.0 + side.z * vec2(1.7, 2.3);
     float seas = 0.5 + 0.25 * sin(spot.x * 2.1 + sin(spot.y * 3.3)) + 0.25 * sin(spot.y * 2.7 + 1.9 * sin(spot.x));
-    inside *= min(1.0, PI * MOON_SINE * MOON_SINE / (edge * edge));
     return vec3(1.0, 0.97, 0.92) * inside * lit * MOON_ALBEDO / PI * mix(1.15, 0.75, seas);
 }
 
@@ -89,11 +92,7 @@ uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Ren
 }
 
 // One star in each cell of a cube around the eye, some 9600 to magnitude 6; per unit irradiance of the sun.
-vec3 stars(vec3 away) {
-    float night = 1.0 - smoothstep(-0.10, 0.0, towardsSun.y);
-    if (night <= 0.0) {
-        return vec3(0.0);
-    }
+vec3 stars(vec3 away, float pixel) {
     vec3 d = vec3(dot(away, equinox), dot(away, eastOfEquinox), dot(away, northPole));
     vec3 size = abs(d);
     int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
@@ -108,15 +107,24 @@ vec3 stars(vec3 away) {
     star[(axis + 1) % 3] = place.x;
     star[(axis + 2) % 3] = place.y;
     star = normalize(star);
-    float pixel = max(length(dFdx(away)), 2e-4);
-    float spread = 0.6 * pixel;
+    float spread = 0.6 * max(pixel, 2e-4);
     float apart = length(d - star);
     // The number of stars grows by 10^0.5 with each magnitude (the sun has -26.74).
     float magnitude = max(-1.0, 6.0 + 2.0 * log2(max(unit.z, 1e-4)) * 0.30103);
     float flux = exp2(-1.328771 * (magnitude + 26.74)) * NIGHT_GAIN;
     vec3 tint = mix(vec3(1.0, 0.8, 0.6), vec3(0.7, 0.85, 1.0), fract(unit.x * 57.0));
-    return night * flux * tint * exp(-apart * apart / (2.0 * spread * spread)) / (2.0 * PI * spread * spread);
+    return flux * tint * exp(-apart * apart / (2.0 * spread * spread)) / (2.0 * PI * spread * spread);
 }
+
+// What shines beside the sun; per unit irradiance of the sun. It fades in while the sun sets.
+vec3 nightLight(vec3 away, float pixel) {
+    float starlight = 1.0 - smoothstep(-0.10, 0.0, towardsSun.y);
+    float afterDusk = 1.0 - smoothstep(-0.21, -0.105, towardsSun.y);
+    vec3 clear = exp(-zenithDepth / (max(away.y, 0.0) + 0.03));
+    vec3 glow = afterDusk * NIGHT_GLOW * (1.0 + 0.8 * exp(-5.0 * away.y));
+    return starlight * clear * (moon(away, pixel) + stars(away, pixel)) + glow;
+}
+#endif
 
 void main() {
     vec3 away = normalize(direction);
@@ -131,22 +139,18 @@ void main() {
     float cosine = 1.0 - fromPeak;
     vec3 light = rayleighPhase(cosine) * part(place, 0.0) + miePhase(cosine, fromPeak) * part(place, 1.0)
         + part(place, 2.0);
-    light *= irradiance;
+    float pixel = max(length(dFdx(away)), 1e-6);
+#ifdef NIGHT
     if (elevation > horizon) {
-        vec3 clear = exp(-zenithDepth / (max(away.y, 0.0) + 0.03));
-        float afterDusk = 1.0 - smoothstep(-0.21, -0.105, towardsSun.y);
-        vec3 glow = afterDusk * NIGHT_GLOW * (1.0 + 0.8 * exp(-away.y * 5.0));
-        light += irradiance * (clear * (moon(away) + stars(away)) + glow);
+        light += nightLight(away, pixel);
     }
-
-    // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
-    float sine = length(cross(away, towardsSun));
-    float pixel = max(fwidth(sine), 1e-6);
-    float inside = 1.0 - smoothstep(-0.5, 0.5, (sine - SUN_SINE) / pixel);
-    inside *= min(1.0, PI * SUN_SINE * SUN_SINE / (pixel * pixel)); // a disc smaller than a pixel
-    if (inside > 0.0 && cosine > 0.0 && elevation > horizon) {
+#endif
+    light *= irradiance;
+    if (elevation > horizon && cosine > 0.0) {
+        // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
+        float sine = length(cross(away, towardsSun));
         float fromMiddle = min(1.0, sine / SUN_SINE);
-        light += inside * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
+        light += discInPixel(sine, SUN_SINE, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
     }
     writeRadiance(light);
 }

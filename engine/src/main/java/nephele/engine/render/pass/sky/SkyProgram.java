@@ -1,0 +1,113 @@
+package nephele.engine.render.pass.sky;
+
+import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.SkyTable;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.Heavens;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FullScreenDrawing;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.resource.FrameUniforms;
+
+/** {@code atmosphere.frag} with its numbers, which are set when they change. */
+final class SkyProgram {
+    private static final String FOLDER = "/nephele/engine/render/pass/sky/";
+    /** Below the largest half float. */
+    private static final double MOST_RADIANCE = 60_000;
+
+    private final FullScreenDrawing drawing;
+    private SunNumbers sunNumbers;
+    private NightNumbers nightNumbers;
+    private Sun sunShown;
+    private double heightShown = Double.NaN;
+    private double daysShown = Double.NaN;
+
+    private record SunNumbers(Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Scalar mieG) {}
+
+    private record NightNumbers(Vector3 towardsMoon, Vector3 equinox, Vector3 east, Vector3 pole, Vector3 depth) {}
+
+    private SkyProgram(LoadContext context, boolean isNight) {
+        Defines defines = Defines.of(context).withIf(isNight, "NIGHT");
+        drawing = new FullScreenDrawing(
+                context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    uniforms.sampler("skyTable", TextureUnit.COLOURS);
+                    sunNumbers = new SunNumbers(
+                            uniforms.vector3("towardsSun"),
+                            uniforms.vector3("irradiance"),
+                            uniforms.vector3("disc"),
+                            uniforms.scalar("horizon"),
+                            uniforms.scalar("mieG"));
+                    nightNumbers = !isNight
+                            ? null
+                            : new NightNumbers(
+                                    uniforms.vector3("towardsMoon"),
+                                    uniforms.vector3("equinox"),
+                                    uniforms.vector3("eastOfEquinox"),
+                                    uniforms.vector3("northPole"),
+                                    uniforms.vector3("zenithDepth"));
+                });
+    }
+
+    static SkyProgram of(LoadContext context, boolean isNight) {
+        return new SkyProgram(context, isNight);
+    }
+
+    /** @param heightMetres of the eye for which the table is */
+    void sun(Sun sun, Vec3 towardsSun, Air air, double heightMetres) {
+        if (sun == sunShown && heightMetres == heightShown) {
+            return;
+        }
+        sunShown = sun;
+        heightShown = heightMetres;
+        set(sunNumbers.towards, towardsSun);
+        set(sunNumbers.irradiance, sun.irradiance());
+        set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
+        sunNumbers.horizon.set((float) SkyTable.horizonRadians(heightMetres));
+        sunNumbers.mieG.set((float) air.mieG());
+        if (nightNumbers != null) {
+            Vec3 zenith = air.transmittance(0, 1);
+            set(nightNumbers.depth, new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z())));
+        }
+    }
+
+    /** Sets moon and stars of the program of the night. */
+    void heavens(Sky.Atmosphere sky, double days) {
+        if (days == daysShown) {
+            return;
+        }
+        daysShown = days;
+        Vec3[] axes = Heavens.celestialAxes(sky, days);
+        set(nightNumbers.towardsMoon, Heavens.towardsMoon(sky, days));
+        set(nightNumbers.equinox, axes[0]);
+        set(nightNumbers.east, axes[1]);
+        set(nightNumbers.pole, axes[2]);
+    }
+
+    /** Returns the radiance of the disc's middle. */
+    private static Vec3 disc(Vec3 outside, double sunSine, Air air, double heightMetres) {
+        double horizon = Math.sin(SkyTable.horizonRadians(heightMetres));
+        Vec3 dimmed = air.transmittance(heightMetres, Math.max(horizon + 1e-6, sunSine));
+        double steradians = Math.PI * Daylight.SUN_RADIUS_RADIANS * Daylight.SUN_RADIUS_RADIANS;
+        return new Vec3(
+                Math.min(MOST_RADIANCE, outside.x() * dimmed.x() / steradians),
+                Math.min(MOST_RADIANCE, outside.y() * dimmed.y() / steradians),
+                Math.min(MOST_RADIANCE, outside.z() * dimmed.z() / steradians));
+    }
+
+    void draw(RenderTarget target) {
+        drawing.draw(target, Depth.LESS_OR_EQUAL);
+    }
+
+    private static void set(Vector3 uniform, Vec3 v) {
+        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+    }
+}
