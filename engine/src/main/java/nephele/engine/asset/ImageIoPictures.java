@@ -25,7 +25,7 @@ final class ImageIoPictures {
 
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
         if (format == PictureFormat.TGA && !TgaRuns.fit(bytes)) {
-            throw new IOException("its runs do not fill its pixels");
+            throw new IOException("its content does not fill its pixels");
         }
         ImageReader reader = reader(format);
         try (ImageInputStream stream = new ByteArrayImageInputStream(padded(format, bytes))) {
