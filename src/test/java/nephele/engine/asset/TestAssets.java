@@ -28,6 +28,12 @@ public final class TestAssets implements AssetSource {
         return add(id, new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB), argbAt);
     }
 
+    /** Adds a file as it is. */
+    public TestAssets file(String id, byte[] content) {
+        files.put(id, content);
+        return this;
+    }
+
     /** Adds the file of that name below {@code assets/}. */
     public TestAssets committed(String id) {
         try {

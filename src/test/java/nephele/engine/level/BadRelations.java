@@ -154,6 +154,14 @@ final class BadRelations {
                     "environment.sky.files",
                     "needs 1 files",
                     "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"cross\", \"files\": []}}"),
+            level(
+                    "environment.sky.files",
+                    "needs 6 files, not 1; list them in the order rt, bk, lf, ft, up, dn",
+                    "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"quake2\", \"files\":"
+                            + " [\"sky/miramar\"]}}"),
+            skybox("opengl", "[5]", "here 4", "real", "real", "real", "real", "real", "large"),
+            skybox("quake2", "[1]", "is 8 x 4 pixels", "real", "wide", "real", "real", "real", "real"),
+            skybox("terragen", "[0]", "squares of one size", "wide", "wide", "wide", "wide", "wide", "wide"),
             skybox("faces", "[1]", "is 8 x 4 pixels", "real", "wide", "real", "real", "real", "real"),
             skybox("faces", "[0]", "squares of one size", "wide", "wide", "wide", "wide", "wide", "wide"),
             skybox("faces", "[5]", "here 4", "real", "real", "real", "real", "real", "large"),

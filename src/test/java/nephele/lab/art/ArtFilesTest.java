@@ -12,11 +12,14 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.lab.art.bench.BenchPixels;
 import nephele.lab.art.material.TextureRecipe;
 import nephele.lab.art.material.Textures;
 import nephele.lab.art.paint.Surface;
 import nephele.lab.art.picture.SignPainter;
+import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -58,6 +61,21 @@ class ArtFilesTest {
     @Test
     void committedCrossIsWhatThePainterPaints() throws IOException {
         assertSamePixels(SkyPainter.CROSS_FILE, new SkyPainter().cross());
+    }
+
+    @Test
+    void committedSkiesOfOtherLayoutsAreWhatThePainterPaints() throws IOException {
+        for (Map.Entry<String, BufferedImage> painted : SkyLayouts.all().entrySet()) {
+            String id = painted.getKey();
+            Picture read = PictureDecoder.decode(id, Files.readAllBytes(Path.of("assets", id)))
+                    .toRgba8();
+            for (int i = 0; i < read.width() * read.height(); i++) {
+                int x = i % read.width();
+                int y = i / read.width();
+                int rgb = read.sample(x, y, 0) << 16 | read.sample(x, y, 1) << 8 | read.sample(x, y, 2);
+                assertEquals(painted.getValue().getRGB(x, y) & 0xffffff, rgb, id + ": run gradle textures");
+            }
+        }
     }
 
     @Test

@@ -16,11 +16,14 @@ public final class ChoiceWord {
             word("face", "Along the face", "Ao longo da face", "Ao longo da face"),
             word("faces", "Six pictures", "Seis imagens", "Seis imagens"),
             word("filmic", "Filmic", "Fílmica", "Fílmica"),
+            word("opengl", "OpenGL cube", "Cubo do OpenGL", "Cubo do OpenGL"),
             word("particles", "Particles", "Partículas", "Partículas"),
             word("procedural", "Procedural noise", "Ruído procedural", "Ruído procedural"),
+            word("quake2", "Quake II", "Quake II", "Quake II"),
             word("rectangle", "Rectangle", "Retângulo", "Retângulo"),
             word("skybox", "Sky box", "Caixa de céu", "Caixa de céu"),
             word("skyplane", "Sky planes", "Planos de céu", "Planos de céu"),
+            word("terragen", "Terragen", "Terragen", "Terragen"),
             word("volume", "Volume", "Volume", "Volume"),
             word("world", "Along the world's axes", "Ao longo dos eixos do mundo", "Ao longo dos eixos do mundo"));
 

@@ -21,11 +21,16 @@ import javax.imageio.stream.ImageInputStream;
 
 /** Decodes pictures by {@code javax.imageio}, without a window toolkit. */
 final class ImageIoPictures {
+    /** Second bytes of markers (ITU-T T.81, table B.1). */
+    private static final int JPEG_START_OF_SCAN = 0xda;
+
+    private static final int JPEG_END_OF_IMAGE = 0xd9;
+
     private ImageIoPictures() {}
 
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
-        if (format == PictureFormat.TGA && !TgaRuns.fit(bytes)) {
-            throw new IOException("its runs do not fill its pixels");
+        if (!isWhole(format, bytes)) {
+            throw new IOException("its content does not fill its pixels");
         }
         ImageReader reader = reader(format);
         try (ImageInputStream stream = new ByteArrayImageInputStream(padded(format, bytes))) {
@@ -34,6 +39,25 @@ final class ImageIoPictures {
         } finally {
             reader.dispose();
         }
+    }
+
+    /** Returns false for files whose missing pixels the readers would make up. */
+    private static boolean isWhole(PictureFormat format, byte[] bytes) {
+        return switch (format) {
+            case TGA -> TgaRuns.fit(bytes);
+            case JPEG -> lastMarker(bytes, JPEG_END_OF_IMAGE) > lastMarker(bytes, JPEG_START_OF_SCAN);
+            case PNG, BMP -> true;
+        };
+    }
+
+    /** Returns the offset of the last marker of a kind, −1 without one; compressed pixels contain none. */
+    private static int lastMarker(byte[] bytes, int marker) {
+        for (int at = bytes.length - 2; at >= 0; at--) {
+            if ((bytes[at] & 0xff) == 0xff && (bytes[at + 1] & 0xff) == marker) {
+                return at;
+            }
+        }
+        return -1;
     }
 
     /** Pads a TGA file, because the reader reads a footer of 26 bytes without a check of the length. */

@@ -3,7 +3,7 @@ package nephele.engine.asset;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** The packets of a run-length encoded TGA file (Truevision TGA 2.0, "Run-length encoded images"). */
+/** The length of the pixels in a TGA file, plain or in packets (Truevision TGA 2.0, "Run-length encoded images"). */
 final class TgaRuns {
     private static final int HEADER_BYTES = 18;
     private static final int FIRST_ENCODED_TYPE = 9;
@@ -11,18 +11,15 @@ final class TgaRuns {
 
     private TgaRuns() {}
 
-    /**
-     * Returns true if the packets hold exactly the pixels of the header's size, or if the file is not run-length
-     * encoded.
-     */
+    /** Returns true if the file holds the pixels of its size: plain ones at least, packets exactly. */
     static boolean fit(byte[] bytes) {
         ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-        if (bytes[2] < FIRST_ENCODED_TYPE || bytes[2] > LAST_ENCODED_TYPE) {
-            return true;
-        }
         long left = (long) (header.getShort(12) & 0xffff) * (header.getShort(14) & 0xffff);
         int pixelBytes = bytesOf(bytes[16]);
         long at = begin(bytes);
+        if (bytes[2] < FIRST_ENCODED_TYPE || bytes[2] > LAST_ENCODED_TYPE) {
+            return at + pixelBytes * left <= bytes.length;
+        }
         while (left > 0 && at < bytes.length) {
             int packet = bytes[(int) at];
             int pixels = (packet & 0x7f) + 1;

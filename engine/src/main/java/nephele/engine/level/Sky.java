@@ -18,7 +18,10 @@ public sealed interface Sky {
     /**
      * {@code "kind": "skybox"}.
      *
-     * @param files asset ids: six in the order +x, −x, +y, −y, +z, −z for {@link SkyboxLayout#FACES}, one for CROSS
+     * @param layout the order and orientation of the files, described in docs/skyboxes.md
+     * @param files asset ids: one for {@link SkyboxLayout#CROSS}; else six of one square size in the layout's order,
+     *     +x, −x, +y, −y, +z, −z for FACES and OPENGL, rt, bk, lf, ft, up, dn for QUAKE2, and front, right, back, left,
+     *     up, down for TERRAGEN
      */
     record Skybox(
             @Written(absent = "\"faces\"") SkyboxLayout layout,

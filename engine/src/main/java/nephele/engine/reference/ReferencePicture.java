@@ -16,7 +16,7 @@ import org.joml.Vector3d;
 /** Traces a picture, row by row on several threads; the result does not depend on their number. */
 public final class ReferencePicture {
     /** Raise it whenever a picture of any level changes: traced pictures are stored under it. */
-    public static final int VERSION = 1;
+    public static final int VERSION = 2;
 
     private static final Point MIDDLE = new Point(0.5, 0.5);
 

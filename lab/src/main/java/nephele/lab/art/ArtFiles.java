@@ -22,6 +22,7 @@ import nephele.lab.art.paint.Surface;
 import nephele.lab.art.picture.PictureRecipe;
 import nephele.lab.art.picture.ScenePictures;
 import nephele.lab.art.picture.SignPainter;
+import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
 
 /** Regenerates the pictures and meshes below {@code assets/} and the benchmark levels: {@code gradle textures}. */
@@ -51,6 +52,9 @@ public final class ArtFiles {
             write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
         write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
+        for (Map.Entry<String, BufferedImage> picture : SkyLayouts.all().entrySet()) {
+            write(assets.resolve(picture.getKey()), picture.getValue());
+        }
         write(assets.resolve(SignPainter.FILE), SignPainter.paint());
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
             Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
@@ -67,8 +71,20 @@ public final class ArtFiles {
         return pictures;
     }
 
+    /** Writes a picture in the format of the file's extension: PNG, BMP or TGA. */
     private static void write(Path file, BufferedImage picture) throws IOException {
         Files.createDirectories(file.getParent());
+        String name = file.getFileName().toString();
+        if (name.endsWith(".tga")) {
+            Files.write(file, TgaFile.written(picture));
+        } else if (name.endsWith(".bmp")) {
+            ImageIO.write(picture, "bmp", file.toFile());
+        } else {
+            writePng(file, picture);
+        }
+    }
+
+    private static void writePng(Path file, BufferedImage picture) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         ImageWriteParam smallest = writer.getDefaultWriteParam();
         smallest.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);

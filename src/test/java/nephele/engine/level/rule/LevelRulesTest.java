@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,6 +19,8 @@ import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
 import nephele.engine.named.LevelCatalogue;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The rules accept what they should; {@link nephele.engine.level.BadRelations} has what they refuse. */
 class LevelRulesTest {
@@ -73,6 +76,33 @@ class LevelRulesTest {
         assertEquals(
                 List.of("f: environment.clouds: warning: is not drawn by this version yet"),
                 problems.stream().map(problem -> problem.line("f")).toList());
+    }
+
+    /** Names with the layout's suffixes in another order are the likeliest mistake that shows no other error. */
+    @ParameterizedTest
+    @CsvSource({
+        "quake2, rt bk lf ft up dn, ''",
+        "quake2, ft rt bk lf up dn, 'the files'' names end in ft, rt, bk, lf, up, dn; layout quake2 reads them as rt,'",
+        "terragen, left front right back up down, layout terragen reads them as front,",
+        "faces, pz nz px nx py ny, layout faces reads them as px,",
+        "quake2, a b c d e f, ''",
+        "opengl, 1 2 3 4 5 6, ''"
+    })
+    void namesThatTellAnotherOrderAreDoubted(String layout, String ends, String words) {
+        String files = Arrays.stream(ends.split(" "))
+                .map(end -> "\"sky/bay_" + end + ".tga\"")
+                .collect(Collectors.joining(", "));
+        List<Problem> problems = structure("\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"" + layout
+                + "\", \"files\": [" + files + "]}}");
+        List<String> said = problems.stream()
+                .filter(problem -> problem.path().equals("environment.sky.files"))
+                .map(problem -> problem.line("f"))
+                .toList();
+        assertEquals(words.isEmpty() ? 0 : 1, said.size(), said.toString());
+        assertTrue(
+                words.isEmpty()
+                        || said.get(0).contains(": warning: ") && said.get(0).contains(words),
+                said + "");
     }
 
     @Test

@@ -1,26 +1,17 @@
 package nephele.engine.level.appearance;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Sky;
-import nephele.engine.level.SkyboxLayout;
 import org.joml.Vector3d;
 
 /**
  * Six pictures around a point in the order +x −x +y −y +z −z, each as seen from the centre: sides with world up
- * upwards, +y with its bottom edge and −y with its top edge at −z. A cross has −x −z +x +z in the middle row of four
- * columns and three rows, +y above −z, −y below it.
+ * upwards, +y with its bottom edge and −y with its top edge at −z.
  */
 final class SkyboxFaces {
-    private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
-
-    private final List<Face> faces;
+    private final SkyboxPictures faces;
     private final double[] linear;
-
-    /** A square part of an 8-bit picture, in pixels. */
-    private record Face(Picture picture, int left, int top, int side) {}
 
     /** A point of the cube: a face, and coordinates on it, −1 to 1. */
     private record Place(int face, double right, double up) {
@@ -50,40 +41,19 @@ final class SkyboxFaces {
         }
     }
 
-    private SkyboxFaces(List<Face> faces, ColourDecoding decoding) {
+    private SkyboxFaces(SkyboxPictures faces, ColourDecoding decoding) {
         this.faces = faces;
         linear = decoding.table();
     }
 
     static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
-        int wanted = sky.layout() == SkyboxLayout.FACES ? CROSS_CELLS.length : 1;
-        if (sky.files().size() != wanted) {
-            throw new IllegalArgumentException("a skybox of this layout has " + wanted + " files, not "
-                    + sky.files().size());
-        }
-        if (sky.layout() == SkyboxLayout.FACES) {
-            List<Face> faces = new ArrayList<>();
-            for (String file : sky.files()) {
-                Picture picture = pictureOf.apply(file).toRgba8();
-                int side = faces.isEmpty() ? picture.width() : faces.get(0).side();
-                SkyboxSizes.requireFace(file, picture.width(), picture.height(), side);
-                faces.add(new Face(picture, 0, 0, side));
-            }
-            return new SkyboxFaces(faces, decoding);
-        }
-        String file = sky.files().get(0);
-        Picture cross = pictureOf.apply(file).toRgba8();
-        int side = SkyboxSizes.crossSide(file, cross.width(), cross.height());
-        List<Face> faces = List.of(CROSS_CELLS).stream()
-                .map(cell -> new Face(cross, cell[0] * side, cell[1] * side, side))
-                .toList();
-        return new SkyboxFaces(faces, decoding);
+        return new SkyboxFaces(SkyboxPictures.of(sky, pictureOf), decoding);
     }
 
     /** Returns the linear radiance interpolated between the four nearest pixels, also across the cube's edges. */
     Vector3d radiance(double x, double y, double z) {
         Place at = Place.of(x, y, z);
-        int side = faces.get(at.face()).side();
+        int side = faces.side();
         double column = (at.right() + 1) / 2 * side - 0.5;
         double row = (1 - at.up()) / 2 * side - 0.5;
         int left = (int) Math.floor(column);
@@ -98,22 +68,33 @@ final class SkyboxFaces {
         return sum;
     }
 
+    /** A pixel beyond one edge is the adjacent face's; beyond a corner there is none, and the three around it count. */
     private void addPixel(Vector3d sum, int face, int column, int row, double weight) {
-        int side = faces.get(face).side();
-        boolean isOn = column >= 0 && column < side && row >= 0 && row < side;
+        int onColumn = clamped(column);
+        int onRow = clamped(row);
+        if (column != onColumn && row != onRow) {
+            addPixel(sum, face, onColumn, onRow, weight / 3);
+            addPixel(sum, face, column, onRow, weight / 3);
+            addPixel(sum, face, onColumn, row, weight / 3);
+            return;
+        }
+        int side = faces.side();
         Place middle = new Place(face, (2.0 * column + 1) / side - 1, 1 - (2.0 * row + 1) / side);
-        Place place = isOn ? middle : middle.folded();
-        Face on = faces.get(place.face());
-        Picture picture = on.picture();
-        int x = on.left() + index(place.right(), on.side());
-        int y = on.top() + index(-place.up(), on.side());
+        Place place = column == onColumn && row == onRow ? middle : middle.folded();
+        Picture picture = faces.pictures().get(place.face());
+        int x = index(place.right());
+        int y = index(-place.up());
         sum.add(
                 weight * linear[picture.sample(x, y, 0)],
                 weight * linear[picture.sample(x, y, 1)],
                 weight * linear[picture.sample(x, y, 2)]);
     }
 
-    private static int index(double s, int size) {
-        return Math.min(Math.max((int) ((s + 1) / 2 * size), 0), size - 1);
+    private int index(double s) {
+        return clamped((int) ((s + 1) / 2 * faces.side()));
+    }
+
+    private int clamped(int pixel) {
+        return Math.min(Math.max(pixel, 0), faces.side() - 1);
     }
 }

@@ -63,7 +63,7 @@ final class AssetRules {
                 Verdict size = picture(path + "[" + i + "]", file);
                 first = first == null ? size : first;
                 if (size != null) {
-                    size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.FACES ? first : null);
+                    size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.CROSS ? null : first);
                 }
             }
         }

@@ -5,22 +5,13 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
-import nephele.engine.level.SkyboxLayout;
-import nephele.engine.level.json.WordFormats;
 
 /** Rules for skies that cannot be shown. */
 final class EnvironmentRules {
-    /** A skybox names as many files as its layout needs. */
+    /** A skybox names as many files as its layout needs, in its order. */
     static final LevelRule SKY_FILES = (level, assets, report) -> {
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
-            int wanted = skybox.layout() == SkyboxLayout.FACES ? 6 : 1;
-            if (skybox.files().size() != wanted) {
-                String layout = WordFormats.Choice.word(skybox.layout());
-                report.accept(Problem.error(
-                        "environment.sky.files",
-                        "layout " + layout + " needs " + wanted + " files, not "
-                                + skybox.files().size()));
-            }
+            SkyboxOrder.objection(skybox).ifPresent(report);
         }
     };
 

@@ -2,6 +2,7 @@ package nephele.lab.art.picture;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
+import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.math.Vec3;
 import nephele.lab.art.paint.PaintColour;
 import nephele.lab.art.paint.Pixels;
@@ -58,6 +59,21 @@ public final class SkyPainter {
             int face = faces[row / side][column / side];
             return face < 0 ? 0 : rgb(face, column % side, row % side, side);
         });
+    }
+
+    /** Returns one square of any layout. */
+    BufferedImage square(SkyboxSquare square, int side) {
+        return Pixels.picture(side, side, (column, row) -> {
+            double right = 2 * (column + 0.5) / side - 1;
+            double down = 2 * (row + 0.5) / side - 1;
+            Vector3d direction =
+                    axis(square.outward()).fma(right, axis(square.right())).fma(down, axis(square.down()));
+            return colour(direction.normalize()).rgb();
+        });
+    }
+
+    private static Vector3d axis(SkyboxSquare.Axis axis) {
+        return new Vector3d(axis.component(0), axis.component(1), axis.component(2));
     }
 
     private int rgb(int face, int column, int row, int side) {

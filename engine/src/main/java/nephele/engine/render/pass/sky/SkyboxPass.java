@@ -7,6 +7,7 @@ import java.util.List;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -51,7 +52,7 @@ public final class SkyboxPass implements Pass {
     /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxLayers pictures = SkyboxLayers.of(sky, context.shared()::picture);
+            SkyboxPictures pictures = SkyboxPictures.of(sky, context.shared()::picture);
             return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
         }
 

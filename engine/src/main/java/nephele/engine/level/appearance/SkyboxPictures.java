@@ -1,0 +1,102 @@
+package nephele.engine.level.appearance;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import nephele.engine.asset.Picture;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+
+/**
+ * The six squares of a skybox as 8-bit RGBA in the order and orientation of {@link SkyboxLayout#FACES}, whatever the
+ * layout of the files is.
+ *
+ * @param side pixels along each edge
+ */
+public record SkyboxPictures(int side, List<Picture> pictures) {
+    /** Column and row of +x −x +y −y +z −z in a cross. */
+    private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
+
+    private static final int BYTES = 4;
+
+    /**
+     * Reads the files of a sky.
+     *
+     * @param pictureOf decodes an asset
+     * @throws IllegalArgumentException for a number of files that its layout does not have, which a level that no rule
+     *     has checked can name
+     */
+    public static SkyboxPictures of(Sky.Skybox sky, Function<String, Picture> pictureOf) {
+        int wanted = SkyboxSquare.files(sky.layout());
+        if (sky.files().size() != wanted) {
+            throw new IllegalArgumentException("a skybox of this layout has " + wanted + " files, not "
+                    + sky.files().size());
+        }
+        List<Picture> read = sky.layout() == SkyboxLayout.CROSS
+                ? cells(sky.files().get(0), pictureOf)
+                : squares(sky.files(), pictureOf);
+        List<SkyboxSquare> said = SkyboxSquare.of(sky.layout());
+        List<Picture> pictures = SkyboxSquare.of(SkyboxLayout.FACES).stream()
+                .map(face -> turned(read, said, face))
+                .toList();
+        return new SkyboxPictures(read.get(0).width(), pictures);
+    }
+
+    private static List<Picture> squares(List<String> files, Function<String, Picture> pictureOf) {
+        List<Picture> pictures = new ArrayList<>();
+        for (String file : files) {
+            Picture picture = pictureOf.apply(file).toRgba8();
+            int side = pictures.isEmpty() ? picture.width() : pictures.get(0).width();
+            SkyboxSizes.requireFace(file, picture.width(), picture.height(), side);
+            pictures.add(picture);
+        }
+        return pictures;
+    }
+
+    private static List<Picture> cells(String file, Function<String, Picture> pictureOf) {
+        Picture whole = pictureOf.apply(file).toRgba8();
+        int side = SkyboxSizes.crossSide(file, whole.width(), whole.height());
+        List<Picture> pictures = new ArrayList<>();
+        for (int[] cell : CROSS_CELLS) {
+            pictures.add(cut(whole, cell[0] * side, cell[1] * side, side));
+        }
+        return pictures;
+    }
+
+    private static Picture cut(Picture whole, int left, int top, int side) {
+        byte[] samples = new byte[BYTES * side * side];
+        for (int y = 0; y < side; y++) {
+            int from = BYTES * ((top + y) * whole.width() + left);
+            System.arraycopy(whole.samples(), from, samples, BYTES * y * side, BYTES * side);
+        }
+        return new Picture(side, side, BYTES, 8, samples);
+    }
+
+    /** Returns the picture on the side of {@code face}, rotated or mirrored to its axes. */
+    private static Picture turned(List<Picture> read, List<SkyboxSquare> said, SkyboxSquare face) {
+        int from = 0;
+        while (!said.get(from).outward().equals(face.outward())) {
+            from++;
+        }
+        SkyboxSquare as = said.get(from);
+        Picture picture = read.get(from);
+        boolean isTurned = !as.right().equals(face.right()) || !as.down().equals(face.down());
+        return isTurned ? turned(picture, as, face) : picture;
+    }
+
+    private static Picture turned(Picture picture, SkyboxSquare as, SkyboxSquare face) {
+        int side = picture.width();
+        int step = BYTES * (as.right().dot(face.right()) + as.down().dot(face.right()) * side);
+        int rowStep = BYTES * (as.right().dot(face.down()) + as.down().dot(face.down()) * side);
+        int first = (step < 0 ? -step * (side - 1) : 0) + (rowStep < 0 ? -rowStep * (side - 1) : 0);
+        byte[] samples = new byte[picture.samples().length];
+        int to = 0;
+        for (int y = 0; y < side; y++) {
+            int from = first + y * rowStep;
+            for (int x = 0; x < side; x++, from += step, to += BYTES) {
+                System.arraycopy(picture.samples(), from, samples, to, BYTES);
+            }
+        }
+        return new Picture(side, side, BYTES, 8, samples);
+    }
+}
