@@ -11,7 +11,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandLineFrontTest {
     static Stream<String> commandNames() {
@@ -32,18 +31,6 @@ class CommandLineFrontTest {
     @MethodSource("commandNames")
     void theOverviewListsEveryCommand(String name) {
         assertTrue(Captured.run("--help").out().contains("\n  " + name + " "));
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"bake"})
-    void whatIsNotBuiltSaysSo(String name) {
-        var answer = Captured.run(name, "anything", "--at-all");
-        assertEquals(3, answer.exitCode());
-        assertTrue(answer.err().contains("not built yet"), answer.err());
-        assertTrue(Captured.run("--help")
-                .out()
-                .lines()
-                .anyMatch(line -> line.startsWith("  " + name + " ") && line.endsWith("(not built yet)")));
     }
 
     @Test

@@ -20,7 +20,9 @@ class SkyVisibilityBakerTest {
                 var name = SkyVisibilityBaker.fileNameFor(level);
                 assertTrue(
                         name.isEmpty() || Files.exists(Path.of(folder, "baked", name.get())),
-                        level + " has changed since its light was baked; run: gradle bakeLevels, and commit levels/");
+                        level
+                                + " has changed since its light was baked; run: ./nephele bake LEVEL --light, and"
+                                + " commit levels/");
             }
         }
     }

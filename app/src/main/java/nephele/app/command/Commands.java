@@ -24,8 +24,8 @@ public final class Commands {
                     "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", () -> new TradeCommand()),
             new CommandEntry(
                     "bake",
-                    "Bake the sky into a skybox, and whatever a level caches: bake LEVEL (not built yet)",
-                    () -> new UnimplementedCommand()),
+                    "Bake a level's sky into a skybox, or its light: bake LEVEL --sky NAME | --light",
+                    () -> new BakeCommand()),
             new CommandEntry(
                     "generate", "Make a primitive mesh: generate SHAPE NUMBER... OUT.3d", () -> new GenerateCommand()),
             new CommandEntry(

@@ -1,0 +1,138 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.level.json.LevelFile;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class BakeCommandTest {
+    private static final String GRADIENT =
+            "{\"kind\": \"gradient\", \"zenith\": [0.1, 0.2, 0.9], \"horizon\": [0.7, 0.6, 0.5], \"ground\": [0.2,"
+                    + " 0.1, 0]}";
+
+    @TempDir
+    Path folder;
+
+    private Path level(String sky) throws IOException {
+        return Files.writeString(
+                folder.resolve("level.json"),
+                "{\"format\": \"nephele-level\", \"version\": 1, \"environment\": {" + sky + "}, \"solids\": ["
+                        + "{\"kind\": \"box\", \"id\": \"floor\", \"centre\": [0, 0, 0], \"size\": [2, 1, 2]}]}");
+    }
+
+    private static SkyRadiance sky(Path file) {
+        Level level = LevelFile.read(file);
+        LevelAssets assets = LevelAssets.beside(file);
+        return SkyRadiance.of(
+                        level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), ColourDecoding.SRGB)
+                .orElseThrow();
+    }
+
+    private List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    @Test
+    void theBakedSkyIsTheSkyOfTheLevelInEveryDirection() throws IOException {
+        Path from = level("\"sky\": " + GRADIENT);
+        Captured answer = Captured.run("bake", from.toString(), "--sky", "even", "--face-size", "64");
+        assertEquals(0, answer.exitCode(), answer.err());
+        Path to = folder.resolve("even.json");
+        assertTrue(LevelFile.read(to).environment().sky() instanceof Sky.Skybox);
+        assertEquals(LevelFile.read(from).solids(), LevelFile.read(to).solids());
+        for (int i = 0; i < 200; i++) {
+            double y = 1 - (i + 0.5) / 100;
+            double r = Math.sqrt(1 - y * y);
+            double x = r * Math.cos(2.4 * i);
+            double z = r * Math.sin(2.4 * i);
+            Vector3d expected = sky(from).from(x, y, z);
+            Vector3d found = sky(to).from(x, y, z);
+            assertEquals(0, expected.sub(found).length(), 0.02, "towards " + x + " " + y + " " + z);
+        }
+    }
+
+    @Test
+    void anAtmosphereIsBakedWithTheSunThatItsAirLeaves() throws IOException {
+        Path from = level("\"sky\": {\"kind\": \"atmosphere\", \"timeOfDayHours\": 6}");
+        assertEquals(
+                0,
+                Captured.run("bake", from.toString(), "--sky", "six", "--face-size", "8", "--spp", "1")
+                        .exitCode());
+        Level baked = LevelFile.read(folder.resolve("six.json"));
+        assertTrue(baked.environment().sun().irradiance().x() < 4, "dimmed");
+        assertTrue(
+                baked.environment().sun().irradiance().z()
+                        < baked.environment().sun().irradiance().x(),
+                "and warm");
+        assertNull(LevelFile.read(from).environment().sun(), "the level itself is as it was");
+    }
+
+    @Test
+    void itSaysWhatEightBitsClip() throws IOException {
+        Path from = level("\"sky\": {\"kind\": \"constant\", \"radiance\": [3, 0, 0]}");
+        Captured answer = Captured.run("bake", from.toString(), "--sky", "red", "--face-size", "2");
+        assertTrue(answer.out().contains("clip 100.00 %") && answer.out().contains("has 3.00)"), answer.out());
+        Captured dark = Captured.run(
+                "bake",
+                level("\"sky\": {\"kind\": \"constant\", \"radiance\": [1e-5, 0, 0]}")
+                        .toString(),
+                "--sky",
+                "dark",
+                "--face-size",
+                "2");
+        assertTrue(dark.out().contains("100.00 % are darker"), dark.out());
+    }
+
+    @Test
+    void whatCannotBeBakedIsRefusedAndNothingIsWritten() throws IOException {
+        Path bright = level("\"sky\": " + GRADIENT);
+        byte[] before = Files.readAllBytes(bright);
+        String[][] refused = {
+            {"bake", bright.toString()},
+            {"bake", bright.toString(), "--sky", "../up"},
+            {"bake", bright.toString(), "--sky", "level"},
+            {"bake", bright.toString(), "--sky", "a", "--face-size", "0"},
+            {"bake", bright.toString(), "--sky", "a", "--spp", "0"},
+        };
+        for (String[] words : refused) {
+            assertEquals(2, Captured.run(words).exitCode(), List.of(words).toString());
+        }
+        assertArrayEquals(before, Files.readAllBytes(bright));
+        Captured black = Captured.run("bake", level("\"exposureStops\": 0").toString(), "--sky", "a");
+        assertTrue(black.exitCode() != 0 && black.err().contains("environment.sky"), black.err());
+        assertEquals(List.of("level.json"), names());
+    }
+
+    @Test
+    void lightIsBakedOnceAndWhatNoLevelNeedsIsDeleted() throws IOException {
+        Path lit = level("\"sky\": " + GRADIENT);
+        Path stale = Files.write(
+                Files.createDirectories(folder.resolve("baked")).resolve("sky-visibility-0.bin"), new byte[3]);
+        Captured first = Captured.run("bake", lit.toString(), "--light");
+        assertEquals(0, first.exitCode(), first.err());
+        assertFalse(Files.exists(stale), first.out());
+        try (Stream<Path> baked = Files.list(folder.resolve("baked"))) {
+            assertEquals(1, baked.count());
+        }
+        assertTrue(Captured.run("bake", lit.toString(), "--light").out().contains("baked already"));
+    }
+}
