@@ -6,8 +6,8 @@ package nephele.engine.atmosphere;
  * to the top of the air. In both the depth is nearly linear.
  */
 final class SunTransmittance {
-    private static final int DIRECTIONS = 384;
-    private static final int HEIGHTS = 96;
+    private static final int DIRECTIONS = 256;
+    private static final int HEIGHTS = 64;
     private static final double PLANET = Air.PLANET_RADIUS_METRES;
     private static final double TOP = Air.TOP_RADIUS_METRES;
     private static final double HORIZON_OF_TOP = Math.sqrt((TOP - PLANET) * (TOP + PLANET));
@@ -15,7 +15,7 @@ final class SunTransmittance {
     private final double[] depths = new double[DIRECTIONS * HEIGHTS * Air.CHANNELS];
 
     SunTransmittance(Air air) {
-        AirIntegral integral = new AirIntegral(air, AirIntegral.FINE);
+        AirIntegral integral = new AirIntegral(air, AirIntegral.COARSE);
         AirRay ray = new AirRay();
         double[] depth = new double[Air.CHANNELS];
         for (int j = 0; j < HEIGHTS; j++) {
