@@ -42,13 +42,7 @@ public final class GridField implements ExtinctionField {
 
     @Override
     public double perMetre(double x, double y, double z) {
-        boolean inside = x >= bounds.minX()
-                && x <= bounds.maxX()
-                && y >= bounds.minY()
-                && y <= bounds.maxY()
-                && z >= bounds.minZ()
-                && z <= bounds.maxZ();
-        return inside ? extinctionPerMetre * interpolated(alongX.at(x), alongY.at(y), alongZ.at(z)) : 0;
+        return bounds.contains(x, y, z) ? extinctionPerMetre * interpolated(alongX.at(x), alongY.at(y), alongZ.at(z)) : 0;
     }
 
     private double interpolated(double u, double v, double w) {

@@ -49,13 +49,7 @@ public final class NoiseField implements ExtinctionField {
 
     @Override
     public double perMetre(double x, double y, double z) {
-        boolean inside = x >= bounds.minX()
-                && x <= bounds.maxX()
-                && y >= bounds.minY()
-                && y <= bounds.maxY()
-                && z >= bounds.minZ()
-                && z <= bounds.maxZ();
-        if (!inside) {
+        if (!bounds.contains(x, y, z)) {
             return 0;
         }
         double sum = 0;

@@ -33,12 +33,7 @@ public final class PuffsField implements ExtinctionField {
 
     @Override
     public double perMetre(double x, double y, double z) {
-        if (!(x >= bounds.minX()
-                && x <= bounds.maxX()
-                && y >= bounds.minY()
-                && y <= bounds.maxY()
-                && z >= bounds.minZ()
-                && z <= bounds.maxZ())) {
+        if (!bounds.contains(x, y, z)) {
             return 0;
         }
         double sum = 0;

@@ -13,13 +13,7 @@ import nephele.engine.math.Ray;
 public record UniformField(Aabb bounds, double extinctionPerMetre) implements ExtinctionField {
     @Override
     public double perMetre(double x, double y, double z) {
-        boolean inside = x >= bounds.minX()
-                && x <= bounds.maxX()
-                && y >= bounds.minY()
-                && y <= bounds.maxY()
-                && z >= bounds.minZ()
-                && z <= bounds.maxZ();
-        return inside ? extinctionPerMetre : 0;
+        return bounds.contains(x, y, z) ? extinctionPerMetre : 0;
     }
 
     @Override
