@@ -21,23 +21,27 @@ class CloudFieldsTest {
     private static final Cloud.Extent LAYER = new Cloud.Extent.Layer(100, 50);
 
     private static ExtinctionField field(Cloud.Extent extent, Cloud.Density density, byte[] file) {
-        return CloudFields.of(
-                new Cloud("c", extent, CloudTechnique.AUTO, density, 0.1, 1, 0), new AssetSource() {
-                    @Override
-                    public byte[] bytes(String assetId) {
-                        return file;
-                    }
+        return CloudFields.of(new Cloud("c", extent, CloudTechnique.AUTO, density, 0.1, 1, 0), new AssetSource() {
+            @Override
+            public byte[] bytes(String assetId) {
+                return file;
+            }
 
-                    @Override
-                    public boolean exists(String assetId) {
-                        return true;
-                    }
-                });
+            @Override
+            public boolean exists(String assetId) {
+                return true;
+            }
+        });
     }
 
     private static byte[] vol(float... values) {
         ByteBuffer file = ByteBuffer.allocate(48 + 4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
-        file.put(new byte[] {'V', 'O', 'L', 3}).putInt(1).putInt(values.length).putInt(1).putInt(1).putInt(1);
+        file.put(new byte[] {'V', 'O', 'L', 3})
+                .putInt(1)
+                .putInt(values.length)
+                .putInt(1)
+                .putInt(1)
+                .putInt(1);
         file.putFloat(0).putFloat(0).putFloat(0).putFloat(4).putFloat(5).putFloat(6);
         for (float value : values) {
             file.putFloat(value);

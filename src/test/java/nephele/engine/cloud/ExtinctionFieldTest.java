@@ -26,8 +26,7 @@ class ExtinctionFieldTest {
                 while (walk.next()) {
                     assertTrue(walk.fromMetres() >= at - 1e-9 && walk.toMetres() > walk.fromMetres(), name);
                     requireAtMost(0, field, ray, at, walk.fromMetres(), random, name);
-                    requireAtMost(
-                            walk.perMetre(), field, ray, walk.fromMetres(), walk.toMetres(), random, name);
+                    requireAtMost(walk.perMetre(), field, ray, walk.fromMetres(), walk.toMetres(), random, name);
                     at = walk.toMetres();
                 }
                 requireAtMost(0, field, ray, at, from + 200, random, name);
@@ -36,7 +35,13 @@ class ExtinctionFieldTest {
     }
 
     private static void requireAtMost(
-            double bound, ExtinctionField field, Ray ray, double from, double to, SplittableRandom random, String name) {
+            double bound,
+            ExtinctionField field,
+            Ray ray,
+            double from,
+            double to,
+            SplittableRandom random,
+            String name) {
         for (int n = 0; n < 20 && to - from > 1e-6; n++) {
             double at = from + (to - from) * random.nextDouble(1e-6, 1 - 1e-6);
             Vec3 p = ray.at(at);

@@ -119,12 +119,16 @@ class PhaseFunctionTest {
                 for (int n = 0; n < 4000; n++) {
                     Vec3 turned = Deflection.of(axis, separation, random);
                     assertEquals(1, turned.length(), 1e-14);
-                    assertEquals(separation, Deflection.separation(axis, turned), 1e-14 + 1e-7 * Math.sqrt(separation) * 1e-3);
+                    assertEquals(
+                            separation,
+                            Deflection.separation(axis, turned),
+                            1e-14 + 1e-7 * Math.sqrt(separation) * 1e-3);
                     sum = sum.plus(turned);
                 }
                 Vec3 mean = sum.scaled(1.0 / 4000);
                 double sine = Math.sqrt(separation * (1 - separation / 4));
-                assertEquals(0, mean.minus(axis.scaled(1 - separation / 2)).length(), 1e-9 + 5 * sine / Math.sqrt(4000));
+                assertEquals(
+                        0, mean.minus(axis.scaled(1 - separation / 2)).length(), 1e-9 + 5 * sine / Math.sqrt(4000));
             }
         }
     }

@@ -61,7 +61,9 @@ final class SampleFields {
         Vec3 from = point(random, random.nextBoolean() ? 100 : 20);
         Vec3 to = point(random, 15);
         Vec3 axis = new Vec3(0, random.nextBoolean() ? 1 : -1, 0);
-        Vec3 d = random.nextInt(4) == 0 ? axis : to.minus(from).scaled(1 / to.minus(from).length());
+        Vec3 d = random.nextInt(4) == 0
+                ? axis
+                : to.minus(from).scaled(1 / to.minus(from).length());
         return Ray.of(from, d);
     }
 }

@@ -51,8 +51,7 @@ public final class CloudMedia {
         double transmittance = 1;
         for (CloudMedium medium : media) {
             if (transmittance > 0) {
-                transmittance *=
-                        RatioTracking.transmittance(medium.field(), ray, fromMetres, toMetres, random);
+                transmittance *= RatioTracking.transmittance(medium.field(), ray, fromMetres, toMetres, random);
             }
         }
         return transmittance;

@@ -27,8 +27,7 @@ public record EllipsoidField(Aabb bounds, double extinctionPerMetre) implements 
     @Override
     public OptionalDouble closedDepth(Ray ray, double fromMetres, double toMetres) {
         RaySpan chord = chord(ray, fromMetres, toMetres);
-        return OptionalDouble.of(
-                chord.isEmpty() ? 0 : extinctionPerMetre * (chord.toMetres() - chord.fromMetres()));
+        return OptionalDouble.of(chord.isEmpty() ? 0 : extinctionPerMetre * (chord.toMetres() - chord.fromMetres()));
     }
 
     /** Returns the position on an axis scaled so that the ellipsoid reaches from −1 to 1. */

@@ -42,7 +42,9 @@ public final class GridField implements ExtinctionField {
 
     @Override
     public double perMetre(double x, double y, double z) {
-        return bounds.contains(x, y, z) ? extinctionPerMetre * interpolated(alongX.at(x), alongY.at(y), alongZ.at(z)) : 0;
+        return bounds.contains(x, y, z)
+                ? extinctionPerMetre * interpolated(alongX.at(x), alongY.at(y), alongZ.at(z))
+                : 0;
     }
 
     private double interpolated(double u, double v, double w) {

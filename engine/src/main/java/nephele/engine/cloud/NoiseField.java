@@ -40,8 +40,7 @@ public final class NoiseField implements ExtinctionField {
             octaves[octave] = new SeededNoise((int) Hash64.combine(seed, octave));
         }
         double shortest = Math.min(
-                bounds.maxY() - bounds.minY(),
-                Math.min(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ()));
+                bounds.maxY() - bounds.minY(), Math.min(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ()));
         bounded = shortest / featureMetres <= MOST_CELLS;
         double cell = bounded ? featureMetres : shortest / MOST_CELLS;
         lattice = new CellLattice(0, 0, 0, cell, cell, cell);

@@ -6,7 +6,9 @@ import nephele.engine.math.Ray;
 /** Optical depth, the integral of the extinction along a ray: transmittance is its negative exponential. */
 public final class OpticalDepth {
     /** Abscissae and weights of five-point Gauss-Legendre quadrature on −1 to 1. */
-    private static final double[] NODES = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
+    private static final double[] NODES = {
+        -0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640
+    };
 
     private static final double[] WEIGHTS = {
         0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891

@@ -41,7 +41,8 @@ record SlabRow(
     }
 
     private static SlabRow parsed(String line) {
-        double[] n = Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray();
+        double[] n =
+                Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray();
         return new SlabRow(n[0], n[1], n[2], n[3], n[4], n[5], n[7], n[8]);
     }
 }

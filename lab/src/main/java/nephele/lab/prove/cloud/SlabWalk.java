@@ -51,8 +51,7 @@ final class SlabWalk {
                 downSquared += left * left;
             }
         }
-        return new Fluxes(
-                up / paths, error(up, upSquared, paths), down / paths, error(down, downSquared, paths));
+        return new Fluxes(up / paths, error(up, upSquared, paths), down / paths, error(down, downSquared, paths));
     }
 
     private static double error(double sum, double squared, long paths) {
@@ -67,8 +66,7 @@ final class SlabWalk {
         double weight = 1;
         while (true) {
             ray.aim(at.x(), at.y(), at.z(), direction.x(), direction.y(), direction.z());
-            double metres =
-                    DeltaTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
+            double metres = DeltaTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
             if (metres == Double.POSITIVE_INFINITY) {
                 return direction.y() > 0 ? weight : -weight;
             }
