@@ -55,6 +55,11 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return new Aabb(minX - metres, minY - metres, minZ - metres, maxX + metres, maxY + metres, maxZ + metres);
     }
 
+    /** Returns true if the point is in the box or on a face; false for NaN. */
+    public boolean contains(double x, double y, double z) {
+        return x >= minX && x <= maxX && y >= minY && y <= maxY && z >= minZ && z <= maxZ;
+    }
+
     /** Returns true if the boxes overlap or touch; false if one is empty. */
     public boolean overlaps(Aabb b) {
         return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;

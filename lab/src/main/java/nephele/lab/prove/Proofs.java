@@ -6,6 +6,8 @@ import nephele.lab.prove.bodies.EnergyProof;
 import nephele.lab.prove.bodies.FallsProof;
 import nephele.lab.prove.bodies.MassRatiosProof;
 import nephele.lab.prove.bodies.PilesProof;
+import nephele.lab.prove.cloud.CloudReferenceProof;
+import nephele.lab.prove.cloud.CloudSlabsProof;
 import nephele.lab.prove.edits.EditedTown;
 import nephele.lab.prove.edits.EditsProof;
 import nephele.lab.prove.geometry.HeightFieldProof;
@@ -61,6 +63,8 @@ public final class Proofs {
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new EditsProof(10, 8, EditedTown::baked),
+            new CloudSlabsProof(),
+            new CloudReferenceProof(),
             new SoakProof());
 
     private Proofs() {}
