@@ -27,7 +27,8 @@ class TrackingTest {
                 double expected = Math.exp(-depth / mu);
                 assertEquals(expected, Math.exp(-OpticalDepth.along(slab, down(mu), 0, INFINITE)), 1e-14);
                 if (expected > 1e-4) {
-                    Mean.of(200_000, 1, random -> escapes(slab, down(mu), random)).requireNear(expected, 0.15, "slab");
+                    Mean.of(200_000, 1, random -> escapes(slab, down(mu), random))
+                            .requireNear(expected, 0.15, "slab");
                 }
             }
         }
@@ -68,8 +69,7 @@ class TrackingTest {
         var media = new CloudMedia(List.of(thin, dense));
         Mean.of(100_000, 3, random -> media.collision(down(1), 0, INFINITE, random) == null ? 1 : 0)
                 .requireNear(Math.exp(-2), 0.02, "both");
-        Mean.of(100_000, 3, random -> meets(media, thin, random))
-                .requireNear(0.25 * (1 - Math.exp(-2)), 0.02, "thin");
+        Mean.of(100_000, 3, random -> meets(media, thin, random)).requireNear(0.25 * (1 - Math.exp(-2)), 0.02, "thin");
         Mean.of(100_000, 3, random -> media.transmittance(down(1), 0, INFINITE, random))
                 .requireNear(Math.exp(-2), 0.02, "transmittance");
     }

@@ -11,8 +11,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 class CloudReferenceProofTest {
     @ParameterizedTest
     @CsvSource({
-        "sphere, 70, 85", "sphere, 40, 50", "sphere, 100, 30", "puff, 70, 60", "puff, 30, 40", "puff, 95, 80",
-        "cumulus, 70, 60", "cumulus, 55, 50", "cumulus, 90, 60"
+        "sphere, 70, 85",
+        "sphere, 40, 50",
+        "sphere, 100, 30",
+        "puff, 70, 60",
+        "puff, 30, 40",
+        "puff, 95, 80",
+        "cumulus, 70, 60",
+        "cumulus, 55, 50",
+        "cumulus, 90, 60"
     })
     void aTileIsThatOfTheReference(String name, int left, int bottom) {
         ReferenceCase scene = ReferenceCase.named(name);

@@ -22,7 +22,7 @@ public final class CloudReferenceProof implements Proof {
         return new Claim(
                 "cloud-reference",
                 "Three clouds traced with 512 samples a pixel have the mean radiance of Mitsuba's pictures within 4"
-                    + " standard errors and 0.7 %, and 99.75 % of the pixels that see the cloud are within 5.",
+                        + " standard errors and 0.7 %, and 99.75 % of the pixels that see the cloud are within 5.",
                 "pictures",
                 CASES.size(),
                 1);

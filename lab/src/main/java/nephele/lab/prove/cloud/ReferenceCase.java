@@ -79,8 +79,7 @@ record ReferenceCase(
 
     private static Vec3 vector(JsonObject object, String member) {
         JsonArray v = object.getAsJsonArray(member);
-        return new Vec3(
-                v.get(0).getAsDouble(), v.get(1).getAsDouble(), v.get(2).getAsDouble());
+        return new Vec3(v.get(0).getAsDouble(), v.get(1).getAsDouble(), v.get(2).getAsDouble());
     }
 
     private static byte[] bytes(String resource) {

@@ -68,8 +68,7 @@ final class TracedTile {
         for (int channel = 0; channel < 3; channel++) {
             double average = sum[channel] / BATCHES;
             mean[3 * pixel + channel] = average;
-            variance[3 * pixel + channel] =
-                    Math.max(0, squares[channel] / BATCHES - average * average) / (BATCHES - 1);
+            variance[3 * pixel + channel] = Math.max(0, squares[channel] / BATCHES - average * average) / (BATCHES - 1);
         }
     }
 
