@@ -18,6 +18,7 @@ final class PuffCells implements CellBound {
     private final int layers;
     private final int rows;
     private final int[][] reaching;
+    private final int[] counts;
     private final double[] maxima;
     private int entries;
 
@@ -32,6 +33,7 @@ final class PuffCells implements CellBound {
         rows = Math.max(1, (int) Math.ceil(z / cell));
         lattice = CellLattice.dividing(bounds, columns, layers, rows);
         reaching = new int[columns * layers * rows][0];
+        counts = new int[reaching.length];
         maxima = new double[reaching.length];
     }
 
@@ -73,9 +75,10 @@ final class PuffCells implements CellBound {
         double most = puff.greatestIn(x, y, z, x + lattice.sizeX(), y + lattice.sizeY(), z + lattice.sizeZ());
         if (most > 0) {
             int cell = index(i, j, k);
-            int[] list = reaching[cell];
-            reaching[cell] = Arrays.copyOf(list, list.length + 1);
-            reaching[cell][list.length] = number;
+            if (counts[cell] == reaching[cell].length) {
+                reaching[cell] = Arrays.copyOf(reaching[cell], 2 * counts[cell] + 2);
+            }
+            reaching[cell][counts[cell]++] = number;
             maxima[cell] += most;
             entries++;
         }
@@ -85,9 +88,19 @@ final class PuffCells implements CellBound {
         return lattice;
     }
 
-    /** Returns the indices of the puffs that reach the cell of a point inside the bounds. */
-    int[] reaching(double x, double y, double z) {
-        return reaching[index(column(x), layer(y), row(z))];
+    /** Returns the cell of a point inside the bounds. */
+    int cell(double x, double y, double z) {
+        return index(column(x), layer(y), row(z));
+    }
+
+    /** Returns the number of puffs that reach a cell. */
+    int reaching(int cell) {
+        return counts[cell];
+    }
+
+    /** Returns the index of one of the puffs that reach a cell. */
+    int puff(int cell, int number) {
+        return reaching[cell][number];
     }
 
     private int column(double x) {

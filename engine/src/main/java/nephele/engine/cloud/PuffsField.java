@@ -37,8 +37,9 @@ public final class PuffsField implements ExtinctionField {
             return 0;
         }
         double sum = 0;
-        for (int puff : cells.reaching(x, y, z)) {
-            sum += puffs.get(puff).density(x, y, z);
+        int cell = cells.cell(x, y, z);
+        for (int n = 0; n < cells.reaching(cell); n++) {
+            sum += puffs.get(cells.puff(cell, n)).density(x, y, z);
         }
         return extinctionPerMetre * sum;
     }
