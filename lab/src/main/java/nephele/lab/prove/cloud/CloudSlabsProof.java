@@ -3,6 +3,7 @@ package nephele.lab.prove.cloud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.LongStream;
 import nephele.engine.cloud.CloudMedium;
 import nephele.engine.cloud.ExtinctionField;
@@ -42,9 +43,11 @@ public final class CloudSlabsProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
+        var done = new AtomicLong();
         return LongStream.range(from, from + count)
                 .parallel()
                 .mapToObj(row -> compared((int) row))
+                .peek(result -> progress.unitsDone(done.incrementAndGet()))
                 .reduce(ProofResult.NOTHING, ProofResult::and);
     }
 
