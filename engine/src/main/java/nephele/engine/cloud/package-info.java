@@ -1,6 +1,5 @@
 /**
- * Clouds as physics: {@link nephele.engine.cloud.ExtinctionField} gives the extinction per metre of a level's cloud,
- * from which every technique derives optical depth. {@link nephele.engine.cloud.VolumeTracer} is the exact twin: it
- * computes radiance without bias, by random walks.
+ * Clouds as physics: {@link nephele.engine.cloud.ExtinctionField} is the extinction per metre at each point, from which
+ * every technique derives optical depth; {@link nephele.engine.cloud.PhaseFunction} is where a cloud scatters light to.
  */
 package nephele.engine.cloud;

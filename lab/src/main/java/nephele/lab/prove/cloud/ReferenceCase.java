@@ -9,17 +9,17 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.GZIPInputStream;
-import nephele.engine.cloud.CloudMedium;
-import nephele.engine.cloud.GridField;
 import nephele.engine.cloud.HenyeyGreenstein;
-import nephele.engine.cloud.OutsideLight;
-import nephele.engine.cloud.VolFile;
+import nephele.engine.cloud.field.CloudMedium;
+import nephele.engine.cloud.field.GridField;
+import nephele.engine.cloud.field.VolFile;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.volume.OutsideLight;
 
 /**
  * A cloud with its picture by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path length).

@@ -1,11 +1,11 @@
 package nephele.lab.prove.cloud;
 
 import java.util.SplittableRandom;
-import nephele.engine.cloud.CloudMedium;
-import nephele.engine.cloud.Deflection;
-import nephele.engine.cloud.DeltaTracking;
+import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.volume.Deflection;
+import nephele.engine.reference.volume.DeltaTracking;
 
 /**
  * Walks of photons that fall on a plane-parallel slab from above. A photon has a weight, reduced by the albedo at each

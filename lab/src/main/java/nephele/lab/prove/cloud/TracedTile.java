@@ -3,11 +3,11 @@ package nephele.lab.prove.cloud;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import nephele.engine.cloud.CloudMedia;
-import nephele.engine.cloud.VolumeTracer;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.volume.CloudMedia;
+import nephele.engine.reference.volume.VolumeTracer;
 
 /**
  * A part of the picture of a case, traced, with the variance of each value from independent batches.

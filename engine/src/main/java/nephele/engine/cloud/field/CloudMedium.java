@@ -1,0 +1,30 @@
+package nephele.engine.cloud.field;
+
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.cloud.PhaseFunction;
+import nephele.engine.level.Cloud;
+
+/**
+ * A scattering medium.
+ *
+ * @param albedo scattering divided by extinction, 0 to 1
+ */
+public record CloudMedium(ExtinctionField field, double albedo, PhaseFunction phase) {
+    public CloudMedium {
+        if (!(albedo >= 0 && albedo <= 1)) {
+            throw new IllegalArgumentException("albedo " + albedo + " is not in 0 to 1");
+        }
+    }
+
+    /**
+     * Returns the medium of a cloud of a level.
+     *
+     * @throws AssetException if the picture or grid of the cloud is unusable
+     */
+    public static CloudMedium of(Cloud cloud, AssetSource assets) throws AssetException {
+        return new CloudMedium(CloudFields.of(cloud, assets), cloud.albedo(), new HenyeyGreenstein(cloud.phaseG()));
+    }
+}

@@ -1,0 +1,69 @@
+package nephele.engine.cloud.field;
+
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+
+/**
+ * A ball of density exp(−d²/2s²) at distance d of its centre, 0 from 5 s on (where it is 4e-6).
+ *
+ * @param centre world metres
+ * @param deviationMetres s, above 0
+ */
+record GaussianPuff(Vec3 centre, double deviationMetres) {
+    private static final double CUT_DEVIATIONS = 5;
+
+    Aabb bounds() {
+        double side = 2 * CUT_DEVIATIONS * deviationMetres;
+        return Aabb.around(centre, new Vec3(side, side, side));
+    }
+
+    double density(double x, double y, double z) {
+        double dx = x - centre.x();
+        double dy = y - centre.y();
+        double dz = z - centre.z();
+        return density(dx * dx + dy * dy + dz * dz);
+    }
+
+    private double density(double squaredMetres) {
+        double ratio = squaredMetres / (deviationMetres * deviationMetres);
+        return ratio < CUT_DEVIATIONS * CUT_DEVIATIONS ? Math.exp(-ratio / 2) : 0;
+    }
+
+    /** Returns the greatest density in a box. */
+    double greatestIn(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+        double dx = outside(centre.x(), minX, maxX);
+        double dy = outside(centre.y(), minY, maxY);
+        double dz = outside(centre.z(), minZ, maxZ);
+        return density(dx * dx + dy * dy + dz * dz);
+    }
+
+    private static double outside(double at, double min, double max) {
+        return Math.max(0, Math.max(min - at, at - max));
+    }
+
+    /** Returns the integral of the density, in metres, along a part of a ray of unit direction. */
+    double metresAlong(Ray ray, double fromMetres, double toMetres) {
+        double ox = centre.x() - ray.originX();
+        double oy = centre.y() - ray.originY();
+        double oz = centre.z() - ray.originZ();
+        double nearest = ox * ray.directionX() + oy * ray.directionY() + oz * ray.directionZ();
+        double mx = ox - nearest * ray.directionX();
+        double my = oy - nearest * ray.directionY();
+        double mz = oz - nearest * ray.directionZ();
+        double squared = mx * mx + my * my + mz * mz;
+        double cut = CUT_DEVIATIONS * deviationMetres;
+        if (!(squared < cut * cut)) {
+            return 0;
+        }
+        double half = Math.sqrt(cut * cut - squared);
+        double first = Math.max(fromMetres - nearest, -half);
+        double last = Math.min(toMetres - nearest, half);
+        if (!(first < last)) {
+            return 0;
+        }
+        double unit = deviationMetres * Math.sqrt(2);
+        double share = ErrorFunction.erf(last / unit) - ErrorFunction.erf(first / unit);
+        return density(squared) * deviationMetres * Math.sqrt(Math.PI / 2) * share;
+    }
+}
