@@ -5,6 +5,7 @@ import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
@@ -39,6 +40,15 @@ final class ReferenceOptions {
 
     boolean isAsked() {
         return reference;
+    }
+
+    /** Returns the level with the exposure of this view, if its radiance depends on it. */
+    OpenedLevel exposed(OpenedLevel opened, View view, PictureOptions picture) {
+        return picture.output(opened) != Output.PLAIN && TracedExposure.isNeeded(opened.level())
+                ? opened.edited(AssetProblems.named(
+                        opened,
+                        () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, PinholeViews.of(view))))
+                : opened;
     }
 
     /**

@@ -74,7 +74,8 @@ final class RenderCommand implements Command {
         var viewpoint = view.in(opened, picture.aspect());
         ignored().ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            save(reference.trace(opened, viewpoint.view(0), picture, terminal), opened);
+            var exposed = reference.exposed(opened, viewpoint.view(0), picture);
+            save(reference.trace(exposed, viewpoint.view(0), picture, terminal), exposed);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();

@@ -2,6 +2,7 @@ package nephele.editor.term;
 
 import java.util.Map;
 import nephele.editor.text.Words;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.json.WordFormats;
 
 /** The word for a constant or a key of a table. */
@@ -38,9 +39,9 @@ public final class ChoiceWord {
         return value instanceof Enum<?> ? WordFormats.Choice.word(value) : String.valueOf(value);
     }
 
-    /** Returns the words that a designer reads: those of files for a key, and for a constant without a name here. */
+    /** Returns the words that a designer reads: those of files for a key, a number, and a constant without a name here. */
     public static Words words(Object value) {
         Words inFiles = Words.same(of(value));
-        return value instanceof Enum<?> ? ALL.getOrDefault(of(value), inFiles) : inFiles;
+        return value instanceof Enum<?> || value instanceof Exposure ? ALL.getOrDefault(of(value), inFiles) : inFiles;
     }
 }

@@ -10,14 +10,30 @@ import nephele.engine.math.Vec3;
  * @param sky {@code null} for black
  * @param ambient constant radiance that every surface receives from all directions (a surface reflects albedo ×
  * ambient) instead of sky irradiance × baked visibility; {@code null} for sky and visibility
- * @param exposureStops exposure = 2^stops
+ * @param exposureStops a number, or auto
  * @param fog {@code null} for none
  */
 public record Environment(
         @Written Sun sun,
         @Written Sky sky,
         @Written(min = 0, max = 1e9) Vec3 ambient,
-        @Written(min = -32, max = 32) double exposureStops,
+        @Written(min = -32, max = 32, absent = "0") Exposure exposureStops,
         @Written(absent = "\"clip\"") ToneCurve toneCurve,
         @Written Fog fog,
-        @Written(most = 1000) List<Cloud> clouds) {}
+        @Written(most = 1000) List<Cloud> clouds) {
+    public Environment with(Sun newSun) {
+        return new Environment(newSun, sky, ambient, exposureStops, toneCurve, fog, clouds);
+    }
+
+    public Environment with(Sky newSky) {
+        return new Environment(sun, newSky, ambient, exposureStops, toneCurve, fog, clouds);
+    }
+
+    public Environment with(Exposure exposure) {
+        return new Environment(sun, sky, ambient, exposure, toneCurve, fog, clouds);
+    }
+
+    public Environment withAmbient(Vec3 radiance) {
+        return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds);
+    }
+}

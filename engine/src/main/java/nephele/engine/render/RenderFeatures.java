@@ -5,6 +5,7 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
+import nephele.engine.render.pass.exposure.ExposurePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
@@ -41,6 +42,8 @@ public final class RenderFeatures {
             // In each view after its opaque surfaces.
             ExitPass.FEATURE,
             DynamicPass.HELD,
+            // After the views.
+            ExposurePass.FEATURE,
             // After everything else.
             ToneMapPass.FEATURE,
             EdgeFilterPass.FEATURE,

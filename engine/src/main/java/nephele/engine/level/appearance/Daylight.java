@@ -28,14 +28,7 @@ public final class Daylight {
             return environment;
         }
         double days = Heavens.days(sky, seconds);
-        return new Environment(
-                new Sun(Heavens.towardsSun(sky, days), SOLAR_IRRADIANCE, true),
-                sky,
-                environment.ambient(),
-                environment.exposureStops(),
-                environment.toneCurve(),
-                environment.fog(),
-                environment.clouds());
+        return environment.with(new Sun(Heavens.towardsSun(sky, days), SOLAR_IRRADIANCE, true));
     }
 
     /** Returns the level with the sun of its hour; itself if that is written, or there is no atmosphere. */

@@ -20,6 +20,7 @@ public final class Defines {
                 .withIf(context.quality().samples() > 1, "MULTISAMPLED")
                 .with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
+                .withIf(MeteredExposure.isRequiredBy(context.request()), "EXPOSURE_METERED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");

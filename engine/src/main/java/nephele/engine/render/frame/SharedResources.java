@@ -39,6 +39,7 @@ public final class SharedResources implements GlObject {
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
+    private MeteredExposure exposure;
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
@@ -103,6 +104,14 @@ public final class SharedResources implements GlObject {
             frameUniforms = own(new FrameUniforms(gl, scene.level().environment()));
         }
         return frameUniforms;
+    }
+
+    /** Returns the exposure that is metered from the pictures; {@code null} if none is. */
+    public MeteredExposure exposure() {
+        if (exposure == null && MeteredExposure.isRequiredBy(request)) {
+            exposure = own(new MeteredExposure(gl));
+        }
+        return exposure;
     }
 
     /** Returns the openings in the views of this frame. */

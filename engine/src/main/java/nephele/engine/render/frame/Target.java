@@ -6,6 +6,8 @@ import nephele.engine.render.gl.shader.TextureUnit;
 public enum Target {
     /** The target of surfaces: linear for output HDR, else display-referred; afterwards what the passes make of it. */
     SURFACE(null),
+    /** The exposure of this picture, metered from it. */
+    EXPOSURE(TextureUnit.EXPOSURE),
     /** The final 8-bit picture, display-referred. */
     PICTURE(null),
     SUN_SHADOW(TextureUnit.SUN_SHADOW),

@@ -75,6 +75,13 @@ public final class DrawState {
         OVER,
         /** Adds source to destination; the destination keeps its alpha. */
         ADD,
+        /**
+         * As {@link #OVER}, and reduces the destination's alpha by as much as its colour: alpha is then the share of a
+         * linear picture's pixel that is metered for exposure.
+         */
+        OVER_UNMETERED,
+        /** As {@link #ADD}, and reduces the destination's alpha by the source's. */
+        ADD_UNMETERED,
         /** Source with premultiplied alpha over destination, alpha included; for layers that are composited later. */
         PREMULTIPLIED_OVER
     }
@@ -241,6 +248,9 @@ public final class DrawState {
             case REPLACE -> {}
             case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
             case ADD -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+            case OVER_UNMETERED ->
+                glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+            case ADD_UNMETERED -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
             case PREMULTIPLIED_OVER -> glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         }
         blend = newBlend;

@@ -4,6 +4,7 @@
 #include "fog.glsl"
 #endif
 #ifdef OUTPUT_DIRECT
+#include "exposure.glsl"
 #include "tone-mapping.glsl"
 #endif
 
@@ -18,7 +19,7 @@ void writeRadiance(vec3 radiance) {
 #elif defined(OUTPUT_HDR)
     pixel = vec4(clamp(radiance, 0.0, 65504.0), 1.0);
 #else
-    pixel = vec4(toneMapped(radiance), 1.0);
+    pixel = vec4(toneMapped(radiance, exposureFactor()), 1.0);
 #endif
 }
 

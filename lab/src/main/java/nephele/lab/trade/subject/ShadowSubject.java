@@ -45,14 +45,7 @@ public final class ShadowSubject {
         Sun sun = light.sun() == null
                 ? null
                 : new Sun(light.sun().directionTowardsSun(), light.sun().irradiance(), false);
-        var environment = new Environment(
-                sun,
-                light.sky(),
-                light.ambient(),
-                light.exposureStops(),
-                light.toneCurve(),
-                light.fog(),
-                light.clouds());
+        var environment = light.with(sun);
         return level.with(
                 environment,
                 level.lights().stream().map(ShadowSubject::unshadowed).toList());

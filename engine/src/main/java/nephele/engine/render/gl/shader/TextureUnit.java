@@ -24,6 +24,8 @@ public enum TextureUnit {
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),
     VIEW_COLOUR(13),
+    /** The metered exposure, bound throughout a frame. */
+    EXPOSURE(15),
 
     /** The following units are for XML scenes, whose draws use none of the units above. */
     SCENE_VISIBLE(0),

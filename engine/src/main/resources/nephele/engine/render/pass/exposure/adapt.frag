@@ -1,0 +1,52 @@
+// Exposure from the histogram and from the exposure of the last picture. Twin: level.appearance.AutoExposure.
+#include "exposure.glsl"
+
+uniform sampler2D histogram; // after the bins: the weight of hidden cells
+uniform vec4 stopsAndShares; // least and greatest stops; shares of the way to more and to fewer stops
+uniform float hasHistory; // 0: the texel of the last picture means nothing
+
+layout(location = 0) out vec4 texel; // factor, stops, the stops that the picture calls for
+
+float weightOf(int bin) {
+    return texelFetch(histogram, ivec2(bin, 0), 0).x;
+}
+
+// Krawczyk, Myszkowski and Seidel 2005, equation 11.
+float key(float log2Luminance) {
+    float candelas = CANDELAS_PER_SQUARE_METRE * exp2(log2Luminance);
+    return 1.03 - 2.0 / (2.0 + 0.30103 * log2(candelas + 1.0));
+}
+
+// The mean of log2 luminance between the two shares of a histogram with this sum.
+float meanLog2(float total) {
+    float low = LOW_SHARE * total;
+    float high = HIGH_SHARE * total;
+    float below = 0.0;
+    float sum = 0.0;
+    for (int bin = 0; bin < int(BINS); bin++) {
+        float weight = weightOf(bin);
+        float within = max(min(below + weight, high) - max(below, low), 0.0);
+        sum += within * (DARKEST_LOG2 + float(bin) / BINS_PER_STOP);
+        below += weight;
+    }
+    return sum / (high - low);
+}
+
+void main() {
+    float last = texelFetch(exposure, ivec2(0), 0).y;
+    float total = 0.0;
+    for (int bin = 0; bin < int(BINS); bin++) {
+        total += weightOf(bin);
+    }
+    float wanted = stopsAndShares.y;
+    if (total > 0.0) {
+        float log2Luminance = meanLog2(total);
+        wanted = log2(DISPLAYED_PER_KEY * key(log2Luminance)) - log2Luminance;
+    } else if (hasHistory > 0.0 && weightOf(int(BINS)) > 0.0) {
+        wanted = last;
+    }
+    wanted = clamp(wanted, stopsAndShares.x, stopsAndShares.y);
+    float share = wanted > last ? stopsAndShares.z : stopsAndShares.w;
+    float stops = hasHistory > 0.0 ? last + share * (wanted - last) : wanted;
+    texel = vec4(exp2(stops), stops, wanted, 1.0);
+}
