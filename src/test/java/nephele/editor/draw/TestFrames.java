@@ -58,7 +58,13 @@ final class TestFrames {
 
     static Level level(Solid... solids) {
         Environment environment = new Environment(
-                null, new Sky.Constant(new Vec3(0.1, 0.1, 0.3)), null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
+                null,
+                new Sky.Constant(new Vec3(0.1, 0.1, 0.3)),
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of());
         return Level.of("test", "", environment, List.of()).with(List.<Material>of(), List.of(solids));
     }
 

@@ -73,6 +73,7 @@ final class RenderCommand implements Command {
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
         ignored().ifPresent(terminal.err()::println);
+        picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
             var exposed = reference.exposed(opened, viewpoint.view(0), picture);
             save(reference.trace(exposed, viewpoint.view(0), picture, terminal), exposed);

@@ -23,8 +23,8 @@ final class ExposureEditor implements FieldEditor {
         stops = new NumberInput(this::commit, () -> FieldEditors.refuse(changes));
         stops.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
         auto = new JCheckBox(ChoiceWord.words(Exposure.AUTO).in(changes.language()));
-        auto.addActionListener(event ->
-                changes.set(this.field, auto.isSelected() ? Exposure.AUTO : field.type().freshValue()));
+        auto.addActionListener(event -> changes.set(
+                this.field, auto.isSelected() ? Exposure.AUTO : field.type().freshValue()));
         panel.add(stops, "wmin 30, grow");
         panel.add(auto);
     }

@@ -182,7 +182,7 @@ public final class Renderer implements AutoCloseable {
             drawOnce(listener);
         }
         if (exposure != null) {
-            exposure.begin(frameState);
+            exposure.begin(frameState, picture);
             if (exposure.needsDrawingBefore()) {
                 meterBefore(frameState, surface, drawn);
             }

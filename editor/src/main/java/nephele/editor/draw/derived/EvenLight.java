@@ -34,6 +34,12 @@ public final class EvenLight {
 
     private static Environment environment(Vec3 towardsSun, Sky sky) {
         return new Environment(
-                new Sun(towardsSun, IRRADIANCE, false), sky, AMBIENT, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
+                new Sun(towardsSun, IRRADIANCE, false),
+                sky,
+                AMBIENT,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of());
     }
 }

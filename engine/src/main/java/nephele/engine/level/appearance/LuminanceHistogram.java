@@ -1,10 +1,12 @@
 package nephele.engine.level.appearance;
 
+import java.util.stream.IntStream;
+
 /**
  * Histogram of a picture's luminance, from which its exposure is metered. The picture is divided into {@value #COLUMNS} ×
  * {@value #ROWS} cells; a cell counts with the mean luminance of {@value #SAMPLES} × {@value #SAMPLES} pixels of it, so
- * that the mean does not depend on the number of pixels. Bins are equal steps of log2 luminance; a cell is shared by the
- * two bins around its value, so that a slow change of light never makes the mean jump. The twin of the shaders of
+ * that the mean does not depend on the number of pixels. Bins are equal steps of log2 luminance; each knows the number
+ * and the mean of its cells, so that even light is metered exactly. The twin of the shaders of
  * {@code render.pass.exposure}.
  */
 public final class LuminanceHistogram {
@@ -17,15 +19,15 @@ public final class LuminanceHistogram {
     /** Log2 luminance of the first bin, the smallest positive half float; less counts as black. */
     public static final int DARKEST_LOG2 = -24;
 
-    public static final int BINS_PER_STOP = 4;
+    public static final int BINS_PER_STOP = 8;
 
-    /** The last bin is the largest half float, 2^16. */
-    public static final int BINS = 40 * BINS_PER_STOP + 1;
+    /** Up to the largest half float, 2^16. */
+    public static final int BINS = 40 * BINS_PER_STOP;
 
-    /** Weight of a cell; the two parts of it are whole numbers, so that no order of additions changes a sum. */
-    public static final int CELL_WEIGHT = 256;
+    /** Steps in a bin to which values are rounded: sums are whole numbers, whatever the order of additions. */
+    public static final int STEPS = 256;
 
-    /** Share of the darkest cells that are left out of the mean: what is lit decides, not the shadows beside it. */
+    /** Share of the cells, the darkest ones, that is left out: what is lit decides, not the shadows beside it. */
     public static final double LOW_SHARE = 0.4;
 
     /** Share of the cells up to the brightest ones, which are left out: the sun's disc, lamps, glints. */
@@ -34,7 +36,8 @@ public final class LuminanceHistogram {
     private static final float LARGEST_HALF = 65504;
     private static final double LOG_2 = Math.log(2);
 
-    private final double[] weights = new double[BINS];
+    private final int[] counts = new int[BINS];
+    private final int[] sums = new int[BINS];
     private boolean hasHidden;
 
     private LuminanceHistogram() {}
@@ -96,11 +99,10 @@ public final class LuminanceHistogram {
         if (log2 < DARKEST_LOG2) {
             return;
         }
-        double at = Math.min((log2 - DARKEST_LOG2) * BINS_PER_STOP, BINS - 1);
-        int bin = (int) Math.min(Math.floor(at), BINS - 2);
-        double upper = Math.floor((at - bin) * CELL_WEIGHT + 0.5);
-        weights[bin] += CELL_WEIGHT - upper;
-        weights[bin + 1] += upper;
+        double at = (log2 - DARKEST_LOG2) * BINS_PER_STOP;
+        int bin = (int) Math.min(at, BINS - 1);
+        counts[bin]++;
+        sums[bin] += (int) Math.floor((at - bin) * STEPS + 0.5);
     }
 
     /** Returns true if a part of the picture is hidden. */
@@ -110,18 +112,18 @@ public final class LuminanceHistogram {
 
     /** Returns the mean of log2 luminance between the two shares; NaN if nothing shines. */
     public double meanLog2() {
-        double total = 0;
-        for (double weight : weights) {
-            total += weight;
-        }
+        int total = IntStream.of(counts).sum();
         double low = LOW_SHARE * total;
         double high = HIGH_SHARE * total;
         double below = 0;
         double sum = 0;
         for (int bin = 0; bin < BINS; bin++) {
-            double within = Math.min(below + weights[bin], high) - Math.max(below, low);
-            sum += Math.max(within, 0) * (DARKEST_LOG2 + (double) bin / BINS_PER_STOP);
-            below += weights[bin];
+            double within = Math.min(below + counts[bin], high) - Math.max(below, low);
+            if (within > 0) {
+                double mean = bin + (double) sums[bin] / (STEPS * counts[bin]);
+                sum += within * (DARKEST_LOG2 + mean / BINS_PER_STOP);
+            }
+            below += counts[bin];
         }
         return total == 0 ? Double.NaN : sum / (high - low);
     }

@@ -21,6 +21,8 @@ public final class MeteredExposure implements GlObject {
     private int last;
     private boolean hasHistory;
     private double lastSeconds;
+    private int width;
+    private int height;
     private double elapsedSeconds;
     private boolean isReadInViews;
 
@@ -63,10 +65,15 @@ public final class MeteredExposure implements GlObject {
         uniforms.sampler("exposure", TextureUnit.EXPOSURE);
     }
 
-    /** Begins a frame: binds the exposure of the last picture. If time has gone back, there is no history. */
-    public void begin(FrameState frameState) {
+    /**
+     * Begins a frame: binds the exposure of the last picture. After a jump back in time and in a picture of another size
+     * there is no history.
+     */
+    public void begin(FrameState frameState, RenderTarget picture) {
         double seconds = frameState.seconds();
-        hasHistory &= seconds >= lastSeconds;
+        hasHistory &= seconds >= lastSeconds && width == picture.width() && height == picture.height();
+        width = picture.width();
+        height = picture.height();
         elapsedSeconds = hasHistory ? seconds - lastSeconds : 0;
         lastSeconds = seconds;
         if (!hasHistory) {
@@ -112,12 +119,14 @@ public final class MeteredExposure implements GlObject {
         hasHistory = false;
     }
 
-    /** Continues the adaption of another renderer of the context. */
+    /** Continues the adaption of another renderer of the context, whose pictures have the same size. */
     public void follow(MeteredExposure other) {
         if (other.hasHistory) {
             other.texels[other.last].copyTo(texels[last]);
             hasHistory = true;
             lastSeconds = other.lastSeconds;
+            width = other.width;
+            height = other.height;
         }
     }
 

@@ -2,7 +2,6 @@ package nephele.lab.trade.subject;
 
 import java.util.List;
 import java.util.stream.Stream;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sun;

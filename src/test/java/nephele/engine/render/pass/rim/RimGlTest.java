@@ -40,7 +40,8 @@ class RimGlTest {
 
     /** A pale wall at z = 0 and a floor. */
     private static Level wall() {
-        var environment = new Environment(null, null, new Vec3(1.4, 1.4, 1.4), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
+        var environment =
+                new Environment(null, null, new Vec3(1.4, 1.4, 1.4), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Level.of("wall", "", environment, List.of())
                 .with(null, GUN)
                 .with(

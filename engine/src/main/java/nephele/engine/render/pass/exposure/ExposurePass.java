@@ -57,7 +57,7 @@ public final class ExposurePass implements Pass {
         gl = context.gl();
         exposure = context.shared().exposure();
         cells = context.own(RenderTarget.picture(
-                gl, "cells of luminance", PixelFormat.R32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
+                gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
         findCells = new FullScreenDrawing(
                 context,
                 MeteringDefines.all(),
@@ -65,8 +65,8 @@ public final class ExposurePass implements Pass {
                 new FullScreenDrawing.Stages("full.vert", "cells.frag"),
                 uniforms -> uniforms.sampler("linearPicture", TextureUnit.COLOURS));
         histogram = context.own(RenderTarget.picture(
-                gl, "histogram of luminance", PixelFormat.R32F, LuminanceHistogram.BINS + 1, 1));
-        points = context.own(new PointList(gl, "cells as points", 2 * CELLS));
+                gl, "histogram of luminance", PixelFormat.RGBA32F, LuminanceHistogram.BINS + 1, 1));
+        points = context.own(new PointList(gl, "cells as points", CELLS));
         triangle = context.own(new FullScreenTriangle(gl, "adaption of exposure"));
         Map<String, String> defines = MeteringDefines.all().values();
         count = new GlProgram<>(

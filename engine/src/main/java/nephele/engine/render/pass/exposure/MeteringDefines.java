@@ -21,7 +21,7 @@ final class MeteringDefines {
                 .with("DARKEST_LOG2", (double) LuminanceHistogram.DARKEST_LOG2)
                 .with("BINS_PER_STOP", (double) LuminanceHistogram.BINS_PER_STOP)
                 .with("BINS", (double) LuminanceHistogram.BINS)
-                .with("CELL_WEIGHT", (double) LuminanceHistogram.CELL_WEIGHT)
+                .with("STEPS", (double) LuminanceHistogram.STEPS)
                 .with("LOW_SHARE", LuminanceHistogram.LOW_SHARE)
                 .with("HIGH_SHARE", LuminanceHistogram.HIGH_SHARE)
                 .with("DISPLAYED_PER_KEY", AutoExposure.DISPLAYED_PER_KEY)

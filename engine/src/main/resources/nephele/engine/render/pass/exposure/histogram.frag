@@ -1,7 +1,7 @@
-flat in float weight;
+flat in vec4 added;
 
-layout(location = 0) out float added;
+layout(location = 0) out vec4 bin;
 
 void main() {
-    added = weight;
+    bin = added;
 }
