@@ -28,6 +28,7 @@ import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Pictures of a level with exposure auto: metered with all that they show, adapting in simulated time, safe at cuts. */
 class AutoExposureGlTest {
@@ -218,11 +219,11 @@ class AutoExposureGlTest {
                 float[] even = {(float) light, (float) light, (float) light};
                 double expected = AutoExposure.stops(LuminanceHistogram.of(even, 1), AutoExposure.MOST_STOPS);
                 assertEquals(expected, metered, 2e-3, "light " + light);
+                double curtain = renderer.readRadiance()[3 * (HEIGHT / 2 * WIDTH + WIDTH / 2)] - light;
+                shown.add(curtain * Math.pow(2, metered));
                 for (int frame = 1; frame < 20; frame++) {
                     assertEquals(metered, draw(offscreen, renderer, TO_WALL, frame), 1e-4, "drift");
                 }
-                double curtain = renderer.readRadiance()[3 * (HEIGHT / 2 * WIDTH + WIDTH / 2)] - light;
-                shown.add(curtain * Math.pow(2, metered));
             }
         }
         assertTrue(shown.get(0) > 0.05);
@@ -245,6 +246,31 @@ class AutoExposureGlTest {
                         .level();
                 assertEquals(without, stops(offscreen, portal, HDR, view), 1e-4, "light " + light);
             }
+        }
+    }
+
+    /** The membrane behind a portal is hidden in the portal's own picture too. */
+    @ParameterizedTest
+    @EnumSource(PortalTechnique.class)
+    void membranesBehindPortalsDoNotCount(PortalTechnique technique) {
+        double light = 2e-4;
+        Level level = new TestLevel()
+                .autoExposure()
+                .ambient(light)
+                .sky(new Sky.Constant(TestLevel.grey(light)))
+                .material("white", TestLevel.grey(1))
+                .box("white", new Vec3(0, 0, -6), new Vec3(60, 60, 2))
+                .portal("a", "b", new Vec3(0, 0, -5), new Vec3(0, 0, 1), 8, 6)
+                .box("white", new Vec3(0, 0, 19), new Vec3(10, 8, 2))
+                .portal("b", "a", new Vec3(0, 0, 20), new Vec3(0, 0, 1), 8, 6)
+                .box("white", new Vec3(0, 0, 26), new Vec3(60, 60, 2))
+                .portal("c", null, new Vec3(0, 0, 25), new Vec3(0, 0, -1), 12, 12)
+                .level();
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withPortalTechnique(technique));
+        float[] even = {(float) light, (float) light, (float) light};
+        double expected = AutoExposure.stops(LuminanceHistogram.of(even, 1), AutoExposure.MOST_STOPS);
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            assertEquals(expected, stops(offscreen, level, settings, offscreen.view(EYE, TO_WALL)), 2e-3);
         }
     }
 
