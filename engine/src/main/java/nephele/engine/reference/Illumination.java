@@ -96,14 +96,12 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(
-            SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
+    private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
         if (surface.faceNormal().dot(towardsSun) > 0
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
-            double share = sun.castsShadow()
-                    ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random())
-                    : 1;
+            double share =
+                    sun.castsShadow() ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random()) : 1;
             sum.add(surface.reflected(towardsSun)
                     .mul(sun.irradiance().toVector())
                     .mul(share));

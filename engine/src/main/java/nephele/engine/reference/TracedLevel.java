@@ -42,8 +42,8 @@ public final class TracedLevel {
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, sky);
-        sunCastsShadow = level.environment().sun() != null
-                && level.environment().sun().castsShadow();
+        sunCastsShadow =
+                level.environment().sun() != null && level.environment().sun().castsShadow();
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);

@@ -72,7 +72,8 @@ public sealed interface SkyCover {
 
         @Override
         public Vector3d skylight(Vector3dc place, Vector3dc normal, SplittableRandom random) {
-            return tracer.radiance(ray(place, aroundNormal(Vec3.of(normal), random)), random).toVector();
+            return tracer.radiance(ray(place, aroundNormal(Vec3.of(normal), random)), random)
+                    .toVector();
         }
 
         private static Ray ray(Vector3dc place, Vec3 direction) {
@@ -84,8 +85,7 @@ public sealed interface SkyCover {
             Vec3 across = Directions.perpendicular(normal);
             double square = random.nextDouble();
             double angle = 2 * Math.PI * random.nextDouble();
-            Vec3 flat = Directions.combined(
-                    across, Math.cos(angle), normal.cross(across), Math.sin(angle));
+            Vec3 flat = Directions.combined(across, Math.cos(angle), normal.cross(across), Math.sin(angle));
             return Directions.unit(Directions.combined(normal, Math.sqrt(1 - square), flat, Math.sqrt(square)));
         }
     }
