@@ -1,0 +1,68 @@
+package nephele.engine.cloud.noise;
+
+/** Greatest values of a table in blocks, for upper bounds of what is interpolated from it in a box. */
+final class TableMaxima {
+    /** Values along the edge of a block. */
+    private static final int BLOCK = 4;
+
+    private final PeriodicTable table;
+    private final int blocks;
+    private final int[] maxima;
+
+    TableMaxima(PeriodicTable table) {
+        this.table = table;
+        blocks = table.size() / BLOCK;
+        maxima = new int[blocks * blocks * blocks];
+        for (int k = 0; k < blocks; k++) {
+            for (int j = 0; j < blocks; j++) {
+                for (int i = 0; i < blocks; i++) {
+                    maxima[(k * blocks + j) * blocks + i] = maximum(BLOCK * i, BLOCK * j, BLOCK * k);
+                }
+            }
+        }
+    }
+
+    private int maximum(int i, int j, int k) {
+        int greatest = 0;
+        for (int c = 0; c <= BLOCK; c++) {
+            for (int b = 0; b <= BLOCK; b++) {
+                for (int a = 0; a <= BLOCK; a++) {
+                    greatest = Math.max(greatest, table.value(i + a, j + b, k + c));
+                }
+            }
+        }
+        return greatest;
+    }
+
+    /** Returns an upper bound of the interpolated value in a box, whose sides are given in periods. */
+    double greatest(double minU, double minV, double minW, double maxU, double maxV, double maxW) {
+        long firstI = block(minU);
+        long firstJ = block(minV);
+        long firstK = block(minW);
+        int columns = count(firstI, maxU);
+        int layers = count(firstJ, maxV);
+        int rows = count(firstK, maxW);
+        int greatest = 0;
+        for (int k = 0; k < rows; k++) {
+            for (int j = 0; j < layers; j++) {
+                int row = (wrapped(firstK + k) * blocks + wrapped(firstJ + j)) * blocks;
+                for (int i = 0; i < columns; i++) {
+                    greatest = Math.max(greatest, maxima[row + wrapped(firstI + i)]);
+                }
+            }
+        }
+        return greatest / 65535.0;
+    }
+
+    private long block(double periods) {
+        return (long) Math.floor((periods * table.size() - 0.5) / BLOCK);
+    }
+
+    private int count(long first, double last) {
+        return (int) Math.min(blocks, block(last) - first + 1);
+    }
+
+    private int wrapped(long block) {
+        return (int) Math.floorMod(block, (long) blocks);
+    }
+}
