@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.ExtinctionField;
@@ -21,7 +22,9 @@ import org.junit.jupiter.api.Test;
 class ExtinctionFieldTest {
     @Test
     void noPointExceedsItsMajorantAndNoneIsLeftOut() {
-        SampleFields.all().forEach((name, field) -> {
+        var fields = new LinkedHashMap<>(SampleFields.all());
+        fields.putAll(SampleFields.noises());
+        fields.forEach((name, field) -> {
             var random = new SplittableRandom(3);
             for (int n = 0; n < 300; n++) {
                 Ray ray = SampleFields.ray(random);

@@ -41,12 +41,18 @@ public final class SampleFields {
         fields.put("noise", noise(BOX_EXTENT, new Noise(7, 11, 0.5)));
         fields.put("fine noise", noise(BOX_EXTENT, new Noise(7, 0.01, 0.9)));
         fields.put("noise layer", noise(LAYER_EXTENT, new Noise(8, 11, 0.4)));
+        fields.put("anvil", noise(BOX_EXTENT, new Noise(3, 11, 1, 0.6, CUMULONIMBUS, null, 1)));
+        return fields;
+    }
+
+    /** Returns more fields of noise, which are all made by the same classes. */
+    static Map<String, ExtinctionField> noises() {
+        var fields = new LinkedHashMap<String, ExtinctionField>();
         fields.put("mapped noise", noise(BOX_EXTENT, new Noise(8, 11, 1, 0.5, null, MAP, 0)));
         fields.put("mapped layer", noise(LAYER_EXTENT, new Noise(8, 400, 0.8, 0.5, STRATUS, MAP, 0)));
         fields.put("cumulus", noise(BOX_EXTENT, new Noise(9, 11, 0.8, 0.6, CUMULUS, null, 0)));
         fields.put("cumulus layer", noise(LAYER_EXTENT, new Noise(9, 6, 0.4, 0.3, CUMULUS, null, 0)));
         fields.put("mapped cumulus", noise(BOX_EXTENT, new Noise(9, 20, 1, 0, CUMULUS, MAP, 0)));
-        fields.put("anvil", noise(BOX_EXTENT, new Noise(3, 11, 1, 0.6, CUMULONIMBUS, null, 1)));
         fields.put("anvils", noise(LAYER_EXTENT, new Noise(3, 11, 0.3, 0.2, CUMULONIMBUS, null, 0.5)));
         return fields;
     }

@@ -5,21 +5,29 @@ final class TableMaxima {
     /** Values along the edge of a block. */
     private static final int BLOCK = 4;
 
+    /** A box of more blocks than these is bounded by all of them: it is large, and so is its maximum. */
+    private static final int MOST_BLOCKS = 64;
+
     private final PeriodicTable table;
     private final int blocks;
     private final int[] maxima;
+    private final int greatestOfAll;
 
     TableMaxima(PeriodicTable table) {
         this.table = table;
         blocks = table.size() / BLOCK;
         maxima = new int[blocks * blocks * blocks];
+        int most = 0;
         for (int k = 0; k < blocks; k++) {
             for (int j = 0; j < blocks; j++) {
                 for (int i = 0; i < blocks; i++) {
-                    maxima[(k * blocks + j) * blocks + i] = maximum(BLOCK * i, BLOCK * j, BLOCK * k);
+                    int block = maximum(BLOCK * i, BLOCK * j, BLOCK * k);
+                    maxima[(k * blocks + j) * blocks + i] = block;
+                    most = Math.max(most, block);
                 }
             }
         }
+        greatestOfAll = most;
     }
 
     private int maximum(int i, int j, int k) {
@@ -42,6 +50,9 @@ final class TableMaxima {
         int columns = count(firstI, maxU);
         int layers = count(firstJ, maxV);
         int rows = count(firstK, maxW);
+        if (columns * layers * rows > MOST_BLOCKS) {
+            return greatestOfAll / 65535.0;
+        }
         int greatest = 0;
         for (int k = 0; k < rows; k++) {
             for (int j = 0; j < layers; j++) {
@@ -62,7 +73,8 @@ final class TableMaxima {
         return (int) Math.min(blocks, block(last) - first + 1);
     }
 
+    /** The number of blocks is a power of two. */
     private int wrapped(long block) {
-        return (int) Math.floorMod(block, (long) blocks);
+        return (int) (block & blocks - 1);
     }
 }
