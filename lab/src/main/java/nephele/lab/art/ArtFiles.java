@@ -16,6 +16,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.lab.art.bench.BenchLevels;
 import nephele.lab.art.bench.BenchPixels;
+import nephele.lab.art.cloud.CloudPictures;
 import nephele.lab.art.material.TextureRecipe;
 import nephele.lab.art.material.Textures;
 import nephele.lab.art.paint.Surface;
@@ -46,6 +47,9 @@ public final class ArtFiles {
             write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
         for (PictureRecipe recipe : ScenePictures.ALL) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
+        for (PictureRecipe recipe : CloudPictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
         for (int face = 0; face < 6; face++) {

@@ -11,26 +11,25 @@ final class CloudBodies {
     private static final double BODY_WEIGHT = 0.65;
     private static final double CLUSTER_WEIGHT = 0.35;
 
-    /** Share of the plan in which bodies begin per share of covered sky: bodies lean over their feet. */
-    private static final double FOOT = 0.82;
-
     private static final double LEAST_WIDTH = 1e-3;
+
+    /** How much faster the depth falls outside of a body than inside; anvils end sooner. */
+    private static final double OUTSIDE_SLOPE = 1.6;
 
     private final EvolvingNoise bodies;
     private final EvolvingNoise clusters;
     private final Coverage coverage;
-    private final double falloff;
+    private final HeightProfile profile;
     private final SideWalls walls;
 
     /**
-     * @param falloff width of a body's edge, as a share of the plan
      * @param walls {@code null} for a layer
      */
-    CloudBodies(NoiseLayouts noises, Coverage coverage, double falloff, SideWalls walls) {
+    CloudBodies(NoiseLayouts noises, Coverage coverage, HeightProfile profile, SideWalls walls) {
         bodies = noises.bodies();
         clusters = noises.clusters();
         this.coverage = coverage;
-        this.falloff = falloff;
+        this.profile = profile;
         this.walls = walls;
     }
 
@@ -62,9 +61,13 @@ final class CloudBodies {
 
     /** Returns the depth, which grows with both arguments. */
     private double uncut(double share, double covered) {
-        double squared = covered * covered;
-        double fourth = squared * squared;
-        double reach = covered * (FOOT + (1 - FOOT + falloff) * fourth * fourth);
-        return Math.min(1, (share - 1 + reach) / Math.max(LEAST_WIDTH, Math.min(falloff, reach)));
+        double power = covered * covered;
+        power *= power;
+        power *= power;
+        power *= power;
+        double falloff = profile.falloff();
+        double reach = covered * (profile.foot() + (1 + falloff - profile.foot()) * power);
+        double depth = (share - 1 + reach) / Math.max(LEAST_WIDTH, Math.min(falloff, reach));
+        return depth < 0 ? OUTSIDE_SLOPE * depth : Math.min(1, depth);
     }
 }

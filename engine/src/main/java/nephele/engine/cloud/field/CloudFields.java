@@ -98,10 +98,10 @@ public final class CloudFields {
                         moment.centre().z());
         NoiseLayouts noises =
                 NoiseLayouts.of(noise, files.tables(), cloud.motion().evolutionSeconds(), seconds);
-        var coverage = new Coverage(noise.coverage(), coverageMap(moment, files, drift));
+        PlanMap map = coverageMap(moment, files, drift);
         NoiseDensity density = noise.profile() == null
-                ? new EvenNoise(noises, coverage, noise.erosion())
-                : profiled(noise, moment, noises, coverage);
+                ? new EvenNoise(noises, noise.coverage(), map, noise.erosion())
+                : profiled(noise, moment, noises, new Coverage(noise.coverage(), map));
         return new NoiseField(
                 moment.bounds(), origin, density, noise.featureMetres(), cloud.extinctionPerMetre(), slackMetres);
     }
@@ -113,7 +113,7 @@ public final class CloudFields {
         SideWalls walls = moment.isLayer()
                 ? null
                 : new SideWalls((box.maxX() - box.minX()) / 2, (box.maxZ() - box.minZ()) / 2, profile.spread());
-        var bodies = new CloudBodies(noises, coverage, profile.falloff(), walls);
+        var bodies = new CloudBodies(noises, coverage, profile, walls);
         return new ProfiledNoise(profile, bodies, noises, noise.erosion(), moment.heightMetres());
     }
 

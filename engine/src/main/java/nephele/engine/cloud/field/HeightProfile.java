@@ -15,6 +15,7 @@ public final class HeightProfile {
     private static final double SPREAD = 0.75;
 
     private final double falloff;
+    private final double foot;
     private final double spread;
     private final double[] rise;
     private final double[] billows;
@@ -23,12 +24,14 @@ public final class HeightProfile {
 
     private HeightProfile(
             double falloff,
+            double foot,
             double spread,
             DoubleUnaryOperator rise,
             DoubleUnaryOperator billows,
             DoubleUnaryOperator sharpness,
             DoubleUnaryOperator body) {
         this.falloff = falloff;
+        this.foot = foot;
         this.spread = spread;
         this.rise = knots(rise);
         this.billows = knots(billows);
@@ -56,6 +59,7 @@ public final class HeightProfile {
     private static HeightProfile stratus() {
         return new HeightProfile(
                 0.3,
+                1.25,
                 0,
                 h -> 0.5 * (2 * h - 1) * (2 * h - 1) * (2 * h - 1) * (2 * h - 1),
                 h -> 0.5,
@@ -65,15 +69,26 @@ public final class HeightProfile {
 
     private static HeightProfile cumulus() {
         return new HeightProfile(
-                0.8, 0, h -> h * h, h -> 0.25 + 0.35 * ramp(0, 0.3, h), h -> 6, h -> 0.4 + 0.6 * ramp(0, 0.06, h));
+                0.8,
+                1.22,
+                0,
+                h -> h * h,
+                h -> 0.25 + 0.35 * ramp(0, 0.3, h),
+                h -> 6,
+                h -> 0.4 + 0.6 * ramp(0, 0.06, h));
     }
 
     private static HeightProfile cumulonimbus(double anvil) {
         return new HeightProfile(
                 0.8,
+                1.22 - 0.3 * anvil,
                 SPREAD * anvil,
-                h -> 0.45 * ramp(0, 0.5, h) + 1.3 * ramp(0.93, 1, h) - anvil * SPREAD * ramp(0.7, 0.92, h),
-                h -> 0.25 + 0.35 * ramp(0, 0.2, h) - 0.3 * anvil * ramp(0.75, 0.9, h),
+                h -> 0.15
+                        + 0.3 * anvil
+                        + 0.4 * (1 - 0.5 * anvil) * h * h
+                        + 1.3 * ramp(0.93, 1, h)
+                        - anvil * (SPREAD + 0.6) * ramp(0.76, 0.93, h),
+                h -> 0.45 + 0.15 * ramp(0, 0.2, h) - 0.35 * anvil * ramp(0.78, 0.92, h),
                 h -> 6 - 4 * anvil * ramp(0.75, 0.9, h),
                 h -> (0.4 + 0.6 * ramp(0, 0.04, h)) * (1 - 0.75 * anvil * ramp(0.7, 0.85, h)));
     }
@@ -86,6 +101,11 @@ public final class HeightProfile {
     /** Returns the width of a body's edge, as a share of the plan. */
     double falloff() {
         return falloff;
+    }
+
+    /** Returns the share of the plan in which bodies begin, per share of the sky that is covered in the end. */
+    double foot() {
+        return foot;
     }
 
     /** Returns how far outside of a body the cloud reaches, in the units of {@link CloudBodies#depth}. */

@@ -17,11 +17,11 @@ import nephele.engine.level.Cloud;
  */
 record NoiseLayouts(EvolvingNoise shape, EvolvingNoise detail, EvolvingNoise bodies, EvolvingNoise clusters) {
     /** Period of the pattern in features. */
-    static final int PERIOD_FEATURES = 130 * CloudTables.SHAPE_CELLS;
+    static final int PERIOD_FEATURES = 260 * CloudTables.SHAPE_CELLS;
 
     private static final double DETAIL_PERIODS = 5.0 / 33;
-    private static final double BODY_PERIODS = 13.0 / 4;
-    private static final double CLUSTER_PERIODS = 10;
+    private static final double BODY_PERIODS = 13.0 / 2;
+    private static final double CLUSTER_PERIODS = 20;
 
     static NoiseLayouts of(Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds) {
         double period = CloudTables.SHAPE_CELLS * noise.featureMetres();
@@ -35,12 +35,12 @@ record NoiseLayouts(EvolvingNoise shape, EvolvingNoise detail, EvolvingNoise bod
                         4 * seed + 1,
                         generation(seconds, evolutionSeconds / 2)),
                 new EvolvingNoise(
-                        tables.shape(),
+                        tables.plan(),
                         new Layout(period * BODY_PERIODS, 3.0 / 5, 4.0 / 5),
                         4 * seed + 2,
                         generation(seconds, evolutionSeconds * 4)),
                 new EvolvingNoise(
-                        tables.shape(),
+                        tables.plan(),
                         new Layout(period * CLUSTER_PERIODS, 5.0 / 13, 12.0 / 13),
                         4 * seed + 3,
                         generation(seconds, evolutionSeconds * 16)));

@@ -1,27 +1,32 @@
 package nephele.engine.cloud.noise;
 
 /**
- * A cube of values in 0 to 1 that repeats without end, in 16 bits. Between values it is interpolated as a texture of
- * OpenGL with the format R16, GL_LINEAR and GL_REPEAT: value i of an edge of n is at (i + ½)/n of the period.
+ * Values of 0 to 1 on a square base, in one layer or as many as make a cube, that repeat without end, in 16 bits. Between
+ * values it is interpolated as a texture of OpenGL with the format R16, GL_LINEAR and GL_REPEAT: value i of an edge of n
+ * is at (i + ½)/n of the period.
  */
 public final class PeriodicTable {
     private static final double MOST = 65535;
 
     private final int size;
+    private final int layers;
     private final int mask;
+    private final int layerMask;
     private final short[] values;
 
     /**
-     * @param size values along an edge; a power of two
-     * @param values unsigned, x fastest, then y, then z; kept, not copied
+     * @param size values along an edge of the base; a power of two
+     * @param values unsigned, x fastest, then y, which is up, then z; kept, not copied
      */
-    PeriodicTable(int size, short[] values) {
-        if (Integer.bitCount(size) != 1 || size * size * size != values.length) {
-            throw new IllegalArgumentException(values.length + " values do not fill a cube of " + size);
+    private PeriodicTable(int size, short[] values) {
+        layers = values.length / (size * size);
+        if (Integer.bitCount(size) != 1 || Integer.bitCount(layers) != 1 || layers * size * size != values.length) {
+            throw new IllegalArgumentException(values.length + " values have no square base of " + size);
         }
         this.size = size;
         this.values = values;
         mask = size - 1;
+        layerMask = layers - 1;
     }
 
     /** Returns the table whose values are the ranks of these: each share of 0 to 1 holds as large a share of them. */
@@ -50,9 +55,14 @@ public final class PeriodicTable {
         return new PeriodicTable(size, values);
     }
 
-    /** Returns the number of values along an edge. */
+    /** Returns the number of values along x and along z. */
     public int size() {
         return size;
+    }
+
+    /** Returns the number of values along y: 1 or the size. */
+    public int layers() {
+        return layers;
     }
 
     /** Returns a copy of the values as a texture takes them: unsigned, x fastest, then y, then z. */
@@ -62,7 +72,7 @@ public final class PeriodicTable {
 
     /** Returns a value of the table, 0 to 65535; indices are taken modulo the size. */
     int value(int i, int j, int k) {
-        return values[((k & mask) * size + (j & mask)) * size + (i & mask)] & 0xffff;
+        return values[((k & mask) * layers + (j & layerMask)) * size + (i & mask)] & 0xffff;
     }
 
     /**
@@ -72,7 +82,7 @@ public final class PeriodicTable {
      */
     public double at(double u, double v, double w) {
         double x = size * (u - Math.floor(u)) - 0.5;
-        double y = size * (v - Math.floor(v)) - 0.5;
+        double y = layers * (v - Math.floor(v)) - 0.5;
         double z = size * (w - Math.floor(w)) - 0.5;
         int i = floor(x);
         int j = floor(y);
@@ -81,10 +91,10 @@ public final class PeriodicTable {
         double ofY = y - j;
         int left = i & mask;
         int right = i + 1 & mask;
-        int lower = (j & mask) * size;
-        int upper = (j + 1 & mask) * size;
-        double near = plane((k & mask) * size * size, left, right, lower, upper, ofX, ofY);
-        double far = plane((k + 1 & mask) * size * size, left, right, lower, upper, ofX, ofY);
+        int lower = (j & layerMask) * size;
+        int upper = (j + 1 & layerMask) * size;
+        double near = plane((k & mask) * layers * size, left, right, lower, upper, ofX, ofY);
+        double far = plane((k + 1 & mask) * layers * size, left, right, lower, upper, ofX, ofY);
         return (near + (far - near) * (z - k)) / MOST;
     }
 

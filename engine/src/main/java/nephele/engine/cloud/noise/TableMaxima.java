@@ -10,19 +10,21 @@ final class TableMaxima {
 
     private final PeriodicTable table;
     private final int blocks;
+    private final int blockLayers;
     private final int[] maxima;
     private final int greatestOfAll;
 
     TableMaxima(PeriodicTable table) {
         this.table = table;
         blocks = table.size() / BLOCK;
-        maxima = new int[blocks * blocks * blocks];
+        blockLayers = Math.max(1, table.layers() / BLOCK);
+        maxima = new int[blocks * blockLayers * blocks];
         int most = 0;
         for (int k = 0; k < blocks; k++) {
-            for (int j = 0; j < blocks; j++) {
+            for (int j = 0; j < blockLayers; j++) {
                 for (int i = 0; i < blocks; i++) {
                     int block = maximum(BLOCK * i, BLOCK * j, BLOCK * k);
-                    maxima[(k * blocks + j) * blocks + i] = block;
+                    maxima[(k * blockLayers + j) * blocks + i] = block;
                     most = Math.max(most, block);
                 }
             }
@@ -44,37 +46,38 @@ final class TableMaxima {
 
     /** Returns an upper bound of the interpolated value in a box, whose sides are given in periods. */
     double greatest(double minU, double minV, double minW, double maxU, double maxV, double maxW) {
-        long firstI = block(minU);
-        long firstJ = block(minV);
-        long firstK = block(minW);
-        int columns = count(firstI, maxU);
-        int layers = count(firstJ, maxV);
-        int rows = count(firstK, maxW);
+        long firstI = block(minU, blocks);
+        long firstJ = block(minV, blockLayers);
+        long firstK = block(minW, blocks);
+        int columns = count(firstI, maxU, blocks);
+        int layers = count(firstJ, maxV, blockLayers);
+        int rows = count(firstK, maxW, blocks);
         if (columns * layers * rows > MOST_BLOCKS) {
             return greatestOfAll / 65535.0;
         }
         int greatest = 0;
         for (int k = 0; k < rows; k++) {
             for (int j = 0; j < layers; j++) {
-                int row = (wrapped(firstK + k) * blocks + wrapped(firstJ + j)) * blocks;
+                int row = (wrapped(firstK + k, blocks) * blockLayers + wrapped(firstJ + j, blockLayers)) * blocks;
                 for (int i = 0; i < columns; i++) {
-                    greatest = Math.max(greatest, maxima[row + wrapped(firstI + i)]);
+                    greatest = Math.max(greatest, maxima[row + wrapped(firstI + i, blocks)]);
                 }
             }
         }
         return greatest / 65535.0;
     }
 
-    private long block(double periods) {
-        return (long) Math.floor((periods * table.size() - 0.5) / BLOCK);
+    /** Returns the block of a coordinate: positions from the first value's centre on are in the first block. */
+    private static long block(double periods, int along) {
+        return (long) Math.floor(along * periods - 0.5 / BLOCK);
     }
 
-    private int count(long first, double last) {
-        return (int) Math.min(blocks, block(last) - first + 1);
+    private static int count(long first, double last, int along) {
+        return (int) Math.min(along, block(last, along) - first + 1);
     }
 
-    /** The number of blocks is a power of two. */
-    private int wrapped(long block) {
-        return (int) (block & blocks - 1);
+    /** @param along a power of two */
+    private static int wrapped(long block, int along) {
+        return (int) (block & along - 1);
     }
 }
