@@ -20,6 +20,9 @@ public final class PuffFilling {
 
     private static final double OUTER = 0.5;
 
+    /** Smallest random factor on a size; the mean is 1. */
+    private static final double LEAST = 0.6;
+
     /** Height of the centres of the lowest puffs over the base, in radii. */
     private static final double FOOT_RADII = 0.6;
 
@@ -75,7 +78,8 @@ public final class PuffFilling {
                 x[n] = a;
                 y[n] = b;
                 z[n] = c;
-                size[n] = INNER + (OUTER - INNER) * StrictMath.cbrt(cubed);
+                double uneven = LEAST + (1 - LEAST) * 2 * random(hash, tried);
+                size[n] = uneven * (INNER + (OUTER - INNER) * StrictMath.cbrt(cubed));
                 cubes += size[n] * size[n] * size[n];
                 n++;
             }
@@ -88,10 +92,14 @@ public final class PuffFilling {
         }
     }
 
+    private static double random(long hash, int n) {
+        return (Hash64.combine(hash, n) >>> 11) * 0x1p-53;
+    }
+
     /** Returns the n-th number of an evenly spread sequence in 0 to 1 with a random start. */
     private static double spread(long hash, int axis, int n) {
         double power = axis == 1 ? PLASTIC : axis == 2 ? PLASTIC * PLASTIC : PLASTIC * PLASTIC * PLASTIC;
-        double start = (Hash64.combine(hash, axis) >>> 11) * 0x1p-53;
+        double start = random(hash, -axis);
         double at = start + (n + 1) / power;
         return at - Math.floor(at);
     }
