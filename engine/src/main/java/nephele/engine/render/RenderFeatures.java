@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.cloud.volume.VolumePass;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
@@ -39,6 +40,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
+            VolumePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,
             // After everything else.

@@ -41,6 +41,7 @@ public record FrameRequest(
                 || hasBodies()
                 || mayShowCharacter()
                 || !level.exits().isEmpty()
+                || !level.environment().clouds().isEmpty()
                 || sky instanceof Sky.Gradient
                 || sky instanceof Sky.Skybox;
     }

@@ -14,6 +14,9 @@ public final class LinearLight {
 
     /** Returns the reason; empty if nothing is added. */
     public static Optional<String> because(Level level) {
+        if (!level.environment().clouds().isEmpty()) {
+            return Optional.of("environment.clouds: they are blended with what is behind them");
+        }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()
                 ? Optional.empty()

@@ -89,7 +89,8 @@ public final class SurfaceLight implements GlObject {
         }
     }
 
-    private SkyIrradiance irradiance(Environment now) {
+    /** Returns the sky's light on surfaces in an environment. */
+    public SkyIrradiance irradiance(Environment now) {
         if (now.sky() instanceof Sky.Atmosphere sky) {
             return now.sun() == null ? SkyIrradiance.black() : irradiance(sky, now.sun());
         }

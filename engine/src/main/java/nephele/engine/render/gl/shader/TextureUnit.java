@@ -14,6 +14,10 @@ public enum TextureUnit {
     OVERLAY_PICTURE(1),
     /** The edge mask of the edge filter. */
     EDGES(1),
+    /** The cells of a cloud, which is drawn after all surfaces. */
+    CLOUD_DENSITY(1),
+    CLOUD_LIGHT(2),
+    SMALL_ANGLES(3),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),
     SKY_VISIBILITY(4),

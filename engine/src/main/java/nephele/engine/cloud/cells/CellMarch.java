@@ -1,0 +1,165 @@
+package nephele.engine.cloud.cells;
+
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+
+/**
+ * Marches a ray through a cloud's cells, the twin of {@code march.glsl}. Each step is integrated exactly for a constant
+ * source, so that a cloud in even light neither gains nor loses energy at any number of steps. Not for several threads.
+ */
+public final class CellMarch {
+    /** The march ends when so little of the diffuse light behind is left; what is behind is then taken as the last. */
+    private static final double OPAQUE = 0.01;
+
+    private final CellCloud cloud;
+    private final OutsideOfCloud outside;
+    private final CellPlace dense;
+    private final CellPlace lit;
+    private double transmittance;
+    private double scaledTransmittance;
+    private double sunlight;
+    private double above;
+    private double below;
+    private double lightAt;
+    private double covered;
+    private int fetches;
+
+    /**
+     * The light around a cloud.
+     *
+     * @param towardsSun unit
+     * @param irradiance of the sun
+     * @param above mean radiance of the upper half of the sky, {@code below} of the lower one
+     */
+    public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {}
+
+    public CellMarch(CellCloud cloud, OutsideOfCloud outside) {
+        this.cloud = cloud;
+        this.outside = outside;
+        dense = new CellPlace(cloud.density().cells());
+        lit = new CellPlace(cloud.light().cells());
+    }
+
+    /**
+     * Marches a part of a ray of unit direction.
+     *
+     * @param stepMetres length of a step
+     * @param offset place of the first sample in the first step, 0 to 1
+     */
+    public void march(Ray ray, double fromMetres, double toMetres, double stepMetres, double offset) {
+        transmittance = 1;
+        scaledTransmittance = 1;
+        sunlight = 0;
+        above = 0;
+        below = 0;
+        covered = 0;
+        lightAt = 0;
+        fetches = 0;
+        double turned = 2 - 2 * dot(ray, outside.towardsSun());
+        // A step's sample lies in its middle; the first step is cut so that samples of other offsets lie between.
+        double at = fromMetres - offset * stepMetres;
+        while (at < toMetres && scaledTransmittance > OPAQUE) {
+            double from = Math.max(at, fromMetres);
+            double to = Math.min(at + stepMetres, toMetres);
+            step(ray, from, to, turned);
+            at += stepMetres;
+        }
+        finish();
+    }
+
+    private void step(Ray ray, double from, double to, double turned) {
+        double middle = (from + to) / 2;
+        place(dense, ray, middle);
+        fetches++;
+        double density = dense.of(cloud.density().densities(), 1, 0);
+        if (!(density > 0)) {
+            return;
+        }
+        double depth = density * cloud.density().greatestPerMetre() * (to - from);
+        double mean = meanDepth(depth);
+        place(lit, ray, from + mean / depth * (to - from));
+        float[] light = cloud.light().values();
+        double sunDepth = lit.of(light, LightCells.VALUES, 0);
+        CloudLight physics = cloud.physics();
+        CloudOptics optics = physics.optics();
+        double scale = optics.depthScale();
+        double taken = -Math.expm1(-depth);
+        double scaledTaken = -Math.expm1(-scale * depth);
+        double cosine = 1 - turned / 2;
+        double eyeDepth = -Math.log(transmittance);
+        double narrow = physics.smallAngles().at(turned, sunDepth + eyeDepth + mean) * taken * Math.exp(mean);
+        double diffuse = (1 + 3 * optics.scaledCosine() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
+                + Math.max(
+                        0,
+                        lit.of(light, LightCells.VALUES, 1)
+                                + optics.scaledCosine() * cosine * lit.of(light, LightCells.VALUES, 2));
+        lastDiffuse = optics.scaledAlbedo() * diffuse;
+        sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
+        double even = transmittance * taken * optics.albedo();
+        above += even * lit.of(light, LightCells.VALUES, 3);
+        below += even * lit.of(light, LightCells.VALUES, 4);
+        covered += transmittance * taken;
+        lightAt += transmittance * taken * middle;
+        transmittance *= 1 - taken;
+        scaledTransmittance *= 1 - scaledTaken;
+    }
+
+    private double lastDiffuse;
+
+    /** Fills up what the early end has left. */
+    private void finish() {
+        if (scaledTransmittance <= OPAQUE) {
+            sunlight += scaledTransmittance * lastDiffuse;
+            above /= covered;
+            below /= covered;
+            transmittance = 0;
+        }
+        lightAt = covered > 0 ? lightAt / covered : 0;
+        sunlight = Math.max(0, sunlight);
+    }
+
+    /** Returns the mean optical depth at which light that a step takes is taken. */
+    private static double meanDepth(double depth) {
+        if (depth < 1e-3) {
+            return depth / 2;
+        }
+        double left = Math.exp(-depth);
+        return 1 - depth * left / (1 - left);
+    }
+
+    private static void place(CellPlace place, Ray ray, double at) {
+        place.at(
+                ray.originX() + at * ray.directionX(),
+                ray.originY() + at * ray.directionY(),
+                ray.originZ() + at * ray.directionZ());
+    }
+
+    private static double dot(Ray ray, Vec3 v) {
+        return ray.directionX() * v.x() + ray.directionY() * v.y() + ray.directionZ() * v.z();
+    }
+
+    /** Returns the share of the light behind the cloud that passes it. */
+    public double transmittance() {
+        return transmittance;
+    }
+
+    /** Returns the radiance that the cloud sends to the eye, linear RGB. */
+    public Vec3 radiance() {
+        return outside.irradiance()
+                .scaled(sunlight)
+                .addScaled(above, outside.above())
+                .addScaled(below, outside.below());
+    }
+
+    /** Returns the distance of the cloud's visible part, metres. */
+    public double metres() {
+        return lightAt;
+    }
+
+    /** Returns how many densities were looked up. */
+    public int fetches() {
+        return fetches;
+    }
+}

@@ -1,0 +1,86 @@
+package nephele.engine.cloud.cells;
+
+import java.util.stream.IntStream;
+import nephele.engine.cloud.ExtinctionField;
+
+/**
+ * A field sampled at the centres of cells, relative to the greatest value, and the distance of each cell to the nearest
+ * one that has any extinction. Between centres it is interpolated. Immutable.
+ */
+public final class DensityCells {
+    /** Distances are counted up to here, in cells. */
+    public static final int FARTHEST = 32;
+
+    private final CellBox cells;
+    private final float[] densities;
+    private final byte[] distances;
+    private final double greatestPerMetre;
+
+    private DensityCells(CellBox cells, float[] perMetre) {
+        this.cells = cells;
+        float most = 0;
+        for (float value : perMetre) {
+            most = Math.max(most, value);
+        }
+        greatestPerMetre = most;
+        densities = perMetre;
+        for (int at = 0; at < perMetre.length && most > 0; at++) {
+            densities[at] = Math.round(255 * perMetre[at] / most) / 255f;
+        }
+        distances = EmptyDistance.of(cells, densities, FARTHEST);
+    }
+
+    /**
+     * Samples a field on all processors.
+     *
+     * @param perEdge samples along each edge of a cell, whose mean is taken
+     */
+    public static DensityCells of(ExtinctionField field, CellBox cells, int perEdge) {
+        float[] perMetre = new float[cells.count()];
+        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+            for (int j = 0; j < cells.ny(); j++) {
+                for (int i = 0; i < cells.nx(); i++) {
+                    perMetre[cells.index(i, j, k)] = (float) mean(field, cells, perEdge, i, j, k);
+                }
+            }
+        });
+        return new DensityCells(cells, perMetre);
+    }
+
+    private static double mean(ExtinctionField field, CellBox cells, int perEdge, int i, int j, int k) {
+        double sum = 0;
+        for (int n = 0; n < perEdge * perEdge * perEdge; n++) {
+            double x = cells.centreX(i) + offset(n % perEdge, perEdge) * cells.sizeX();
+            double y = cells.centreY(j) + offset(n / perEdge % perEdge, perEdge) * cells.sizeY();
+            double z = cells.centreZ(k) + offset(n / perEdge / perEdge, perEdge) * cells.sizeZ();
+            sum += field.perMetre(x, y, z);
+        }
+        return sum / (perEdge * perEdge * perEdge);
+    }
+
+    private static double offset(int index, int perEdge) {
+        return (index + 0.5) / perEdge - 0.5;
+    }
+
+    public CellBox cells() {
+        return cells;
+    }
+
+    /** Returns true if there is no extinction anywhere. */
+    public boolean isEmpty() {
+        return greatestPerMetre == 0;
+    }
+
+    /** Returns the extinction that density 1 stands for. */
+    public double greatestPerMetre() {
+        return greatestPerMetre;
+    }
+
+    float[] densities() {
+        return densities;
+    }
+
+    byte[] distances() {
+        return distances;
+    }
+}
