@@ -1,11 +1,10 @@
 package nephele.engine.cloud.cells;
 
 import nephele.engine.cloud.light.AxisDepths;
+import nephele.engine.math.Ray;
 
 /** Optical depths from the centres of coarse cells to the outside: sums along the axes, and walks in any direction. */
 final class CellDepths {
-    private static final int STEPS_PER_CELL = 1;
-
     private final DensityCells density;
     private final CellBox cells;
     private final DepthBeyond beyond;
@@ -77,9 +76,9 @@ final class CellDepths {
         return new Walk();
     }
 
-    /** Sums the extinction along rays through the fine cells. For one thread. */
+    /** Finds depths along rays. For one thread. */
     final class Walk {
-        private final CellPlace place = new CellPlace(density.cells());
+        private final CellSums sums = new CellSums(density);
 
         /** Returns the optical depth from the centre of a cell to the outside, in a unit direction. */
         double from(int i, int j, int k, double dx, double dy, double dz) {
@@ -90,16 +89,7 @@ final class CellDepths {
             double length = Math.min(
                     exit(x, dx, box.minX(), box.maxX()),
                     Math.min(exit(y, dy, box.minY(), box.maxY()), exit(z, dz, box.minZ(), box.maxZ())));
-            int steps =
-                    (int) Math.ceil(STEPS_PER_CELL * length / density.cells().shortest());
-            double step = length / steps;
-            double sum = 0;
-            for (int n = 0; n < steps; n++) {
-                double at = (n + 0.5) * step;
-                place.at(x + at * dx, y + at * dy, z + at * dz);
-                sum += place.of(density.densities(), 1, 0);
-            }
-            return sum * step * density.greatestPerMetre()
+            return sums.along(new Ray(x, y, z, dx, dy, dz), length)
                     + beyond.depth(x + length * dx, y + length * dy, z + length * dz, dx, dy, dz);
         }
 

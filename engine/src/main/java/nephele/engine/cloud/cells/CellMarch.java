@@ -1,7 +1,9 @@
 package nephele.engine.cloud.cells;
 
+import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
@@ -13,10 +15,13 @@ public final class CellMarch {
     /** The march ends when so little of the diffuse light behind is left; what is behind is then taken as the last. */
     private static final double OPAQUE = 0.01;
 
-    private final CellCloud cloud;
+    private final CellStack cloud;
     private final OutsideOfCloud outside;
-    private final CellPlace dense;
-    private final CellPlace lit;
+    private final List<CellPlace> dense;
+    private final List<CellPlace> lit;
+    private final Vec3 centre;
+    private final double halfX;
+    private final double halfZ;
     private double transmittance;
     private double scaledTransmittance;
     private double sunlight;
@@ -35,20 +40,26 @@ public final class CellMarch {
      */
     public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {}
 
-    public CellMarch(CellCloud cloud, OutsideOfCloud outside) {
+    public CellMarch(CellStack cloud, OutsideOfCloud outside) {
         this.cloud = cloud;
         this.outside = outside;
-        dense = new CellPlace(cloud.density().cells());
-        lit = new CellPlace(cloud.light().cells());
+        dense = cloud.density().stream()
+                .map(cells -> new CellPlace(cells.cells()))
+                .toList();
+        lit = cloud.light().stream().map(cells -> new CellPlace(cells.cells())).toList();
+        Aabb box = cloud.narrowest().box();
+        centre = new Vec3((box.minX() + box.maxX()) / 2, box.minY(), (box.minZ() + box.maxZ()) / 2);
+        halfX = (box.maxX() - box.minX()) / 2;
+        halfZ = (box.maxZ() - box.minZ()) / 2;
     }
 
     /**
-     * Marches a part of a ray of unit direction.
+     * Marches a ray of unit direction.
      *
-     * @param stepMetres length of a step
-     * @param offset place of the first sample in the first step, 0 to 1
+     * @param stepCells length of a step, in shortest edges of the cells around
+     * @param offset place of the first sample in its step, 0 to 1
      */
-    public void march(Ray ray, double fromMetres, double toMetres, double stepMetres, double offset) {
+    public void march(Ray ray, double fromMetres, double toMetres, double stepCells, double offset) {
         transmittance = 1;
         scaledTransmittance = 1;
         sunlight = 0;
@@ -57,31 +68,49 @@ public final class CellMarch {
         covered = 0;
         lightAt = 0;
         fetches = 0;
+        StackSpan inside = StackSpan.of(cloud, ray);
+        double start = Math.max(fromMetres, inside.fromMetres());
+        double end = Math.min(toMetres, inside.toMetres());
         double turned = 2 - 2 * dot(ray, outside.towardsSun());
-        // A step's sample lies in its middle; the first step is cut so that samples of other offsets lie between.
-        double at = fromMetres - offset * stepMetres;
-        while (at < toMetres && scaledTransmittance > OPAQUE) {
-            double from = Math.max(at, fromMetres);
-            double to = Math.min(at + stepMetres, toMetres);
-            step(ray, from, to, turned);
-            at += stepMetres;
+        double at = start;
+        double share = offset;
+        while (at < end && scaledTransmittance > OPAQUE) {
+            double step = stepCells * cloud.narrowest().shortest() * (1 << 2 * level(ray, at));
+            // The first step is cut, so that samples of other offsets lie between.
+            double to = Math.min(at + share * step, end);
+            step(ray, at, to, turned);
+            at = to;
+            share = 1;
         }
         finish();
     }
 
+    /** Returns which cells are around a place. */
+    private int level(Ray ray, double at) {
+        double x = Math.abs(ray.originX() + at * ray.directionX() - centre.x()) / halfX;
+        double z = Math.abs(ray.originZ() + at * ray.directionZ() - centre.z()) / halfZ;
+        double wide = Math.max(x, z);
+        int level = wide <= 1 ? 0 : (int) Math.ceil(Math.log(wide) / Math.log(CellStack.WIDENING) - 1e-6);
+        return Math.min(cloud.levels() - 1, level);
+    }
+
     private void step(Ray ray, double from, double to, double turned) {
         double middle = (from + to) / 2;
-        place(dense, ray, middle);
+        int level = level(ray, middle);
+        place(dense.get(level), ray, middle);
         fetches++;
-        double density = dense.of(cloud.density().densities(), 1, 0);
-        if (!(density > 0)) {
+        double density = dense.get(level).of(cloud.density().get(level).densities(), 1, 0);
+        if (!(density > 0) || !(to > from)) {
             return;
         }
-        double depth = density * cloud.density().greatestPerMetre() * (to - from);
+        double depth = density * cloud.greatestPerMetre() * (to - from);
         double mean = meanDepth(depth);
-        place(lit, ray, from + mean / depth * (to - from));
-        float[] light = cloud.light().values();
-        double sunDepth = lit.of(light, LightCells.VALUES, 0);
+        double lightMetres = from + mean / depth * (to - from);
+        int lightLevel = level(ray, lightMetres);
+        CellPlace place = lit.get(lightLevel);
+        place(place, ray, lightMetres);
+        float[] light = cloud.light().get(lightLevel).values();
+        double sunDepth = place.of(light, LightCells.VALUES, 0);
         CloudLight physics = cloud.physics();
         CloudOptics optics = physics.optics();
         double scale = optics.depthScale();
@@ -93,13 +122,13 @@ public final class CellMarch {
         double diffuse = (1 + 3 * optics.scaledCosine() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
                 + Math.max(
                         0,
-                        lit.of(light, LightCells.VALUES, 1)
-                                + optics.scaledCosine() * cosine * lit.of(light, LightCells.VALUES, 2));
+                        place.of(light, LightCells.VALUES, 1)
+                                + optics.scaledCosine() * cosine * place.of(light, LightCells.VALUES, 2));
         lastDiffuse = optics.scaledAlbedo() * diffuse;
         sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
         double even = transmittance * taken * optics.albedo();
-        above += even * lit.of(light, LightCells.VALUES, 3);
-        below += even * lit.of(light, LightCells.VALUES, 4);
+        above += even * place.of(light, LightCells.VALUES, 3);
+        below += even * place.of(light, LightCells.VALUES, 4);
         covered += transmittance * taken;
         lightAt += transmittance * taken * middle;
         transmittance *= 1 - taken;
@@ -129,10 +158,12 @@ public final class CellMarch {
         return 1 - depth * left / (1 - left);
     }
 
-    private static void place(CellPlace place, Ray ray, double at) {
+    private void place(CellPlace place, Ray ray, double at) {
+        double level = ray.directionX() * ray.directionX() + ray.directionZ() * ray.directionZ();
+        double rise = at * at * level / (2 * cloud.planetRadiusMetres());
         place.at(
                 ray.originX() + at * ray.directionX(),
-                ray.originY() + at * ray.directionY(),
+                ray.originY() + at * ray.directionY() + rise,
                 ray.originZ() + at * ray.directionZ());
     }
 

@@ -8,11 +8,10 @@ public final class CellTexels {
     private CellTexels() {}
 
     /** Puts a slice: density, distance divided by {@link DensityCells#FARTHEST}, what absorption leaves, 255. */
-    public static void putDensity(CellCloud cloud, int k, ByteBuffer texels) {
-        DensityCells density = cloud.density();
+    public static void putDensity(DensityCells density, LightCells lightOfBox, int k, ByteBuffer texels) {
         CellBox cells = density.cells();
-        var lit = new CellPlace(cloud.light().cells());
-        float[] light = cloud.light().values();
+        var lit = new CellPlace(lightOfBox.cells());
+        float[] light = lightOfBox.values();
         for (int j = 0; j < cells.ny(); j++) {
             for (int i = 0; i < cells.nx(); i++) {
                 int at = cells.index(i, j, k);
@@ -27,9 +26,9 @@ public final class CellTexels {
     }
 
     /** Puts a slice: sun-ward depth, diffuse mean, diffuse slope, share from above. */
-    public static void putLight(CellCloud cloud, int k, FloatBuffer texels) {
-        CellBox cells = cloud.light().cells();
-        float[] values = cloud.light().values();
+    public static void putLight(LightCells light, int k, FloatBuffer texels) {
+        CellBox cells = light.cells();
+        float[] values = light.values();
         int first = LightCells.VALUES * cells.index(0, 0, k);
         for (int n = 0; n < cells.nx() * cells.ny(); n++) {
             texels.put(values, first + n * LightCells.VALUES, 4);

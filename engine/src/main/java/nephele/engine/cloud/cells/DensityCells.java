@@ -1,5 +1,7 @@
 package nephele.engine.cloud.cells;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.ExtinctionField;
 
@@ -16,16 +18,12 @@ public final class DensityCells {
     private final byte[] distances;
     private final double greatestPerMetre;
 
-    private DensityCells(CellBox cells, float[] perMetre) {
+    private DensityCells(CellBox cells, float[] perMetre, float greatestPerMetre) {
         this.cells = cells;
-        float most = 0;
-        for (float value : perMetre) {
-            most = Math.max(most, value);
-        }
-        greatestPerMetre = most;
+        this.greatestPerMetre = greatestPerMetre;
         densities = perMetre;
-        for (int at = 0; at < perMetre.length && most > 0; at++) {
-            densities[at] = Math.round(255 * perMetre[at] / most) / 255f;
+        for (int at = 0; at < perMetre.length && greatestPerMetre > 0; at++) {
+            densities[at] = Math.round(255 * perMetre[at] / greatestPerMetre) / 255f;
         }
         distances = EmptyDistance.of(cells, densities, FARTHEST);
     }
@@ -33,9 +31,26 @@ public final class DensityCells {
     /**
      * Samples a field on all processors.
      *
+     * @param boxes of cells that share one scale of densities
      * @param perEdge samples along each edge of a cell, whose mean is taken
      */
-    public static DensityCells of(ExtinctionField field, CellBox cells, int perEdge) {
+    public static List<DensityCells> of(ExtinctionField field, List<CellBox> boxes, int perEdge) {
+        List<float[]> sampled =
+                boxes.stream().map(cells -> sampled(field, cells, perEdge)).toList();
+        float most = 0;
+        for (float[] values : sampled) {
+            for (float value : values) {
+                most = Math.max(most, value);
+            }
+        }
+        List<DensityCells> all = new ArrayList<>();
+        for (int i = 0; i < boxes.size(); i++) {
+            all.add(new DensityCells(boxes.get(i), sampled.get(i), most));
+        }
+        return all;
+    }
+
+    private static float[] sampled(ExtinctionField field, CellBox cells, int perEdge) {
         float[] perMetre = new float[cells.count()];
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
             for (int j = 0; j < cells.ny(); j++) {
@@ -44,7 +59,7 @@ public final class DensityCells {
                 }
             }
         });
-        return new DensityCells(cells, perMetre);
+        return perMetre;
     }
 
     private static double mean(ExtinctionField field, CellBox cells, int perEdge, int i, int j, int k) {

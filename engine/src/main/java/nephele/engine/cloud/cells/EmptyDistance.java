@@ -8,18 +8,20 @@ final class EmptyDistance {
 
     /**
      * Returns the distance of each cell: 0 where linear filtering at any point of the cell may see a density, then in
-     * cells, at most {@code farthest}. The distance is the least over three axes, one after the other.
+     * cells, at most {@code farthest}. What lies beside the box counts as density.
      */
     static byte[] of(CellBox cells, float[] densities, int farthest) {
         byte[] distances = new byte[densities.length];
         Arrays.fill(distances, (byte) farthest);
+        int nx = cells.nx();
+        int layer = nx * cells.ny();
         for (int at = 0; at < densities.length; at++) {
             if (densities[at] > 0) {
                 distances[at] = 0;
+            } else if (isAtSide(at % nx, nx) || isAtSide(at / layer, cells.nz())) {
+                distances[at] = 1;
             }
         }
-        int nx = cells.nx();
-        int layer = nx * cells.ny();
         // Two sweeps there and back: the distance of a cell is one more than the least of its 26 neighbours'.
         for (int sweep = 0; sweep < 2; sweep++) {
             for (int n = 0; n < distances.length; n++) {
@@ -31,6 +33,10 @@ final class EmptyDistance {
             distances[at] = (byte) Math.max(0, distances[at] - 1);
         }
         return distances;
+    }
+
+    private static boolean isAtSide(int index, int count) {
+        return index == 0 || index == count - 1;
     }
 
     /** Regards the thirteen neighbours that a sweep has passed already. */

@@ -1,20 +1,23 @@
 // Marches a ray through the cells of a cloud. Twin: nephele.engine.cloud.cells.CellMarch.
 
+// Boxes of cells stand on top of each other, the narrowest lowest.
 uniform sampler3D cloudDensity; // r: density, g: distance to the nearest cell with some, b: light that absorption leaves
 uniform sampler3D cloudLight; // sun-ward depth, diffuse mean, diffuse slope, share from above
 uniform sampler2D smallAngles; // by separation and depth
-uniform vec3 boxMin; // relative to the eye, metres
-uniform vec3 boxSize; // metres
+uniform vec4 cells; // x, y: rows of a box in cloudDensity and cloudLight; z: boxes; w: metres of a cell of the narrowest
+uniform vec3 cloudBase; // middle of the narrowest box's lower side, relative to the eye, metres
+uniform vec3 cloudHalf; // x, z: half of its sides; y: height of all boxes, metres
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
-uniform vec4 phase; // scaled cosine; deepest optical depth of smallAngles
+uniform vec3 phase; // scaled cosine; deepest optical depth of smallAngles; 1 / twice the planet's radius, 0 if flat
 uniform vec3 cloudSun; // towards the sun
-uniform vec3 stepping; // metres of a step, metres of a distance of one cell, place of the first sample in its step
+uniform vec2 stepping; // cells of a step, place of the first sample in its step
 
 const float FOUR_PI = 12.5663706;
 const float OPAQUE = 0.01;
-const float FARTHEST = 32.0;
+const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
 const float SEPARATIONS = 64.0;
 const float DEPTHS = 64.0;
+const float NEVER = 1e30;
 
 struct CloudRay {
     float transmittance;
@@ -23,6 +26,61 @@ struct CloudRay {
     float below;
     float metres; // of the part that is seen
 };
+
+// The greater root of a t² + b t + c for c ≤ 0: where a ray rises through a height.
+float later(float a, float b, float c) {
+    float root = sqrt(max(0.0, b * b - 4.0 * a * c));
+    float q = b + (b < 0.0 ? -root : root);
+    float t = b < 0.0 ? (a > 0.0 ? -q / (2.0 * a) : NEVER) : q > 0.0 ? -2.0 * c / q : NEVER;
+    return max(0.0, t);
+}
+
+// The smaller positive root for c ≥ 0: where a ray falls through a height.
+float sooner(float a, float b, float c) {
+    float square = b * b - 4.0 * a * c;
+    return b < 0.0 && square >= 0.0 ? 2.0 * c / (-b + sqrt(square)) : NEVER;
+}
+
+// The first part of a ray between the cloud's base and top. Twin: nephele.engine.cloud.cells.StackSpan.
+vec2 betweenHeights(float bend, float slope) {
+    float overBase = -cloudBase.y;
+    float overTop = overBase - cloudHalf.y;
+    if (overBase < 0.0) {
+        return vec2(later(bend, slope, overBase), later(bend, slope, overTop));
+    }
+    float down = sooner(bend, slope, overBase);
+    float enter = overTop <= 0.0 ? 0.0 : sooner(bend, slope, overTop);
+    // Above the top the greater root is where the ray leaves it again.
+    float out_ = overTop <= 0.0 ? later(bend, slope, overTop)
+        : bend > 0.0 ? (-slope + sqrt(max(0.0, slope * slope - 4.0 * bend * overTop))) / (2.0 * bend) : NEVER;
+    return enter == NEVER ? vec2(NEVER, 0.0) : vec2(enter, min(down, out_));
+}
+
+// The part of a ray of unit direction in the cloud's boxes.
+vec2 insideCloud(vec3 ray) {
+    vec2 inside = betweenHeights(dot(ray.xz, ray.xz) * phase.z, ray.y);
+    vec2 wide = cloudHalf.xz * exp2(2.0 * (cells.z - 1.0));
+    vec2 a = (cloudBase.xz - wide) / ray.xz;
+    vec2 b = (cloudBase.xz + wide) / ray.xz;
+    vec2 near = min(a, b);
+    vec2 far = max(a, b);
+    return vec2(max(inside.x, max(near.x, near.y)), min(inside.y, min(far.x, far.y)));
+}
+
+// Which cells are around a place.
+float boxOf(vec3 place) {
+    vec2 apart = abs(place.xz - cloudBase.xz) / cloudHalf.xz;
+    float wide = max(apart.x, apart.y);
+    return wide <= 1.0 ? 0.0 : min(cells.z - 1.0, ceil(0.5 * log2(wide) - 1e-6));
+}
+
+// The coordinates of a place in a stack of boxes of so many rows.
+vec3 texelOf(vec3 place, float bend, float at, float rows) {
+    float box = boxOf(place);
+    vec2 across = (place.xz - cloudBase.xz) / (2.0 * cloudHalf.xz) * exp2(-2.0 * box) + 0.5;
+    float up = clamp((place.y + bend * at * at - cloudBase.y) / cloudHalf.y, 0.5 / rows, 1.0 - 0.5 / rows);
+    return vec3(across.x, (box + up) / cells.z, across.y);
+}
 
 // Light that turns once by any angle or often by small ones, per optical depth.
 float smallAngleLight(float separation, float depth) {
@@ -37,8 +95,8 @@ float meanDepth(float depth) {
     return depth < 1e-2 ? 0.5 * depth : 1.0 - depth * left / (1.0 - left);
 }
 
-// direction: of unit length
-CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
+// direction: of unit length; visible: the part of the ray in the cloud that no surface hides
+CloudRay marchedCloud(vec3 direction, vec2 visible) {
     CloudRay ray = CloudRay(1.0, 0.0, 0.0, 0.0, 0.0);
     float scaled = 1.0;
     float lastDiffuse = 0.0;
@@ -46,22 +104,27 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     float separation = dot(apart, apart);
     float cosine = 1.0 - 0.5 * separation;
     float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
-    vec3 start = -boxMin / boxSize;
-    vec3 along = direction / boxSize;
-    float at = visible.x - offset * stepping.x;
+    float bend = dot(direction.xz, direction.xz) * phase.z;
+    float at = visible.x;
+    float share = stepping.y;
     while (at < visible.y && scaled > OPAQUE) {
-        float from = max(at, visible.x);
-        float to = min(at + stepping.x, visible.y);
-        vec3 cell = textureLod(cloudDensity, start + 0.5 * (from + to) * along, 0.0).rgb;
-        at += stepping.x;
+        float cellMetres = cells.w * exp2(2.0 * boxOf(at * direction));
+        float stepMetres = stepping.x * cellMetres;
+        float from = at;
+        float to = min(at + share * stepMetres, visible.y);
+        float middle = 0.5 * (from + to);
+        vec3 cell = textureLod(cloudDensity, texelOf(middle * direction, bend, middle, cells.x), 0.0).rgb;
+        at = to;
+        share = 1.0;
         if (cell.r <= 0.0) {
             // Whole steps, so that the samples of neighbouring rays stay side by side.
-            at += stepping.x * floor(cell.g * stepping.y / stepping.x);
+            at += stepMetres * max(0.0, floor(cell.g * FARTHEST / stepping.x - 1.0));
             continue;
         }
         float depth = cell.r * medium.x * (to - from);
         float mean = meanDepth(depth);
-        vec4 light = textureLod(cloudLight, start + (from + mean / depth * (to - from)) * along, 0.0);
+        float lit = from + mean / max(depth, 1e-20) * (to - from);
+        vec4 light = textureLod(cloudLight, texelOf(lit * direction, bend, lit, cells.y), 0.0);
         float taken = 1.0 - exp(-depth);
         float scaledTaken = 1.0 - exp(-medium.y * depth);
         float eyeDepth = -log(max(ray.transmittance, 1e-30));
@@ -71,7 +134,7 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
         float seen = ray.transmittance * taken;
         ray.above += seen * medium.z * light.a;
         ray.below += seen * medium.z * (cell.b - light.a);
-        ray.metres += seen * 0.5 * (from + to);
+        ray.metres += seen * middle;
         ray.transmittance -= seen;
         scaled *= 1.0 - scaledTaken;
     }

@@ -3,7 +3,7 @@ package nephele.engine.render.pass.cloud;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import nephele.engine.cloud.cells.CellBox;
-import nephele.engine.cloud.cells.CellCloud;
+import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.cells.CellTexels;
 import nephele.engine.cloud.light.SmallAngleScattering;
 import nephele.engine.render.frame.LoadContext;
@@ -19,11 +19,14 @@ public final class CloudTextures {
     private final Texture light;
     private final Texture smallAngles;
 
-    public CloudTextures(LoadContext context, CellCloud cloud) {
-        density = volume(
-                context, "cloud density", PixelFormat.RGBA8, cloud.density().cells());
+    public CloudTextures(LoadContext context, CellStack cloud) {
+        density = volume(context, "cloud density", PixelFormat.RGBA8, cloud.narrowest(), cloud.levels());
         light = volume(
-                context, "cloud light", PixelFormat.RGBA16F, cloud.light().cells());
+                context,
+                "cloud light",
+                PixelFormat.RGBA16F,
+                cloud.light().get(0).cells(),
+                cloud.levels());
         smallAngles = context.own(new Texture(
                 context.gl(),
                 "small-angle scattering",
@@ -36,13 +39,13 @@ public final class CloudTextures {
         uploadLight(cloud);
     }
 
-    private static Texture volume(LoadContext context, String name, PixelFormat format, CellBox cells) {
+    private static Texture volume(LoadContext context, String name, PixelFormat format, CellBox cells, int boxes) {
         return context.own(new Texture(
                 context.gl(),
                 name,
                 Texture.Shape.VOLUME,
                 format,
-                new Texture.Extent(cells.nx(), cells.ny(), cells.nz()),
+                new Texture.Extent(cells.nx(), cells.ny() * boxes, cells.nz()),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -53,24 +56,30 @@ public final class CloudTextures {
         MemoryUtil.memFree(texels);
     }
 
-    private void uploadDensity(CellCloud cloud) {
-        CellBox cells = cloud.density().cells();
+    /** Replaces the cells, after their place or the cloud has changed; their number is the same. */
+    public void uploadDensity(CellStack cloud) {
+        CellBox cells = cloud.narrowest();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * cells.nx() * cells.ny());
-        for (int k = 0; k < cells.nz(); k++) {
-            texels.clear();
-            CellTexels.putDensity(cloud, k, texels);
-            density.upload(k, texels.flip());
+        for (int box = 0; box < cloud.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                CellTexels.putDensity(cloud.density().get(box), cloud.light().get(box), k, texels.clear());
+                density.upload(k, rows, texels.flip());
+            }
         }
         MemoryUtil.memFree(texels);
     }
 
     /** Replaces the light, after the sun has moved. */
-    public void uploadLight(CellCloud cloud) {
-        CellBox cells = cloud.light().cells();
+    public void uploadLight(CellStack cloud) {
+        CellBox cells = cloud.light().get(0).cells();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * Float.BYTES * cells.nx() * cells.ny());
-        for (int k = 0; k < cells.nz(); k++) {
-            CellTexels.putLight(cloud, k, texels.clear().asFloatBuffer());
-            light.upload(k, texels.clear());
+        for (int box = 0; box < cloud.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                CellTexels.putLight(cloud.light().get(box), k, texels.clear().asFloatBuffer());
+                light.upload(k, rows, texels.clear());
+            }
         }
         MemoryUtil.memFree(texels);
     }

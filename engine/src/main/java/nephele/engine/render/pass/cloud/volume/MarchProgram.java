@@ -16,23 +16,25 @@ final class MarchProgram {
 
     /** The numbers of a cloud and of the light around it. */
     record Places(
-            Uniforms.Vector3 boxMin,
-            Uniforms.Vector3 boxSize,
+            Uniforms.Vector4 cells,
+            Uniforms.Vector3 cloudBase,
+            Uniforms.Vector3 cloudHalf,
             Uniforms.Vector4 medium,
-            Uniforms.Vector4 phase,
+            Uniforms.Vector3 phase,
             Uniforms.Vector3 cloudSun,
-            Uniforms.Vector3 stepping,
+            Uniforms.Vector2 stepping,
             Uniforms.Vector3 irradiance,
             Uniforms.Vector3 skyAbove,
             Uniforms.Vector3 skyBelow) {
         static Places of(Uniforms uniforms) {
             return new Places(
-                    uniforms.vector3("boxMin"),
-                    uniforms.vector3("boxSize"),
+                    uniforms.vector4("cells"),
+                    uniforms.vector3("cloudBase"),
+                    uniforms.vector3("cloudHalf"),
                     uniforms.vector4("medium"),
-                    uniforms.vector4("phase"),
+                    uniforms.vector3("phase"),
                     uniforms.vector3("cloudSun"),
-                    uniforms.vector3("stepping"),
+                    uniforms.vector2("stepping"),
                     uniforms.vector3("irradiance"),
                     uniforms.vector3("skyAbove"),
                     uniforms.vector3("skyBelow"));

@@ -10,15 +10,6 @@ uniform vec3 irradiance; // of the sun at the cloud
 uniform vec3 skyAbove; // mean radiance of the upper half of the sky
 uniform vec3 skyBelow;
 
-// The part of a ray in the cloud's box.
-vec2 insideBox(vec3 ray) {
-    vec3 a = boxMin / ray;
-    vec3 b = (boxMin + boxSize) / ray;
-    vec3 near = min(a, b);
-    vec3 far = max(a, b);
-    return vec2(max(near.x, max(near.y, near.z)), min(far.x, min(far.y, far.z)));
-}
-
 void main() {
     float unit = length(direction);
     vec3 ray = direction / unit;
@@ -30,12 +21,12 @@ void main() {
         visible.x = max(visible.x, -viewClip.w / towardsClip);
     }
 #endif
-    vec2 inside = insideBox(ray);
+    vec2 inside = insideCloud(ray);
     visible = vec2(max(visible.x, inside.x), min(visible.y, inside.y));
     if (!(visible.x < visible.y)) {
         discard;
     }
-    CloudRay cloud = marchedCloud(ray, visible, stepping.z);
+    CloudRay cloud = marchedCloud(ray, visible);
     vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
     float covered = 1.0 - cloud.transmittance;
 #ifdef FOG
