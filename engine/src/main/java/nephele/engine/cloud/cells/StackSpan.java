@@ -15,8 +15,15 @@ record StackSpan(double fromMetres, double toMetres) {
         double bend = level / (2 * cloud.planetRadiusMetres());
         StackSpan heights =
                 betweenHeights(bend, ray.directionY(), ray.originY() - box.minY(), ray.originY() - box.maxY());
-        return heights.between(ray.originX(), ray.directionX(), box.minX(), box.maxX())
+        return behindPlanet(heights, bend, ray)
+                .between(ray.originX(), ray.directionX(), box.minX(), box.maxX())
                 .between(ray.originZ(), ray.directionZ(), box.minZ(), box.maxZ());
+    }
+
+    private static StackSpan behindPlanet(StackSpan span, double bend, Ray ray) {
+        return bend > 0 && ray.originY() >= 0
+                ? new StackSpan(span.fromMetres, Math.min(span.toMetres, sooner(bend, ray.directionY(), ray.originY())))
+                : span;
     }
 
     /**

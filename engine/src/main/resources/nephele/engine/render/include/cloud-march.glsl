@@ -1,4 +1,5 @@
 // Marches a ray through the cells of a cloud. Twin: nephele.engine.cloud.cells.CellMarch.
+#include "cloud-span.glsl"
 
 // Boxes of cells stand on top of each other, the narrowest lowest.
 uniform sampler3D cloudDensity; // r: density, g: distance to the nearest cell with some, b: light that absorption leaves
@@ -10,14 +11,13 @@ uniform vec3 cloudHalf; // x, z: half of its sides; y: height of all boxes, metr
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
 uniform vec3 phase; // scaled cosine; deepest optical depth of smallAngles; 1 / twice the planet's radius, 0 if flat
 uniform vec3 cloudSun; // towards the sun
-uniform vec2 stepping; // cells of a step, place of the first sample in its step
+uniform vec3 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet
 
 const float FOUR_PI = 12.5663706;
 const float OPAQUE = 0.01;
 const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
 const float SEPARATIONS = 64.0;
 const float DEPTHS = 64.0;
-const float NEVER = 1e30;
 
 struct CloudRay {
     float transmittance;
@@ -27,44 +27,14 @@ struct CloudRay {
     float metres; // of the part that is seen
 };
 
-// The greater root of a t² + b t + c for c ≤ 0: where a ray rises through a height.
-float later(float a, float b, float c) {
-    float root = sqrt(max(0.0, b * b - 4.0 * a * c));
-    float q = b + (b < 0.0 ? -root : root);
-    float t = b < 0.0 ? (a > 0.0 ? -q / (2.0 * a) : NEVER) : q > 0.0 ? -2.0 * c / q : NEVER;
-    return max(0.0, t);
-}
-
-// The smaller positive root for c ≥ 0: where a ray falls through a height.
-float sooner(float a, float b, float c) {
-    float square = b * b - 4.0 * a * c;
-    return b < 0.0 && square >= 0.0 ? 2.0 * c / (-b + sqrt(square)) : NEVER;
-}
-
-// The first part of a ray between the cloud's base and top. Twin: nephele.engine.cloud.cells.StackSpan.
-vec2 betweenHeights(float bend, float slope) {
-    float overBase = -cloudBase.y;
-    float overTop = overBase - cloudHalf.y;
-    if (overBase < 0.0) {
-        return vec2(later(bend, slope, overBase), later(bend, slope, overTop));
-    }
-    float down = sooner(bend, slope, overBase);
-    float enter = overTop <= 0.0 ? 0.0 : sooner(bend, slope, overTop);
-    // Above the top the greater root is where the ray leaves it again.
-    float out_ = overTop <= 0.0 ? later(bend, slope, overTop)
-        : bend > 0.0 ? (-slope + sqrt(max(0.0, slope * slope - 4.0 * bend * overTop))) / (2.0 * bend) : NEVER;
-    return enter == NEVER ? vec2(NEVER, 0.0) : vec2(enter, min(down, out_));
-}
-
 // The part of a ray of unit direction in the cloud's boxes.
 vec2 insideCloud(vec3 ray) {
-    vec2 inside = betweenHeights(dot(ray.xz, ray.xz) * phase.z, ray.y);
-    vec2 wide = cloudHalf.xz * exp2(2.0 * (cells.z - 1.0));
-    vec2 a = (cloudBase.xz - wide) / ray.xz;
-    vec2 b = (cloudBase.xz + wide) / ray.xz;
-    vec2 near = min(a, b);
-    vec2 far = max(a, b);
-    return vec2(max(inside.x, max(near.x, near.y)), min(inside.y, min(far.x, far.y)));
+    float widest = exp2(2.0 * (cells.z - 1.0));
+    vec2 inside = spanInside(ray, cloudBase, cloudHalf * vec3(widest, 1.0, widest), phase.z);
+    if (phase.z > 0.0 && stepping.z >= 0.0) {
+        inside.y = min(inside.y, sooner(dot(ray.xz, ray.xz) * phase.z, ray.y, stepping.z)); // the planet hides the rest
+    }
+    return inside;
 }
 
 // Which cells are around a place.

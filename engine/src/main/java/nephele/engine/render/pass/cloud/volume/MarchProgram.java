@@ -22,7 +22,7 @@ final class MarchProgram {
             Uniforms.Vector4 medium,
             Uniforms.Vector3 phase,
             Uniforms.Vector3 cloudSun,
-            Uniforms.Vector2 stepping,
+            Uniforms.Vector3 stepping,
             Uniforms.Vector3 irradiance,
             Uniforms.Vector3 skyAbove,
             Uniforms.Vector3 skyBelow) {
@@ -34,27 +34,62 @@ final class MarchProgram {
                     uniforms.vector4("medium"),
                     uniforms.vector3("phase"),
                     uniforms.vector3("cloudSun"),
-                    uniforms.vector2("stepping"),
+                    uniforms.vector3("stepping"),
                     uniforms.vector3("irradiance"),
                     uniforms.vector3("skyAbove"),
                     uniforms.vector3("skyBelow"));
         }
     }
 
-    MarchProgram(LoadContext context, Defines choices) {
+    /** Which pixels a program draws. */
+    enum Pixels {
+        /** All, as far as surfaces let them see. */
+        ALL,
+        /** All of a layer, as if there were no surfaces. */
+        WHOLE,
+        /** Those whose surface is among the clouds. */
+        MIXED
+    }
+
+    private final CloudRanges.Places ranges;
+    private final Uniforms.Vector2 layerReach;
+
+    MarchProgram(LoadContext context, Pixels pixels, int clouds) {
+        Defines choices = Defines.of(context)
+                .withIf(pixels == Pixels.WHOLE, "WHOLE")
+                .withIf(pixels == Pixels.MIXED, "MIXED")
+                .with("CLOUDS", clouds);
         var defines = choices.values();
+        var found = new CloudRanges.Places[1];
+        var reach = new Uniforms.Vector2[1];
         program = new GlProgram<>(
                 context.gl(),
                 ShaderSource.load(FOLDER + "volume.vert", defines),
                 ShaderSource.load(FOLDER + "volume.frag", defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
-                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    if (pixels != Pixels.WHOLE) {
+                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    }
                     uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
                     uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
+                    found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
+                    reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
                     return Places.of(uniforms);
                 });
+        ranges = found[0];
+        layerReach = reach[0];
+    }
+
+    /** Returns where the ranges of clouds go; {@code null} unless for {@link Pixels#MIXED}. */
+    CloudRanges.Places ranges() {
+        return ranges;
+    }
+
+    /** Returns where a layer's reach goes; {@code null} unless for {@link Pixels#WHOLE}. */
+    Uniforms.Vector2 layerReach() {
+        return layerReach;
     }
 
     void use() {

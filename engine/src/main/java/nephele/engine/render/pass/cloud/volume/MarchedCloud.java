@@ -82,12 +82,13 @@ final class MarchedCloud {
         return cells.isEmpty();
     }
 
-    double distance(Vec3 eye) {
-        Aabb box = cells.density().get(cells.levels() - 1).cells().box();
-        double x = Math.max(0, Math.max(box.minX() - eye.x(), eye.x() - box.maxX()));
-        double y = Math.max(0, Math.max(box.minY() - eye.y(), eye.y() - box.maxY()));
-        double z = Math.max(0, Math.max(box.minZ() - eye.z(), eye.z() - box.maxZ()));
-        return Math.sqrt(x * x + y * y + z * z);
+    /** Returns what contains all of it, heights above the ground of the planet. */
+    Aabb bounds() {
+        return cells.density().get(cells.levels() - 1).cells().box();
+    }
+
+    double halfCurvature() {
+        return 0.5 / cells.planetRadiusMetres();
     }
 
     /** Takes the light of the present environment. */
@@ -104,7 +105,7 @@ final class MarchedCloud {
         below = Vec3.of(sky.ambient(0, -1, 0));
     }
 
-    void bind(MarchProgram program, View view) {
+    void bind(MarchProgram program, View view, double stepCells) {
         textures.bind();
         var places = program.places();
         CellBox narrowest = cells.narrowest();
@@ -124,8 +125,8 @@ final class MarchedCloud {
                 .set(
                         (float) optics.scaledCosine(),
                         (float) cells.physics().smallAngles().deepest(),
-                        (float) (0.5 / cells.planetRadiusMetres()));
-        places.stepping().set(1, 0.5f);
+                        (float) halfCurvature());
+        places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY());
         set(places.cloudSun(), towardsSun);
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);

@@ -1,15 +1,17 @@
 package nephele.engine.render.pass.cloud.volume;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Cloud;
-import nephele.engine.level.Environment;
-import nephele.engine.render.frame.Defines;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
@@ -21,33 +23,54 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.pass.cloud.volume.MarchProgram.Pixels;
 import nephele.engine.scene.View;
 
-/** Draws clouds by marching rays through their cells, the farthest cloud first. */
+/**
+ * Draws clouds by marching rays through their cells, the farthest cloud first. At less than full resolution they are
+ * marched into a layer as if there were no surfaces, which is drawn where surfaces are behind all clouds; pixels whose
+ * surface is among the clouds are marched on their own, so that no edge of a wall has a halo.
+ */
 public final class VolumePass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("cloud.volume", Stage.IN_VIEWS_AFTER_OPAQUE, VolumePass::requiredBy);
 
     private final GlContext gl;
     private final SharedResources shared;
+    private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
-    private final MarchProgram program;
     private final FullScreenTriangle triangle;
     private final List<MarchedCloud> clouds;
+    private final CloudRanges ranges;
+    private final Aabb surfaces;
+    private final double stepCells;
+    private final CloudLayer layer;
+    private final MarchProgram direct;
+    private CompositeProgram composite;
+    private CompositeProgram compositeBehindSurfaces;
+    private Vec3 sortedFor = Vec3.ZERO;
 
     private VolumePass(LoadContext context) {
+        this.context = context;
         gl = context.gl();
         shared = context.shared();
-        program = new MarchProgram(context, Defines.of(context));
         triangle = context.own(new FullScreenTriangle(gl, "volume"));
-        Environment environment = context.scene().level().environment();
         clouds = new ArrayList<>();
-        for (Cloud cloud : environment.clouds()) {
+        for (Cloud cloud : context.scene().level().environment().clouds()) {
             MarchedCloud marched = MarchedCloud.of(context, cloud);
             if (!marched.isEmpty()) {
                 clouds.add(marched);
             }
         }
+        ranges = new CloudRanges(clouds);
+        surfaces = context.scene().statics().bounds();
+        Quality quality = context.quality();
+        stepCells = quality.cloudStep();
+        int divisor = (int) Math.round(1 / quality.cloudResolution());
+        layer = divisor == 1 || clouds.isEmpty() ? null : context.own(new CloudLayer(context, divisor));
+        direct = clouds.isEmpty()
+                ? null
+                : new MarchProgram(context, layer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -74,15 +97,77 @@ public final class VolumePass implements Pass {
             return;
         }
         View view = frame.view();
-        clouds.sort((a, b) -> Double.compare(b.distance(view.eye()), a.distance(view.eye())));
-        frame.surface().bind();
-        gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-        reads.bind(shared);
-        program.use();
         for (int i = 0; i < clouds.size(); i++) {
             clouds.get(i).follow(frame.frameState().environment());
-            clouds.get(i).bind(program, view);
+        }
+        sort(view.eye());
+        reads.bind(shared);
+        if (layer == null) {
+            frame.surface().bind();
+            march(direct, view);
+            return;
+        }
+        layer.begin(frame.surface());
+        march(layer.program(), view);
+        layer.end();
+        frame.surface().bind();
+        boolean mixed = ranges.nearestMetres(view.eye()) < farthestSurface(view.eye());
+        drawLayer(view, mixed);
+        if (mixed) {
+            direct.use();
+            ranges.put(direct.ranges(), view);
+            march(direct, view);
+        }
+    }
+
+    private void sort(Vec3 eye) {
+        if (clouds.size() > 1 && !eye.equals(sortedFor)) {
+            clouds.sort(Comparator.comparingDouble(cloud -> -CloudRanges.distance(cloud.bounds(), eye)));
+            sortedFor = eye;
+        }
+    }
+
+    private void march(MarchProgram program, View view) {
+        gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+        program.use();
+        for (int i = 0; i < clouds.size(); i++) {
+            clouds.get(i).bind(program, view, stepCells);
             triangle.draw();
         }
+    }
+
+    private void drawLayer(View view, boolean mixed) {
+        gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+        CompositeProgram program = mixed ? compositeBehindSurfaces() : composite();
+        program.use();
+        if (mixed) {
+            ranges.put(program.ranges(), view);
+        }
+        layer.bindPicture();
+        triangle.draw();
+    }
+
+    private CompositeProgram composite() {
+        if (composite == null) {
+            composite = new CompositeProgram(context, false, ranges.count(), layer.divisor());
+        }
+        return composite;
+    }
+
+    private CompositeProgram compositeBehindSurfaces() {
+        if (compositeBehindSurfaces == null) {
+            compositeBehindSurfaces = new CompositeProgram(context, true, ranges.count(), layer.divisor());
+        }
+        return compositeBehindSurfaces;
+    }
+
+    private double farthestSurface(Vec3 eye) {
+        if (surfaces.isEmpty()) {
+            return 0;
+        }
+        double x = Math.max(Math.abs(eye.x() - surfaces.minX()), Math.abs(eye.x() - surfaces.maxX()));
+        double y = Math.max(Math.abs(eye.y() - surfaces.minY()), Math.abs(eye.y() - surfaces.maxY()));
+        double z = Math.max(Math.abs(eye.z() - surfaces.minZ()), Math.abs(eye.z() - surfaces.maxZ()));
+        return Math.sqrt(x * x + y * y + z * z);
     }
 }

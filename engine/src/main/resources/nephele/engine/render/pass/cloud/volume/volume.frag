@@ -1,24 +1,49 @@
-// Marches the ray of a pixel through one cloud, as far as surfaces let it.
+// Marches the ray of a pixel through one cloud. WHOLE: the cloud as if there were no surfaces, at low resolution; MIXED:
+// only pixels whose surface is among the clouds.
 #include "output.glsl"
-#include "view-distance.glsl"
 #include "cloud-march.glsl"
+#ifndef WHOLE
+#include "view-distance.glsl"
+#endif
+#ifdef MIXED
+#include "cloud-ranges.glsl"
+#endif
 
 in vec3 direction;
 
+#ifndef WHOLE
 uniform sampler2D viewDepth;
+#endif
 uniform vec3 irradiance; // of the sun at the cloud
 uniform vec3 skyAbove; // mean radiance of the upper half of the sky
 uniform vec3 skyBelow;
 
-void main() {
-    float unit = length(direction);
-    vec3 ray = direction / unit;
+// The part of the ray in front of the pixel's surface and, in a view through an opening, behind that.
+vec2 visiblePart(vec3 ray, float unit) {
+    vec2 visible = vec2(0.0, NEVER);
+#ifndef WHOLE
     float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
-    vec2 visible = vec2(0.0, windowDepth < 1.0 ? axisMetres(windowDepth) * unit : 1e30);
+    if (windowDepth < 1.0) {
+        visible.y = axisMetres(windowDepth) * unit;
+    }
+#endif
 #ifdef PORTALS
     float towardsClip = dot(viewClip.xyz, ray);
     if (towardsClip > 0.0) {
-        visible.x = max(visible.x, -viewClip.w / towardsClip);
+        visible.x = -viewClip.w / towardsClip;
+    }
+#endif
+    return visible;
+}
+
+void main() {
+    float unit = length(direction);
+    vec3 ray = direction / unit;
+    vec2 visible = visiblePart(ray, unit);
+#ifdef MIXED
+    vec2 range = rangeOfClouds(ray);
+    if (visible.y <= range.x || visible.y >= range.y) {
+        discard;
     }
 #endif
     vec2 inside = insideCloud(ray);
