@@ -12,6 +12,7 @@ import nephele.engine.math.Vec3;
  * ambient) instead of sky irradiance × baked visibility; {@code null} for sky and visibility
  * @param exposureStops exposure = 2^stops
  * @param fog {@code null} for none
+ * @param weather clouds that the engine adds to the written ones; {@code null} for none
  */
 public record Environment(
         @Written Sun sun,
@@ -20,4 +21,13 @@ public record Environment(
         @Written(min = -32, max = 32) double exposureStops,
         @Written(absent = "\"clip\"") ToneCurve toneCurve,
         @Written Fog fog,
-        @Written(most = 1000) List<Cloud> clouds) {}
+        @Written(most = 1000) List<Cloud> clouds,
+        @Written Weather weather,
+        @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed) {
+
+    /** Creates an environment without weather. */
+    public Environment(
+            Sun sun, Sky sky, Vec3 ambient, double exposureStops, ToneCurve toneCurve, Fog fog, List<Cloud> clouds) {
+        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, null, 0);
+    }
+}

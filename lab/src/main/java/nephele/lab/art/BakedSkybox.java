@@ -133,7 +133,9 @@ public final class BakedSkybox {
                 old.exposureStops(),
                 old.toneCurve(),
                 old.fog(),
-                old.clouds());
+                old.clouds(),
+                old.weather(),
+                old.weatherSeed());
         return lit.with(environment, lit.lights());
     }
 }

@@ -114,7 +114,9 @@ public final class LevelRepair implements LevelDerivation {
                 said.exposureStops(),
                 said.toneCurve(),
                 said.fog(),
-                said.clouds());
+                said.clouds(),
+                said.weather(),
+                said.weatherSeed());
     }
 
     /**

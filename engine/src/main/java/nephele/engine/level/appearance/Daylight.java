@@ -35,7 +35,9 @@ public final class Daylight {
                 environment.exposureStops(),
                 environment.toneCurve(),
                 environment.fog(),
-                environment.clouds());
+                environment.clouds(),
+                environment.weather(),
+                environment.weatherSeed());
     }
 
     /** Returns the level with the sun of its hour; itself if that is written, or there is no atmosphere. */

@@ -243,7 +243,15 @@ final class RandomEdits {
     private static Environment toggledSky(Environment old) {
         Vec3 ambient = old.ambient() == null ? new Vec3(0.2, 0.2, 0.2) : null;
         return new Environment(
-                old.sun(), old.sky(), ambient, old.exposureStops(), old.toneCurve(), old.fog(), old.clouds());
+                old.sun(),
+                old.sky(),
+                ambient,
+                old.exposureStops(),
+                old.toneCurve(),
+                old.fog(),
+                old.clouds(),
+                old.weather(),
+                old.weatherSeed());
     }
 
     private Light changedLight(Light light) {
@@ -270,7 +278,16 @@ final class RandomEdits {
 
     private Environment otherSun(Environment old) {
         Sun sun = new Sun(new Vec3(step(), 1, step()), new Vec3(3, 3, 3), true);
-        return new Environment(sun, old.sky(), old.ambient(), step(), old.toneCurve(), old.fog(), old.clouds());
+        return new Environment(
+                sun,
+                old.sky(),
+                old.ambient(),
+                step(),
+                old.toneCurve(),
+                old.fog(),
+                old.clouds(),
+                old.weather(),
+                old.weatherSeed());
     }
 
     private Body movedBody(Body body) {

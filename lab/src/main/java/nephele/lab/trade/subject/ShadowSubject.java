@@ -52,7 +52,9 @@ public final class ShadowSubject {
                 light.exposureStops(),
                 light.toneCurve(),
                 light.fog(),
-                light.clouds());
+                light.clouds(),
+                light.weather(),
+                light.weatherSeed());
         return level.with(
                 environment,
                 level.lights().stream().map(ShadowSubject::unshadowed).toList());
