@@ -55,6 +55,14 @@ public record CellBox(Aabb box, int nx, int ny, int nz) {
         return Math.min(sizeX(), Math.min(sizeY(), sizeZ()));
     }
 
+    /** Returns the box of a cell. */
+    public Aabb cell(int i, int j, int k) {
+        double x = box.minX() + i * sizeX();
+        double y = box.minY() + j * sizeY();
+        double z = box.minZ() + k * sizeZ();
+        return new Aabb(x, y, z, x + sizeX(), y + sizeY(), z + sizeZ());
+    }
+
     public double centreX(int i) {
         return box.minX() + (i + 0.5) * sizeX();
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.math.Aabb;
 
 /**
  * A field sampled at the centres of cells, relative to the greatest value, and the distance of each cell to the nearest
@@ -13,30 +14,40 @@ public final class DensityCells {
     /** Distances are counted up to here, in cells. */
     public static final int FARTHEST = 32;
 
+    private static final int MOST_SAMPLES = 4;
+
     private final CellBox cells;
     private final float[] densities;
     private final byte[] distances;
     private final double greatestPerMetre;
 
-    private DensityCells(CellBox cells, float[] perMetre, float greatestPerMetre) {
+    private DensityCells(CellBox cells, float[] perMetre, float greatestPerMetre, float[] occupied) {
         this.cells = cells;
         this.greatestPerMetre = greatestPerMetre;
         densities = perMetre;
         for (int at = 0; at < perMetre.length && greatestPerMetre > 0; at++) {
             densities[at] = Math.round(255 * perMetre[at] / greatestPerMetre) / 255f;
         }
-        distances = EmptyDistance.of(cells, densities, FARTHEST);
+        distances = EmptyDistance.of(cells, occupied == null ? densities : occupied, FARTHEST);
+    }
+
+    /** An upper bound of a field's extinction in a box. */
+    @FunctionalInterface
+    public interface Bound {
+        double perMetre(Aabb box);
     }
 
     /**
      * Samples a field on all processors.
      *
      * @param boxes of cells that share one scale of densities
-     * @param perEdge samples along each edge of a cell, whose mean is taken
+     * @param bound tells where the field can have any extinction; {@code null} if the samples tell it
+     * @param finestMetres size of what must not be missed between two samples
      */
-    public static List<DensityCells> of(ExtinctionField field, List<CellBox> boxes, int perEdge) {
-        List<float[]> sampled =
-                boxes.stream().map(cells -> sampled(field, cells, perEdge)).toList();
+    public static List<DensityCells> of(ExtinctionField field, List<CellBox> boxes, Bound bound, double finestMetres) {
+        List<float[]> sampled = boxes.stream()
+                .map(cells -> sampled(field, cells, perEdge(cells, finestMetres)))
+                .toList();
         float most = 0;
         for (float[] values : sampled) {
             for (float value : values) {
@@ -45,9 +56,26 @@ public final class DensityCells {
         }
         List<DensityCells> all = new ArrayList<>();
         for (int i = 0; i < boxes.size(); i++) {
-            all.add(new DensityCells(boxes.get(i), sampled.get(i), most));
+            float[] occupied = bound == null ? null : occupied(boxes.get(i), bound);
+            all.add(new DensityCells(boxes.get(i), sampled.get(i), most, occupied));
         }
         return all;
+    }
+
+    private static int perEdge(CellBox cells, double finestMetres) {
+        return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(cells.sizeX() / finestMetres)));
+    }
+
+    private static float[] occupied(CellBox cells, Bound bound) {
+        float[] occupied = new float[cells.count()];
+        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+            for (int j = 0; j < cells.ny(); j++) {
+                for (int i = 0; i < cells.nx(); i++) {
+                    occupied[cells.index(i, j, k)] = (float) bound.perMetre(cells.cell(i, j, k));
+                }
+            }
+        });
+        return occupied;
     }
 
     private static float[] sampled(ExtinctionField field, CellBox cells, int perEdge) {

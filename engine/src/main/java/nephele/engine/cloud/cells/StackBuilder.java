@@ -2,7 +2,6 @@ package nephele.engine.cloud.cells;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -29,18 +28,6 @@ public final class StackBuilder {
             half *= CellStack.WIDENING;
         }
         return boxes;
-    }
-
-    /**
-     * Samples a field and computes its light.
-     *
-     * @param boxes as {@link #around} returns them, or one
-     * @param beyond what lies outside the widest box
-     */
-    public static CellStack stack(
-            ExtinctionField field, List<CellBox> boxes, CloudLight physics, double planetRadiusMetres, Light light) {
-        List<DensityCells> density = DensityCells.of(field, boxes, 1);
-        return new CellStack(density, lit(density, physics, light), physics, planetRadiusMetres);
     }
 
     /**

@@ -15,6 +15,7 @@ uniform vec3 stepping; // cells of a step; place of the first sample in its step
 
 const float FOUR_PI = 12.5663706;
 const float OPAQUE = 0.01;
+const float GROWTH = 0.01; // metres of a step per metre of distance
 const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
 const float SEPARATIONS = 64.0;
 const float DEPTHS = 64.0;
@@ -44,6 +45,10 @@ float boxOf(vec3 place) {
     return wide <= 1.0 ? 0.0 : min(cells.z - 1.0, ceil(0.5 * log2(wide) - 1e-6));
 }
 
+#ifdef NOISE
+#include "cloud-noise.glsl"
+#endif
+
 // The coordinates of a place in a stack of boxes of so many rows.
 vec3 texelOf(vec3 place, float bend, float at, float rows) {
     float box = boxOf(place);
@@ -66,7 +71,7 @@ float meanDepth(float depth) {
 }
 
 // direction: of unit length; visible: the part of the ray in the cloud that no surface hides
-CloudRay marchedCloud(vec3 direction, vec2 visible) {
+CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     CloudRay ray = CloudRay(1.0, 0.0, 0.0, 0.0, 0.0);
     float scaled = 1.0;
     float lastDiffuse = 0.0;
@@ -76,22 +81,35 @@ CloudRay marchedCloud(vec3 direction, vec2 visible) {
     float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
     float bend = dot(direction.xz, direction.xz) * phase.z;
     float at = visible.x;
-    float share = stepping.y;
+    float share = offset;
     while (at < visible.y && scaled > OPAQUE) {
-        float cellMetres = cells.w * exp2(2.0 * boxOf(at * direction));
-        float stepMetres = stepping.x * cellMetres;
+        float stepMetres = stepping.x * max(cells.w, GROWTH * at);
         float from = at;
         float to = min(at + share * stepMetres, visible.y);
         float middle = 0.5 * (from + to);
         vec3 cell = textureLod(cloudDensity, texelOf(middle * direction, bend, middle, cells.x), 0.0).rgb;
         at = to;
         share = 1.0;
-        if (cell.r <= 0.0) {
+#ifdef NOISE
+        bool isEmpty = cell.g * FARTHEST >= 1.0;
+#else
+        bool isEmpty = cell.r <= 0.0;
+#endif
+        if (isEmpty) {
             // Whole steps, so that the samples of neighbouring rays stay side by side.
-            at += stepMetres * max(0.0, floor(cell.g * FARTHEST / stepping.x - 1.0));
+            float emptyMetres = cell.g * FARTHEST * cells.w * exp2(2.0 * boxOf(middle * direction));
+            at += stepMetres * max(0.0, floor(emptyMetres / stepMetres - 1.0));
             continue;
         }
-        float depth = cell.r * medium.x * (to - from);
+#ifdef NOISE
+        float density = noiseDensity(middle * direction, bend * middle * middle);
+        if (density <= 0.0) {
+            continue;
+        }
+#else
+        float density = cell.r;
+#endif
+        float depth = density * medium.x * (to - from);
         float mean = meanDepth(depth);
         float lit = from + mean / max(depth, 1e-20) * (to - from);
         vec4 light = textureLod(cloudLight, texelOf(lit * direction, bend, lit, cells.y), 0.0);

@@ -7,13 +7,14 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.volume.MarchProgram.Pixels;
 
 /** The target of low resolution into which clouds are marched; views of one size share it in turn. */
 final class CloudLayer implements GlObject {
     private final GlContext gl;
     private final int divisor;
-    private final MarchProgram program;
+    private final MarchPrograms programs;
     private final DrawState.Limits limits = new DrawState.Limits();
     private RenderTarget target;
     private int width;
@@ -23,11 +24,16 @@ final class CloudLayer implements GlObject {
     CloudLayer(LoadContext context, int divisor) {
         gl = context.gl();
         this.divisor = divisor;
-        program = new MarchProgram(context, Pixels.WHOLE, 0);
+        programs = new MarchPrograms(context, Pixels.WHOLE, 0);
     }
 
-    MarchProgram program() {
-        return program;
+    MarchPrograms programs() {
+        return programs;
+    }
+
+    /** Sets how far the layer reaches. */
+    void put(Uniforms.Vector2 reach) {
+        reach.set((float) (divisor * target.width()) / width, (float) (divisor * target.height()) / height);
     }
 
     /** Begins the layer of a view, empty. */
@@ -40,8 +46,6 @@ final class CloudLayer implements GlObject {
         }
         gl.state().beginLayer(divisor, limits);
         target.clearTransparentWithinScissor();
-        program.layerReach()
-                .set((float) (divisor * target.width()) / width, (float) (divisor * target.height()) / height);
     }
 
     /** Ends it and restores the limits of the view. */

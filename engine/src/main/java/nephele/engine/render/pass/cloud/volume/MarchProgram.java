@@ -51,17 +51,29 @@ final class MarchProgram {
         MIXED
     }
 
+    /** Where the density comes from. */
+    enum Noise {
+        /** From cells. */
+        NONE,
+        STILL,
+        EVOLVING
+    }
+
     private final CloudRanges.Places ranges;
+    private final NoiseTextures.Places noisePlaces;
     private final Uniforms.Vector2 layerReach;
 
-    MarchProgram(LoadContext context, Pixels pixels, int clouds) {
+    MarchProgram(LoadContext context, Pixels pixels, Noise noise, int clouds) {
         Defines choices = Defines.of(context)
                 .withIf(pixels == Pixels.WHOLE, "WHOLE")
                 .withIf(pixels == Pixels.MIXED, "MIXED")
+                .withIf(noise != Noise.NONE, "NOISE")
+                .withIf(noise == Noise.EVOLVING, "EVOLVING")
                 .with("CLOUDS", clouds);
         var defines = choices.values();
         var found = new CloudRanges.Places[1];
         var reach = new Uniforms.Vector2[1];
+        var tables = new NoiseTextures.Places[1];
         program = new GlProgram<>(
                 context.gl(),
                 ShaderSource.load(FOLDER + "volume.vert", defines),
@@ -76,8 +88,10 @@ final class MarchProgram {
                     uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
                     found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
                     reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
+                    tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
                     return Places.of(uniforms);
                 });
+        noisePlaces = tables[0];
         ranges = found[0];
         layerReach = reach[0];
     }
@@ -85,6 +99,11 @@ final class MarchProgram {
     /** Returns where the ranges of clouds go; {@code null} unless for {@link Pixels#MIXED}. */
     CloudRanges.Places ranges() {
         return ranges;
+    }
+
+    /** Returns {@code null} if the density comes from cells. */
+    NoiseTextures.Places noisePlaces() {
+        return noisePlaces;
     }
 
     /** Returns where a layer's reach goes; {@code null} unless for {@link Pixels#WHOLE}. */

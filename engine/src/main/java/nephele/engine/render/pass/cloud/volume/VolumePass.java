@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
+import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
@@ -45,7 +47,7 @@ public final class VolumePass implements Pass {
     private final Aabb surfaces;
     private final double stepCells;
     private final CloudLayer layer;
-    private final MarchProgram direct;
+    private final MarchPrograms direct;
     private CompositeProgram composite;
     private CompositeProgram compositeBehindSurfaces;
     private Vec3 sortedFor = Vec3.ZERO;
@@ -56,8 +58,10 @@ public final class VolumePass implements Pass {
         shared = context.shared();
         triangle = context.own(new FullScreenTriangle(gl, "volume"));
         clouds = new ArrayList<>();
-        for (Cloud cloud : context.scene().level().environment().clouds()) {
-            MarchedCloud marched = MarchedCloud.of(context, cloud);
+        LoadedClouds loaded = LoadedClouds.of(
+                context.scene().level().environment(), context.scene().assets());
+        for (int i = 0; i < loaded.clouds().size(); i++) {
+            MarchedCloud marched = MarchedCloud.of(context, loaded, i);
             if (!marched.isEmpty()) {
                 clouds.add(marched);
             }
@@ -70,11 +74,11 @@ public final class VolumePass implements Pass {
         layer = divisor == 1 || clouds.isEmpty() ? null : context.own(new CloudLayer(context, divisor));
         direct = clouds.isEmpty()
                 ? null
-                : new MarchProgram(context, layer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
+                : new MarchPrograms(context, layer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        List<Cloud> clouds = request.level().environment().clouds();
+        List<Cloud> clouds = WeatherClouds.all(request.level().environment());
         return clouds.isEmpty()
                 ? List.of()
                 : List.of(new Required(
@@ -108,14 +112,12 @@ public final class VolumePass implements Pass {
             return;
         }
         layer.begin(frame.surface());
-        march(layer.program(), view);
+        march(layer.programs(), view);
         layer.end();
         frame.surface().bind();
         boolean mixed = ranges.nearestMetres(view.eye()) < farthestSurface(view.eye());
         drawLayer(view, mixed);
         if (mixed) {
-            direct.use();
-            ranges.put(direct.ranges(), view);
             march(direct, view);
         }
     }
@@ -127,11 +129,19 @@ public final class VolumePass implements Pass {
         }
     }
 
-    private void march(MarchProgram program, View view) {
+    private void march(MarchPrograms programs, View view) {
         gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-        program.use();
         for (int i = 0; i < clouds.size(); i++) {
-            clouds.get(i).bind(program, view, stepCells);
+            MarchedCloud cloud = clouds.get(i);
+            MarchProgram program = programs.of(cloud.noise());
+            program.use();
+            if (program.layerReach() != null) {
+                layer.put(program.layerReach());
+            }
+            if (program.ranges() != null) {
+                ranges.put(program.ranges(), view);
+            }
+            cloud.bind(program, view, stepCells);
             triangle.draw();
         }
     }

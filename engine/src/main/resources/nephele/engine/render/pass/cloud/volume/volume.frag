@@ -36,6 +36,12 @@ vec2 visiblePart(vec3 ray, float unit) {
     return visible;
 }
 
+// Spreads the first samples of neighbouring rays over a step (Jimenez 2014, "Next Generation Post Processing in Call of
+// Duty: Advanced Warfare", interleaved gradient noise).
+float stepOffset(vec2 pixelPlace) {
+    return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
+}
+
 void main() {
     float unit = length(direction);
     vec3 ray = direction / unit;
@@ -51,7 +57,7 @@ void main() {
     if (!(visible.x < visible.y)) {
         discard;
     }
-    CloudRay cloud = marchedCloud(ray, visible);
+    CloudRay cloud = marchedCloud(ray, visible, stepOffset(gl_FragCoord.xy));
     vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
     float covered = 1.0 - cloud.transmittance;
 #ifdef FOG
