@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.volume.VolumePass;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
@@ -29,6 +30,7 @@ public final class RenderFeatures {
             LightShadowPass.FEATURE,
             DynamicShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            CloudShadePass.FEATURE,
             // In each view.
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,

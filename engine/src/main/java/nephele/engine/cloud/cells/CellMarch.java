@@ -15,6 +15,9 @@ public final class CellMarch {
     /** The march ends when so little of the diffuse light behind is left; what is behind is then taken as the last. */
     private static final double OPAQUE = 0.01;
 
+    /** Metres of a step per metre of distance. */
+    private static final double GROWTH = 0.01;
+
     private final CellStack cloud;
     private final OutsideOfCloud outside;
     private final List<CellPlace> dense;
@@ -56,7 +59,7 @@ public final class CellMarch {
     /**
      * Marches a ray of unit direction.
      *
-     * @param stepCells length of a step, in shortest edges of the cells around
+     * @param stepCells length of a step near the eye, in shortest edges of the narrowest cells
      * @param offset place of the first sample in its step, 0 to 1
      */
     public void march(Ray ray, double fromMetres, double toMetres, double stepCells, double offset) {
@@ -75,7 +78,7 @@ public final class CellMarch {
         double at = start;
         double share = offset;
         while (at < end && scaledTransmittance > OPAQUE) {
-            double step = stepCells * cloud.narrowest().shortest() * (1 << 2 * level(ray, at));
+            double step = stepCells * Math.max(cloud.narrowest().shortest(), GROWTH * at);
             // The first step is cut, so that samples of other offsets lie between.
             double to = Math.min(at + share * step, end);
             step(ray, at, to, turned);

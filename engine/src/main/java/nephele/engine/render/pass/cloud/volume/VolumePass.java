@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
@@ -58,13 +58,8 @@ public final class VolumePass implements Pass {
         shared = context.shared();
         triangle = context.own(new FullScreenTriangle(gl, "volume"));
         clouds = new ArrayList<>();
-        LoadedClouds loaded = LoadedClouds.of(
-                context.scene().level().environment(), context.scene().assets());
-        for (int i = 0; i < loaded.clouds().size(); i++) {
-            MarchedCloud marched = MarchedCloud.of(context, loaded, i);
-            if (!marched.isEmpty()) {
-                clouds.add(marched);
-            }
+        for (DrawnCloud cloud : shared.clouds().all()) {
+            clouds.add(new MarchedCloud(context, cloud));
         }
         ranges = new CloudRanges(clouds);
         surfaces = context.scene().statics().bounds();

@@ -16,7 +16,8 @@ void main() {
     if (windowDepth < 1.0) {
 #ifdef MIXED
         float unit = length(direction);
-        if (axisMetres(windowDepth) * unit < rangeOfClouds(direction / unit).y) {
+        vec2 range = rangeOfClouds(direction / unit);
+        if (range.x >= range.y || axisMetres(windowDepth) * unit < range.y) {
             discard;
         }
 #else
