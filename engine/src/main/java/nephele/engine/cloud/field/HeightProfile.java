@@ -133,6 +133,18 @@ public final class HeightProfile {
         return interpolated(body, height);
     }
 
+    /** Returns rise, billows, sharpness and body at each of {@link #KNOTS} heights, four values a height. */
+    public float[] knots() {
+        float[] knots = new float[4 * KNOTS];
+        for (int i = 0; i < KNOTS; i++) {
+            knots[4 * i] = (float) rise[i];
+            knots[4 * i + 1] = (float) billows[i];
+            knots[4 * i + 2] = (float) sharpness[i];
+            knots[4 * i + 3] = (float) body[i];
+        }
+        return knots;
+    }
+
     private static double interpolated(double[] knots, double height) {
         double at = Math.max(0, Math.min(1, height)) * (KNOTS - 1);
         int lower = Math.min((int) at, KNOTS - 2);

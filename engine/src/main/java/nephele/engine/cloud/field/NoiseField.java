@@ -7,7 +7,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
 /** A medium of noise, bounded in cells of a quarter of a feature. */
-final class NoiseField implements ExtinctionField {
+public final class NoiseField implements ExtinctionField {
     /** Cells of a walk in a feature: as many as there are blocks of the shape table's maxima. */
     private static final double CELLS_PER_FEATURE = 4;
 
@@ -52,6 +52,31 @@ final class NoiseField implements ExtinctionField {
                 : Math.max(cell, LAYER_CELL_METRES);
         lattice = new CellLattice(
                 origin.x(), origin.y(), origin.z(), across, Math.min(cell, height / FEWEST_CELLS), across);
+    }
+
+    public NoiseDensity density() {
+        return density;
+    }
+
+    /** Returns the origin of the noise's pattern, in world metres. */
+    public Vec3 origin() {
+        return origin;
+    }
+
+    public double extinctionPerMetre() {
+        return extinctionPerMetre;
+    }
+
+    /** Returns an upper bound of the extinction in a box. */
+    public double greatestPerMetre(Aabb box) {
+        return extinctionPerMetre
+                * density.greatest(
+                        (box.minX() + box.maxX()) / 2 - origin.x(),
+                        (box.minY() + box.maxY()) / 2 - origin.y(),
+                        (box.minZ() + box.maxZ()) / 2 - origin.z(),
+                        (box.maxX() - box.minX()) / 2,
+                        (box.maxY() - box.minY()) / 2,
+                        (box.maxZ() - box.minZ()) / 2);
     }
 
     @Override

@@ -7,7 +7,7 @@ import nephele.engine.cloud.noise.EvolvingNoise;
  * inside of f = depth − rise − billows (1 − shape) − 0.35 erosion · detail is cloud, and the density is the body's times
  * min(1, sharpness · f).
  */
-final class ProfiledNoise implements NoiseDensity {
+public final class ProfiledNoise implements NoiseDensity {
     private static final double EROSION = 0.35;
 
     /** Relative height at which detail has turned from wisps to billows. */
@@ -28,6 +28,28 @@ final class ProfiledNoise implements NoiseDensity {
         detail = noises.detail();
         this.erosion = EROSION * erosion;
         this.heightMetres = heightMetres;
+    }
+
+    public HeightProfile profile() {
+        return profile;
+    }
+
+    public EvolvingNoise shape() {
+        return shape;
+    }
+
+    public EvolvingNoise detail() {
+        return detail;
+    }
+
+    /** Returns by how much detail can dent the surface, in the units of {@link #bodyDepth}. */
+    public double eroding() {
+        return erosion;
+    }
+
+    /** Returns how deep a column is inside of a body, by its place in the pattern. */
+    public double bodyDepth(double x, double z) {
+        return bodies.depth(x, z);
     }
 
     @Override

@@ -12,7 +12,7 @@ import nephele.engine.math.Ray;
  * and the altitude is a convex function, so that within a chunk of the ray it lies below its chord by at most the
  * chunk's sagitta; the flat field must be made for that slack.
  */
-final class ShellField implements ExtinctionField {
+public final class ShellField implements ExtinctionField {
     /** As in docs/atmosphere.md. */
     static final double PLANET_METRES = 6_360_000;
 
@@ -26,6 +26,11 @@ final class ShellField implements ExtinctionField {
     /** @param flat a layer whose majorants hold for points up to {@link #SLACK_METRES} below the walked ray */
     ShellField(ExtinctionField flat) {
         this.flat = flat;
+    }
+
+    /** Returns the layer over flat ground. */
+    public ExtinctionField flat() {
+        return flat;
     }
 
     /** Returns the altitude over the sphere, without the cancellation of a difference of two radii. */

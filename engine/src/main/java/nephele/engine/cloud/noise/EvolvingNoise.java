@@ -1,6 +1,7 @@
 package nephele.engine.cloud.noise;
 
 import nephele.engine.math.Hash64;
+import nephele.engine.math.Vec3;
 
 /**
  * A table laid out in space, at one moment: turned around the vertical, scaled, and shifted by random offsets that
@@ -19,6 +20,12 @@ public final class EvolvingNoise {
     private final double[] to;
     private final double weightFrom;
     private final double weightTo;
+
+    /** The two generations between which the noise is. */
+    public enum Generation {
+        FADING,
+        COMING
+    }
 
     /**
      * How the table lies in space. A turn by a rational angle keeps the pattern periodic.
@@ -56,6 +63,25 @@ public final class EvolvingNoise {
             offset[axis] = (Hash64.combine(hash, axis) >>> 40) * 0x1p-24;
         }
         return offset;
+    }
+
+    public PeriodicTable table() {
+        return table;
+    }
+
+    public Layout layout() {
+        return layout;
+    }
+
+    /** Returns the offset of a generation, in periods. */
+    public Vec3 offset(Generation of) {
+        double[] offset = of == Generation.COMING ? to : from;
+        return new Vec3(offset[0], offset[1], offset[2]);
+    }
+
+    /** Returns the weight of a generation's deviation from ½. */
+    public double weight(Generation of) {
+        return of == Generation.COMING ? weightTo : weightFrom;
     }
 
     /** Returns the value at a point of the pattern, 0 to 1. */
