@@ -17,6 +17,7 @@ import java.util.function.Consumer;
  * @param edgeFilter filter of the displayed picture that smooths edges
  * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
  * @param cloudStep length of a step through a cloud, in its cells
+ * @param cloudScattering model of light that clouds scatter more than once
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -34,6 +35,7 @@ public record Quality(
         EdgeFilter edgeFilter,
         double cloudResolution,
         double cloudStep,
+        CloudScattering cloudScattering,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -53,6 +55,7 @@ public record Quality(
             EdgeFilter.NONE,
             0.5,
             1,
+            CloudScattering.TWO_STREAM,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -69,6 +72,17 @@ public record Quality(
         NONE,
         /** Morphological antialiasing: coverage is estimated from the shapes of edges. */
         MORPHOLOGICAL
+    }
+
+    /** The model of light that clouds scatter more than once. */
+    public enum CloudScattering {
+        /** {@link nephele.engine.cloud.light.CloudLight}: two streams of diffuse light, small angles along the path. */
+        TWO_STREAM,
+        /**
+         * Eight times single scattering, each with half the light, optical depth and asymmetry of the one before
+         * (Wrenninge 2013); the sum is far too dark in thick clouds.
+         */
+        OCTAVES
     }
 
     /** The filter that scales a picture up. */
@@ -168,6 +182,10 @@ public record Quality(
         return with(draft -> draft.cloudStep = cells);
     }
 
+    public Quality withCloudScattering(CloudScattering model) {
+        return with(draft -> draft.cloudScattering = model);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -199,6 +217,7 @@ public record Quality(
         private EdgeFilter edgeFilter;
         private double cloudResolution;
         private double cloudStep;
+        private CloudScattering cloudScattering;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -216,6 +235,7 @@ public record Quality(
             edgeFilter = from.edgeFilter;
             cloudResolution = from.cloudResolution;
             cloudStep = from.cloudStep;
+            cloudScattering = from.cloudScattering;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -235,6 +255,7 @@ public record Quality(
                     edgeFilter,
                     cloudResolution,
                     cloudStep,
+                    cloudScattering,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

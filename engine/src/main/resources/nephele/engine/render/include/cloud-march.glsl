@@ -9,7 +9,7 @@ uniform vec4 cells; // x, y: rows of a box in cloudDensity and cloudLight; z: bo
 uniform vec3 cloudBase; // middle of the narrowest box's lower side, relative to the eye, metres
 uniform vec3 cloudHalf; // x, z: half of its sides; y: height of all boxes, metres
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
-uniform vec3 phase; // scaled cosine; deepest optical depth of smallAngles; 1 / twice the planet's radius, 0 if flat
+uniform vec4 phase; // scaled cosine; deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
 uniform vec3 cloudSun; // towards the sun
 uniform vec3 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet
 
@@ -64,6 +64,25 @@ float smallAngleLight(float separation, float depth) {
     return textureLod(smallAngles, (place * (size - 1.0) + 0.5) / size, 0.0).r;
 }
 
+#ifdef OCTAVES
+float henyeyGreenstein(float g, float separation) {
+    float squared = (1.0 - g) * (1.0 - g) + g * separation;
+    return (1.0 - g) * (1.0 + g) / (FOUR_PI * squared * sqrt(squared));
+}
+
+// Light scattered towards the eye per optical depth, by octaves of single scattering (Wrenninge 2013; the form of
+// Hillaire 2016, "Physically Based Sky, Atmosphere and Cloud Rendering in Frostbite", equations 19 and 20).
+float octaves(float separation, float sunDepth) {
+    float light = 0.0;
+    float share = 1.0;
+    for (int n = 0; n < 8; n++) {
+        light += share * henyeyGreenstein(phase.w * share, separation) * exp(-share * sunDepth);
+        share *= 0.5;
+    }
+    return light;
+}
+#endif
+
 // Mean optical depth at which light that a step takes is taken.
 float meanDepth(float depth) {
     float left = exp(-depth);
@@ -115,10 +134,14 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
         vec4 light = textureLod(cloudLight, texelOf(lit * direction, bend, lit, cells.y), 0.0);
         float taken = 1.0 - exp(-depth);
         float scaledTaken = 1.0 - exp(-medium.y * depth);
+#ifdef OCTAVES
+        ray.sunlight += ray.transmittance * taken * medium.z * octaves(separation, light.r);
+#else
         float eyeDepth = -log(max(ray.transmittance, 1e-30));
         float narrow = smallAngleLight(separation, light.r + eyeDepth + mean) * taken * exp(mean);
         lastDiffuse = medium.w * (once * exp(-medium.y * light.r) + max(0.0, light.g + phase.x * cosine * light.b));
         ray.sunlight += narrow + scaled * scaledTaken * lastDiffuse;
+#endif
         float seen = ray.transmittance * taken;
         ray.above += seen * medium.z * light.a;
         ray.below += seen * medium.z * (cell.b - light.a);

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.cloud.volume;
 
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
@@ -20,7 +21,7 @@ final class MarchProgram {
             Uniforms.Vector3 cloudBase,
             Uniforms.Vector3 cloudHalf,
             Uniforms.Vector4 medium,
-            Uniforms.Vector3 phase,
+            Uniforms.Vector4 phase,
             Uniforms.Vector3 cloudSun,
             Uniforms.Vector3 stepping,
             Uniforms.Vector3 irradiance,
@@ -32,7 +33,7 @@ final class MarchProgram {
                     uniforms.vector3("cloudBase"),
                     uniforms.vector3("cloudHalf"),
                     uniforms.vector4("medium"),
-                    uniforms.vector3("phase"),
+                    uniforms.vector4("phase"),
                     uniforms.vector3("cloudSun"),
                     uniforms.vector3("stepping"),
                     uniforms.vector3("irradiance"),
@@ -69,6 +70,7 @@ final class MarchProgram {
                 .withIf(pixels == Pixels.MIXED, "MIXED")
                 .withIf(noise != Noise.NONE, "NOISE")
                 .withIf(noise == Noise.EVOLVING, "EVOLVING")
+                .withIf(context.quality().cloudScattering() == CloudScattering.OCTAVES, "OCTAVES")
                 .with("CLOUDS", clouds);
         var defines = choices.values();
         var found = new CloudRanges.Places[1];
@@ -85,7 +87,9 @@ final class MarchProgram {
                     }
                     uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
-                    uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
+                    if (context.quality().cloudScattering() == CloudScattering.TWO_STREAM) {
+                        uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
+                    }
                     found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
                     reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);

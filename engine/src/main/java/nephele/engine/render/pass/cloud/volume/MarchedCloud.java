@@ -99,7 +99,8 @@ final class MarchedCloud {
                 .set(
                         (float) optics.scaledCosine(),
                         (float) cloud.cells().physics().smallAngles().deepest(),
-                        (float) halfCurvature());
+                        (float) halfCurvature(),
+                        (float) optics.meanCosine());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY());
         set(places.cloudSun(), towardsSun);
         set(places.irradiance(), irradiance);
