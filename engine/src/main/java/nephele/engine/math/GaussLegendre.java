@@ -24,7 +24,7 @@ public final class GaussLegendre {
 
     /** Newton's iteration from Chebyshev's estimate of the i-th root, the largest first. */
     private static double root(int degree, int i) {
-        double x = Math.cos(Math.PI * (i + 0.75) / (degree + 0.5));
+        double x = StrictMath.cos(Math.PI * (i + 0.75) / (degree + 0.5));
         for (int step = 0; step < 50; step++) {
             double change = value(degree, x) / slope(degree, x);
             x -= change;
