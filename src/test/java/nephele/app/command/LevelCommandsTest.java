@@ -70,8 +70,8 @@ class LevelCommandsTest {
         assertEquals("clouds: not drawn by this version yet (2); render --reference shows them", lines.get(0));
         assertEquals("environment.weather: overcast with weatherSeed 5 means these environment.clouds:", lines.get(1));
         assertEquals(4, lines.size());
-        var pasted =
-                level("{" + HEAD + ", \"environment\": {\"clouds\": [" + lines.get(2) + "," + lines.get(3) + "]}}");
+        var pasted = level("{" + HEAD + ", \"player\": {\"feet\": [0, 0, 0]}, \"environment\": {\"clouds\": ["
+                + lines.get(2) + "," + lines.get(3) + "]}}");
         var meant = LevelJson.read("pasted", Files.readAllBytes(Path.of(pasted)));
         assertEquals(WeatherClouds.of(Weather.OVERCAST, 5), meant.environment().clouds());
         var checked = Captured.run("check", pasted);
