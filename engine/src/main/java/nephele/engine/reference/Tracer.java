@@ -33,7 +33,8 @@ final class Tracer {
             Vec3 place = path.ray().at(path.end());
             Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
             SurfacePoint surface = level.surface(path, place, toEye);
-            return mirrored(level.throughFog(level.light().radiance(surface, shadows, sample), path.metres()));
+            Vector3d seen = level.throughAir(level.light().radiance(surface, shadows, sample), place, path);
+            return mirrored(level.throughFog(seen, path.metres()));
         }
         Vector3d away = new Vector3d(path.direction()).normalize();
         return mirrored(level.throughFog(level.sky(from.y(), away), Double.POSITIVE_INFINITY));

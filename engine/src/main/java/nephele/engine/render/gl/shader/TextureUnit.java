@@ -19,6 +19,8 @@ public enum TextureUnit {
     SKY_VISIBILITY(4),
     PUNCTUAL_LIGHTS(5),
     LIGHT_GRID(6),
+    /** Bound with each view; {@link Uniforms} assigns it to its sampler. */
+    AIR(7),
     DYNAMIC_INSTANCES(9),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
