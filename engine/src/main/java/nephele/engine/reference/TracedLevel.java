@@ -4,6 +4,7 @@ import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.SkyRadiance;
@@ -25,6 +26,7 @@ public final class TracedLevel {
     private final Optional<SkyRadiance> sky;
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
+    private final Optional<AirOfEnvironment> air;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
@@ -40,6 +42,7 @@ public final class TracedLevel {
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         mirrors = ReflectingFaces.of(statics.solids(), textures);
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
+        air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, sky);
         sunCastsShadow =
@@ -95,6 +98,23 @@ public final class TracedLevel {
     /** Returns the share of light that passes the fog along a path of this length. */
     double transmittance(double metres) {
         return fog.map(all -> all.transmittance(metres)).orElse(1.0);
+    }
+
+    /** Returns the radiance of the place at a path's end as seen through the air. */
+    Vector3d throughAir(Vector3d radiance, Vec3 place, EyePath path) {
+        return air.isPresent()
+                ? air.get().over(radiance, place, new Vector3d(path.direction()).normalize(), path.metres())
+                : radiance;
+    }
+
+    /**
+     * Returns the radiance of a place as seen through the air.
+     *
+     * @param direction unit vector from the eye, at the place
+     * @param metres length of the path
+     */
+    Vector3d throughAir(Vector3d radiance, Vec3 place, Vec3 direction, double metres) {
+        return air.isPresent() ? air.get().over(radiance, place, direction.toVector(), metres) : radiance;
     }
 
     Vector3d throughFog(Vector3d radiance, double metres) {

@@ -43,7 +43,8 @@ final class Tracer {
         Vec3 place = path.ray().at(path.end());
         Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
         SurfacePoint surface = level.surface(path, place, toEye);
-        Vector3d radiance = level.throughFog(level.light().radiance(surface, shadows, sample), path.metres());
+        Vector3d seen = level.throughAir(level.light().radiance(surface, shadows, sample), place, path);
+        Vector3d radiance = level.throughFog(seen, path.metres());
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
@@ -54,7 +55,10 @@ final class Tracer {
     }
 
     private Vector3d fromCloud(CloudSight.Met cloud, PixelSample sample) {
-        Vector3d radiance = level.throughFog(clouds.radiance(cloud, sample.random()), cloud.metres());
+        Vec3 place = cloud.ray().at(cloud.collision().metres());
+        Vector3d scattered = clouds.radiance(cloud, sample.random());
+        Vector3d seen = level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres());
+        Vector3d radiance = level.throughFog(seen, cloud.metres());
         List<EyePath.Reflected> mirrors = path.reflected().stream()
                 .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
                 .toList();

@@ -223,7 +223,7 @@ public final class Renderer implements AutoCloseable {
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        shared.frameUniforms().upload(view, environment.exposure());
+        shared.setView(view);
         frame.begin(frameState, drawn);
         frame.setView(view, root, visible, settings.limits(root));
     }

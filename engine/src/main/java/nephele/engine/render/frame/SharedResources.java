@@ -24,6 +24,7 @@ import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.SceneMaterials.PictureArray;
+import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyProbes;
@@ -42,6 +43,9 @@ public final class SharedResources implements GlObject {
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
     private MeteredExposure exposure;
+    /** {@code null} without air to see through. */
+    private final AerialPerspective air;
+
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
@@ -55,6 +59,7 @@ public final class SharedResources implements GlObject {
         this.scene = scene;
         this.request = request;
         surroundings = new FrameEnvironment(request.output());
+        air = AerialPerspective.isIn(scene.level().environment()) ? own(new AerialPerspective(gl, this)) : null;
     }
 
     /** Returns the arguments for building a pass. */
@@ -93,6 +98,17 @@ public final class SharedResources implements GlObject {
         if (surfaceLight != null) {
             surfaceLight.follow(frameState.environment());
         }
+        if (air != null) {
+            air.follow(frameState.environment());
+        }
+    }
+
+    /** Sets the view of the following draws. */
+    public void setView(View view) {
+        if (air != null) {
+            air.setView(view, frameUniforms());
+        }
+        frameUniforms().upload(view, surroundings.exposure());
     }
 
     public FrameEnvironment surroundings() {

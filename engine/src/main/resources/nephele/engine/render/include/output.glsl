@@ -3,6 +3,9 @@
 #ifdef FOG
 #include "fog.glsl"
 #endif
+#ifdef AIR
+#include "air.glsl"
+#endif
 #ifdef OUTPUT_DIRECT
 #include "exposure.glsl"
 #include "tone-mapping.glsl"
@@ -23,9 +26,12 @@ void writeRadiance(vec3 radiance) {
 #endif
 }
 
-// Writes the radiance of a surface, with the fog between it and the eye. Behind an opening the eye is a virtual one, at
+// Writes the radiance of a surface, with air and fog between it and the eye. Behind an opening the eye is a virtual one, at
 // the distance of the whole path.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {
+#ifdef AIR
+    radiance = throughAir(radiance, relativePosition);
+#endif
 #ifdef FOG
     writeRadiance(behindFog(radiance, fog, length(relativePosition)));
 #else

@@ -2,7 +2,10 @@ package nephele.engine.render.gl.shader;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** Looks up uniforms by name while a program is created; throws for a name that the program does not use. */
+/**
+ * Looks up uniforms by name while a program is created; throws for a name that the program does not use. The table of
+ * the air, which every shader of a surface may read, has its unit at once.
+ */
 public final class Uniforms {
     private final int program;
     private final String programName;
@@ -10,6 +13,10 @@ public final class Uniforms {
     public Uniforms(int program, String programName) {
         this.program = program;
         this.programName = programName;
+        int air = glGetUniformLocation(program, "airTable");
+        if (air >= 0) {
+            glProgramUniform1i(program, air, TextureUnit.AIR.number());
+        }
     }
 
     /** A {@code float} of one program. */

@@ -60,6 +60,10 @@ void main() {
     CloudRay cloud = marchedCloud(ray, visible, stepOffset(gl_FragCoord.xy));
     vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
     float covered = 1.0 - cloud.transmittance;
+#ifdef AIR
+    Air air = airAlong(ray * cloud.metres);
+    radiance = radiance * air.transmittance + covered * air.inScatter;
+#endif
 #ifdef FOG
     float clear = exp(-fog.a * cloud.metres);
     radiance = radiance * clear + fog.rgb * covered * (1.0 - clear);
