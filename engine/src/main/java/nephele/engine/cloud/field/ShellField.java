@@ -41,6 +41,11 @@ final class ShellField implements ExtinctionField {
         return flat.perMetre(x, altitude(x, y, z), z);
     }
 
+    @Override
+    public boolean isEmpty() {
+        return flat.isEmpty();
+    }
+
     /** Returns the box of the whole shell. */
     @Override
     public Aabb bounds() {
