@@ -173,7 +173,7 @@ final class ReferenceOptions {
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
         var shown = picture.choice().shown(seen.opened);
-        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding));
+        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = PinholeViews.of(seen.view);
         var facts = facts(seen, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
         var part = new ResumableTrace(

@@ -32,8 +32,10 @@ public final class TracedLevel {
     private final ReflectingFaces mirrors;
     private final ExitLight exits;
 
-    private TracedLevel(
-            Level level, StaticShapes statics, AssetSource assets, Portals portals, ColourDecoding decoding) {
+    private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
+        Level level = placed.level();
+        StaticShapes statics = placed.statics();
+        AssetSource assets = placed.assets();
         this.portals = portals;
         rays = new TracedItems(
                 statics, BodyPieces.of(level, portals), level.bodies().size());
@@ -44,7 +46,7 @@ public final class TracedLevel {
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
-        clouds = LevelClouds.of(level.environment(), assets, sky);
+        clouds = LevelClouds.of(level.environment(), assets, seconds, sky);
         sunCastsShadow =
                 level.environment().sun() != null && level.environment().sun().castsShadow();
         light = new Illumination(
@@ -60,8 +62,18 @@ public final class TracedLevel {
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
     public static TracedLevel of(PlacedLevel placed, ColourDecoding decoding) {
-        Level level = placed.level();
-        return new TracedLevel(level, placed.statics(), placed.assets(), Portals.of(level), decoding);
+        return of(placed, decoding, 0);
+    }
+
+    /**
+     * Prepares the level with its initial portals.
+     *
+     * @param decoding of the pictures of materials and sky
+     * @param seconds simulated time at which the clouds are seen
+     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
+     */
+    public static TracedLevel of(PlacedLevel placed, ColourDecoding decoding, double seconds) {
+        return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
     Tracer tracer(Pinhole eye) {
@@ -87,7 +99,17 @@ public final class TracedLevel {
         return rays.shape(path.item()).at(path, place, toEye, looks);
     }
 
+    /**
+     * Returns what an eye sees in a direction in which nothing is. With clouds it is what their paths see there, which is
+     * faster than to integrate an atmosphere for each eye ray, and the same within 0.2 %.
+     */
     Vector3d sky(double eyeHeight, Vector3dc away) {
+        if (clouds.isPresent()) {
+            return clouds.get()
+                    .open()
+                    .skylight(new Vec3(0, eyeHeight, 0), Vec3.of(away))
+                    .toVector();
+        }
         return sky.map(all -> all.from(eyeHeight, away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
     }
 

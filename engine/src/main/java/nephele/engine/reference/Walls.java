@@ -50,6 +50,11 @@ final class Walls implements Surroundings {
     }
 
     @Override
+    public double reachMetres(Ray ray) {
+        return open.reachMetres(ray);
+    }
+
+    @Override
     public boolean isSunBlocked(Ray ray) {
         return shadeSun && isPathBlocked(ray, Double.POSITIVE_INFINITY);
     }

@@ -83,6 +83,11 @@ public final class GridField implements ExtinctionField {
     }
 
     @Override
+    public boolean isEmpty() {
+        return extinctionPerMetre == 0 || bounds.isEmpty();
+    }
+
+    @Override
     public Aabb bounds() {
         return bounds;
     }

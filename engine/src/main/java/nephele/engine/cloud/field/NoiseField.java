@@ -101,6 +101,11 @@ public final class NoiseField implements ExtinctionField {
     }
 
     @Override
+    public boolean isEmpty() {
+        return extinctionPerMetre == 0 || bounds.isEmpty();
+    }
+
+    @Override
     public Aabb bounds() {
         return bounds;
     }

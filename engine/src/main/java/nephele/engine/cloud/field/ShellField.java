@@ -46,6 +46,11 @@ public final class ShellField implements ExtinctionField {
         return flat.perMetre(x, altitude(x, y, z), z);
     }
 
+    @Override
+    public boolean isEmpty() {
+        return flat.isEmpty();
+    }
+
     /** Returns the box of the whole shell. */
     @Override
     public Aabb bounds() {

@@ -4,19 +4,16 @@ import java.util.List;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.field.CloudMedium;
+import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.SkyRadiance;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
-import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.CloudMedia;
 import nephele.engine.reference.volume.Surroundings;
-import org.joml.Vector3d;
+import nephele.engine.reference.volume.VolumeTracer;
 
-/**
- * The clouds of a level and the light around them, without the level's surfaces. The level is flat for them: a place's
- * height above the planet is its y. Immutable.
- */
+/** The clouds of a level at a time and the light around them, without the level's surfaces. Immutable. */
 public final class LevelClouds {
     private final CloudMedia media;
     private final Surroundings open;
@@ -29,27 +26,22 @@ public final class LevelClouds {
     /**
      * Returns the clouds of an environment; empty if none of them can be seen.
      *
-     * @param environment with the sun of its hour
+     * @param environment with the sun of the time
+     * @param seconds simulated time
      * @param sky what eyes see; empty for black
      * @throws nephele.engine.asset.AssetException if the picture or grid of a cloud is unusable
      */
-    public static Optional<LevelClouds> of(Environment environment, AssetSource assets, Optional<SkyRadiance> sky) {
-        List<CloudMedium> media = environment.clouds().stream()
-                .filter(cloud -> cloud.extinctionPerMetre() > 0)
-                .map(cloud -> CloudMedium.of(cloud, assets))
-                .filter(medium -> !medium.field().bounds().isEmpty())
+    public static Optional<LevelClouds> of(
+            Environment environment, AssetSource assets, double seconds, Optional<SkyRadiance> sky) {
+        List<CloudMedium> media = LoadedClouds.of(environment, assets).at(seconds).stream()
+                .filter(medium -> !medium.field().isEmpty())
                 .toList();
-        return media.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new LevelClouds(new CloudMedia(media), open(environment, sky)));
-    }
-
-    private static Surroundings open(Environment environment, Optional<SkyRadiance> sky) {
-        Vec3 towardsSun = environment.sun() == null
-                ? new Vec3(0, 1, 0)
-                : Directions.unit(environment.sun().directionTowardsSun());
-        SkyRadiance seen = sky.orElse((height, x, y, z) -> new Vector3d());
-        return new Open(towardsSun, SunAtHeights.of(environment), SkyOfPaths.of(environment, seen));
+        if (media.isEmpty()) {
+            return Optional.empty();
+        }
+        boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
+        Surroundings open = isRound ? OverPlanet.of(environment) : OverPlain.of(environment, sky);
+        return Optional.of(new LevelClouds(new CloudMedia(media), open));
     }
 
     public CloudMedia media() {
@@ -61,26 +53,13 @@ public final class LevelClouds {
         return open;
     }
 
-    /** Sun and sky above a level without surfaces. */
-    private record Open(Vec3 towardsSun, SunAtHeights sun, SkyRadiance sky) implements Surroundings {
-        @Override
-        public Vec3 sunlight(Vec3 place) {
-            return sun.at(place.y());
-        }
+    /** Returns the tracer of a sky without surfaces; for any number of threads. */
+    public VolumeTracer inTheOpen() {
+        return new VolumeTracer(media, open);
+    }
 
-        @Override
-        public Vec3 skylight(Vec3 from, Vec3 direction) {
-            return Vec3.of(sky.from(from.y(), direction.x(), direction.y(), direction.z()));
-        }
-
-        @Override
-        public boolean isSunBlocked(Ray ray) {
-            return false;
-        }
-
-        @Override
-        public boolean isPathBlocked(Ray ray, double toMetres) {
-            return false;
-        }
+    /** Returns how far a ray of unit direction can meet clouds. */
+    public double reachMetres(Ray ray) {
+        return open.reachMetres(ray);
     }
 }

@@ -57,7 +57,7 @@ public sealed interface SkyCover {
     /** Clouds: a random walk for each sample of the irradiance. */
     record Clouds(LevelClouds clouds, VolumeTracer tracer) implements SkyCover {
         Clouds(LevelClouds clouds) {
-            this(clouds, new VolumeTracer(clouds.media(), clouds.open()));
+            this(clouds, clouds.inTheOpen());
         }
 
         @Override
@@ -67,7 +67,8 @@ public sealed interface SkyCover {
 
         @Override
         public double share(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
-            return clouds.media().transmittance(ray(place, Vec3.of(towardsLight)), 0, metres, random);
+            Ray ray = ray(place, Vec3.of(towardsLight));
+            return clouds.media().transmittance(ray, 0, Math.min(metres, clouds.reachMetres(ray)), random);
         }
 
         @Override

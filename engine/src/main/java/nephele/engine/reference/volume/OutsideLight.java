@@ -36,6 +36,11 @@ public record OutsideLight(Vec3 towardsSun, Vec3 irradiance, Vec3 skyRadiance) i
     }
 
     @Override
+    public double reachMetres(Ray ray) {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
     public boolean isSunBlocked(Ray ray) {
         return false;
     }

@@ -22,6 +22,9 @@ public interface Surroundings {
      */
     Vec3 skylight(Vec3 from, Vec3 direction);
 
+    /** Returns how far a ray of unit direction can meet media; infinite but for a planet in its way. */
+    double reachMetres(Ray ray);
+
     /** Returns true if a wall casts the sun's shadow on the origin of a ray towards the sun. */
     boolean isSunBlocked(Ray ray);
 

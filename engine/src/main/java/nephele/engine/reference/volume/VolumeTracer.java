@@ -32,7 +32,7 @@ public final class VolumeTracer {
      * @param ray of unit direction
      */
     public Vec3 radiance(Ray ray, SplittableRandom random) {
-        CloudMedia.Collision met = media.collision(ray, 0, INFINITE, random);
+        CloudMedia.Collision met = media.collision(ray, 0, around.reachMetres(ray), random);
         if (around.isPathBlocked(ray, met == null ? INFINITE : met.metres())) {
             return Vec3.ZERO;
         }
@@ -79,7 +79,7 @@ public final class VolumeTracer {
                 addSunlight(at, phase);
                 direction = Deflection.of(direction, phase.sampleSeparation(random), random);
                 aim(ray, at, direction);
-                met = media.collision(ray, 0, INFINITE, random);
+                met = media.collision(ray, 0, around.reachMetres(ray), random);
                 if (around.isPathBlocked(ray, met == null ? INFINITE : met.metres())) {
                     return sum;
                 }
@@ -108,7 +108,7 @@ public final class VolumeTracer {
             aim(towardsSun, at, sun);
             if (!around.isSunBlocked(towardsSun)) {
                 double scattered = phase.perSteradian(Deflection.separation(direction, sun));
-                double share = media.transmittance(towardsSun, 0, INFINITE, random);
+                double share = media.transmittance(towardsSun, 0, around.reachMetres(towardsSun), random);
                 sum = sum.addScaled(weight * scattered * share, irradiance);
             }
         }
