@@ -1,6 +1,8 @@
 package nephele.app.command;
 
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
@@ -37,6 +39,10 @@ final class ReferenceOptions {
         }
     }
 
+    private static PlacedLevel at(PlacedLevel placed, double seconds) {
+        return new PlacedLevel(Daylight.lit(placed.level(), seconds), placed.assets(), placed.statics());
+    }
+
     boolean isAsked() {
         return reference;
     }
@@ -44,9 +50,11 @@ final class ReferenceOptions {
     /**
      * Returns linear radiance, the bottom row first. A picture of ids has one sample, in the centre of each pixel, as
      * ids must not be averaged.
+     *
+     * @param seconds the environment's clock
      */
-    float[] trace(OpenedLevel opened, View view, PictureOptions picture, Terminal terminal) {
-        var shown = picture.choice().shown(opened);
+    float[] trace(OpenedLevel opened, double seconds, View view, PictureOptions picture, Terminal terminal) {
+        var shown = at(picture.choice().shown(opened), seconds);
         var decoding = picture.output(opened) == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
         var level = AssetProblems.named(opened, () -> TracedLevel.of(shown, decoding));
         int usual = samples == null ? USUAL_SAMPLES : samples;

@@ -20,4 +20,12 @@ public record Environment(
         @Written(min = -32, max = 32) double exposureStops,
         @Written(absent = "\"clip\"") ToneCurve toneCurve,
         @Written Fog fog,
-        @Written(most = 1000) List<Cloud> clouds) {}
+        @Written(most = 1000) List<Cloud> clouds) {
+    public Environment with(Sun newSun) {
+        return new Environment(newSun, sky, ambient, exposureStops, toneCurve, fog, clouds);
+    }
+
+    public Environment with(Sky newSky) {
+        return new Environment(sun, newSky, ambient, exposureStops, toneCurve, fog, clouds);
+    }
+}

@@ -19,34 +19,56 @@ public final class Daylight {
     private Daylight() {}
 
     /**
-     * Returns the environment with the sun of its hour; itself if it has a sun of its own, or no atmosphere.
+     * Returns the environment at an instant: its atmosphere has the day and the hour, and its sun stands where the hour
+     * puts it unless another direction is written. Itself if nothing differs, or without an atmosphere.
      *
+     * @param environment as written, or at the simulated time 0
      * @param seconds simulated time
      */
     public static Environment at(Environment environment, double seconds) {
-        if (environment.sun() != null || !(environment.sky() instanceof Atmosphere sky)) {
+        if (!(environment.sky() instanceof Atmosphere sky)) {
             return environment;
         }
-        double days = Heavens.days(sky, seconds);
-        return new Environment(
-                new Sun(Heavens.towardsSun(sky, days), SOLAR_IRRADIANCE, true),
-                sky,
-                environment.ambient(),
-                environment.exposureStops(),
-                environment.toneCurve(),
-                environment.fog(),
-                environment.clouds());
+        Atmosphere then = Heavens.later(sky, seconds);
+        Environment later = then.equals(sky) ? environment : environment.with(then);
+        if (!followsHour(environment.sun(), sky)) {
+            return later;
+        }
+        Sun sun = ofHour(environment.sun(), then);
+        return sun.equals(environment.sun()) ? later : later.with(sun);
     }
 
-    /** Returns the level with the sun of its hour; itself if that is written, or there is no atmosphere. */
+    /**
+     * Returns true if the hour has the direction of a sun: none is written, or the one that the hour has already given,
+     * which no written one equals to the last digit.
+     */
+    private static boolean followsHour(Sun sun, Atmosphere sky) {
+        return sun == null
+                || sun.directionTowardsSun() == null
+                || sun.directionTowardsSun().equals(Heavens.towardsSun(sky));
+    }
+
+    private static Sun ofHour(Sun before, Atmosphere then) {
+        Vec3 towards = Heavens.towardsSun(then);
+        return before == null
+                ? new Sun(towards, SOLAR_IRRADIANCE, true)
+                : new Sun(towards, before.irradiance(), before.castsShadow());
+    }
+
+    /** Returns the level at the simulated time 0, with the sun of its hour. */
     public static Level lit(Level level) {
-        Environment lit = at(level.environment(), 0);
+        return lit(level, 0);
+    }
+
+    /** Returns the level with the environment of a simulated time. */
+    public static Level lit(Level level, double seconds) {
+        Environment lit = at(level.environment(), seconds);
         return lit == level.environment() ? level : level.with(lit, level.lights());
     }
 
-    /** Returns true if the sun follows the simulated time. */
+    /** Returns true if the sky, and a sun without a written direction, follow the simulated time. */
     public static boolean moves(Environment environment) {
-        return environment.sun() == null && environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
+        return environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
     }
 
     /** Returns the air of a sky. */

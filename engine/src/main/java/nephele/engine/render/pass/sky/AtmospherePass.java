@@ -10,7 +10,6 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
-import nephele.engine.level.appearance.Heavens;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
@@ -89,7 +88,7 @@ public final class AtmospherePass implements Pass {
         SkyProgram program = program();
         program.sun(sunShown, towardsSun, tables.air(), shown.heightMetres);
         if (program == night) {
-            program.heavens(sky, Heavens.days(sky, frame.frameState().seconds()));
+            program.heavens(sky);
         }
         texture.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());

@@ -28,7 +28,7 @@ final class SkyProgram {
     private NightNumbers nightNumbers;
     private Sun sunShown;
     private double heightShown = Double.NaN;
-    private double daysShown = Double.NaN;
+    private Sky.Atmosphere skyShown;
 
     private record SunNumbers(Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Scalar mieG) {}
 
@@ -80,13 +80,13 @@ final class SkyProgram {
     }
 
     /** Sets moon and stars of the program of the night. */
-    void heavens(Sky.Atmosphere sky, double days) {
-        if (days == daysShown) {
+    void heavens(Sky.Atmosphere sky) {
+        if (sky == skyShown) {
             return;
         }
-        daysShown = days;
-        Vec3[] axes = Heavens.celestialAxes(sky, days);
-        set(nightNumbers.towardsMoon, Heavens.towardsMoon(sky, days));
+        skyShown = sky;
+        Vec3[] axes = Heavens.celestialAxes(sky);
+        set(nightNumbers.towardsMoon, Heavens.towardsMoon(sky));
         set(nightNumbers.equinox, axes[0]);
         set(nightNumbers.east, axes[1]);
         set(nightNumbers.pole, axes[2]);
