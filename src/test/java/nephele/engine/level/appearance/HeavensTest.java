@@ -1,7 +1,9 @@
 package nephele.engine.level.appearance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -124,6 +126,20 @@ class HeavensTest {
         assertNotNull(timed.sun());
         assertEquals(timed, Daylight.at(under(sky(45, 80, 9, 60)), 60 / 36_000.0 / 2), "within a step");
         assertTrue(Daylight.moves(under(sky(45, 80, 9, 60))) && !Daylight.moves(under(sky(45, 80, 9, 0))));
+    }
+
+    @Test
+    void aSunWithoutADirectionStandsWhereTheHourPutsIt() {
+        Sun bright = new Sun(null, new Vec3(7, 6, 5), false);
+        Environment written = under(sky(45, 80, 9, 60)).with(bright);
+        Sun sun = Daylight.at(written, 20).sun();
+        assertEquals(Daylight.at(under(sky(45, 80, 17, 60)), 0).sun().directionTowardsSun(), sun.directionTowardsSun());
+        assertEquals(bright.irradiance(), sun.irradiance());
+        assertFalse(sun.castsShadow());
+        assertNull(
+                Daylight.at(new TestLevel().level().environment().with(bright), 0)
+                        .sun(),
+                "nobody says where");
     }
 
     @Test

@@ -20,14 +20,16 @@ public final class Daylight {
 
     /**
      * Returns the environment at an instant: its atmosphere has the day and the hour, and its sun stands where the hour
-     * puts it unless another direction is written. Itself if nothing differs, or without an atmosphere.
+     * puts it unless another direction is written. Without an atmosphere a sun without a direction does not shine, which
+     * {@code check} reports. Itself if nothing differs.
      *
      * @param environment as written, or at the simulated time 0
      * @param seconds simulated time
      */
     public static Environment at(Environment environment, double seconds) {
         if (!(environment.sky() instanceof Atmosphere sky)) {
-            return environment;
+            boolean isSomewhere = environment.sun() == null || environment.sun().directionTowardsSun() != null;
+            return isSomewhere ? environment : environment.with((Sun) null);
         }
         Atmosphere then = Heavens.later(sky, seconds);
         Environment later = then.equals(sky) ? environment : environment.with(then);

@@ -59,7 +59,7 @@ public interface SkyRadiance {
 
     /** By numerical integration, which takes some 0.1 ms for a direction. */
     private static SkyRadiance of(Sky.Atmosphere atmosphere, Sun sun) {
-        AirTables tables = AirTables.of(Daylight.air(atmosphere));
+        AirTables tables = AirCache.tables(Daylight.air(atmosphere));
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         return (height, x, y, z) -> new ClearSky(tables)
                 .radiance(height, new Vec3(x, y, z), towardsSun)

@@ -6,6 +6,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
@@ -101,7 +102,7 @@ public final class SurfaceLight implements GlObject {
 
     private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
-            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
+            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         }
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         SmoothSky smooth = new SmoothSky(airTables, towardsSun);

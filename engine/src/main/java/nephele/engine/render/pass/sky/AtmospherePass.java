@@ -8,6 +8,7 @@ import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Directions;
@@ -55,7 +56,7 @@ public final class AtmospherePass implements Pass {
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
         day = SkyProgram.of(context, false);
-        tables = context.shared().shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
+        tables = context.shared().shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         texture = context.own(new Texture(
                 context.gl(),
                 "sky table",
@@ -112,7 +113,7 @@ public final class AtmospherePass implements Pass {
 
     private void followSun(Sky.Atmosphere sky, Sun sun) {
         if (!Daylight.air(sky).equals(tables.air())) {
-            tables = AirTables.of(Daylight.air(sky));
+            tables = AirCache.tables(Daylight.air(sky));
             shown = null;
             coming = null;
         }
