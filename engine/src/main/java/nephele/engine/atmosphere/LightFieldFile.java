@@ -45,9 +45,7 @@ public final class LightFieldFile {
 
     private static byte[] header(Air air) {
         Vec3 albedo = air.groundAlbedo();
-        double[] numbers = {
-            VERSION, albedo.x(), albedo.y(), albedo.z(), air.mieScale(), air.mieG(), air.ozoneScale()
-        };
+        double[] numbers = {VERSION, albedo.x(), albedo.y(), albedo.z(), air.mieScale(), air.mieG(), air.ozoneScale()};
         ByteBuffer bytes = ByteBuffer.allocate(numbers.length * Double.BYTES);
         Arrays.stream(numbers).forEach(bytes::putDouble);
         return bytes.array();

@@ -14,6 +14,8 @@ public final class Daylight {
     /** Outside the air, for a level that has no sun of its own. */
     private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
 
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
     public static final double SUN_RADIUS_RADIANS = Math.toRadians(0.2666);
 
     private Daylight() {}
@@ -81,24 +83,29 @@ public final class Daylight {
 
     /**
      * Returns the sun as it shines on the surfaces of a level: dimmed by the air above y = 0, and by as much of its disc
-     * as the horizon hides. Itself without an atmosphere; {@code null} without a sun.
+     * as the horizon hides. At night the moon is in its place. Itself without an atmosphere; {@code null} without a sun.
      */
     public static Sun onGround(Environment environment) {
         Sun sun = environment.sun();
         if (sun == null || !(environment.sky() instanceof Sky.Atmosphere sky)) {
             return sun;
         }
+        Moonlight moon = Moonlight.of(sky, sun);
+        if (moon.shines()) {
+            Vec3 through =
+                    air(sky).transmittance(0, Math.max(0, moon.towardsMoon().y()));
+            return new Sun(
+                    moon.towardsMoon(), product(sun.irradiance(), moon.irradiance(), through), sun.castsShadow());
+        }
         double sine = Directions.unit(sun.directionTowardsSun()).y();
-        Vec3 dimmed = air(sky).transmittance(0, Math.max(0, sine));
+        Vec3 through = air(sky).transmittance(0, Math.max(0, sine));
         double seen = shareAboveHorizon(Math.asin(sine));
-        Vec3 outside = sun.irradiance();
         return new Sun(
-                sun.directionTowardsSun(),
-                new Vec3(
-                        seen * dimmed.x() * outside.x(),
-                        seen * dimmed.y() * outside.y(),
-                        seen * dimmed.z() * outside.z()),
-                sun.castsShadow());
+                sun.directionTowardsSun(), product(sun.irradiance(), through.scaled(seen), ONE), sun.castsShadow());
+    }
+
+    private static Vec3 product(Vec3 a, Vec3 b, Vec3 c) {
+        return new Vec3(a.x() * b.x() * c.x(), a.y() * b.y() * c.y(), a.z() * b.z() * c.z());
     }
 
     /** Returns the share of the sun's disc above the horizon. */

@@ -21,6 +21,9 @@ public final class Heavens {
 
     private static final Vec3 NIGHT_GLOW = new Vec3(0.55, 0.75, 1.25).scaled(6.4e-6);
 
+    /** The glow's irradiance of a level ground, divided by π and by the glow of the zenith. */
+    private static final double GLOW_ON_GROUND = 1.061;
+
     private Heavens() {}
 
     /** Returns the days that have passed since the written hour, in steps of a hundredth of a degree of the sun. */
@@ -64,15 +67,16 @@ public final class Heavens {
 
     /**
      * Returns the light of the night's own air and of unresolved stars, per unit irradiance of the sun; the twin of the
-     * glow in {@code atmosphere.frag}.
+     * glow in {@code atmosphere.frag}. The planet's ground reflects it.
      *
      * @param sunSine of the sun's elevation
-     * @param sine of the elevation of the direction; nothing comes from below
+     * @param sine of the elevation of the direction
      */
-    public static Vec3 nightGlow(double sunSine, double sine) {
+    public static Vec3 nightGlow(Atmosphere sky, double sunSine, double sine) {
         double t = Math.max(0, Math.min(1, (sunSine + 0.21) / 0.105));
-        double afterDusk = sine < 0 ? 0 : 1 - t * t * (3 - 2 * t);
-        return NIGHT_GLOW.scaled(afterDusk * (1 + 0.8 * Math.exp(-5 * sine)));
+        double afterDusk = 1 - t * t * (3 - 2 * t);
+        double shape = sine < 0 ? sky.groundAlbedo() * GLOW_ON_GROUND : 1 + 0.8 * Math.exp(-5 * sine);
+        return NIGHT_GLOW.scaled(afterDusk * shape);
     }
 
     /** Returns the unit direction towards the sun. */

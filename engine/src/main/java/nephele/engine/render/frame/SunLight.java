@@ -42,13 +42,16 @@ final class SunLight {
             return;
         }
         block.sun(sun);
+        boolean isTurned = !sun.directionTowardsSun().equals(towardsSun);
+        towardsSun = sun.directionTowardsSun();
         if (hasShadow()) {
-            if (!sun.directionTowardsSun().equals(towardsSun)) {
-                towardsSun = sun.directionTowardsSun();
-                frame = fitted();
-            }
+            frame = isTurned ? fitted() : frame;
             block.sunShadow(frame);
         }
+    }
+
+    Vec3 towardsSun() {
+        return towardsSun;
     }
 
     private ShadowFrame fitted() {
