@@ -96,6 +96,10 @@ final class BadRelations {
                     "environment.sun.directionTowardsSun",
                     "no length",
                     "\"environment\": {\"sun\": {\"directionTowardsSun\": [0, 0, 0], \"irradiance\": [1, 1, 1]}}"),
+            level(
+                    "environment.sun.directionTowardsSun",
+                    "write a direction",
+                    "\"environment\": {\"sun\": {\"irradiance\": [1, 1, 1]}}"),
             camera("target", "[0, 0, 0]", "equals position"),
             camera("up", "[0, 0, 0]", "no length"),
             camera("farMetres", "0.01", "larger than nearMetres"),

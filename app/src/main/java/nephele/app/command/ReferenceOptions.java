@@ -9,6 +9,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
@@ -114,6 +116,10 @@ final class ReferenceOptions {
         return samples == null ? USUAL_SAMPLES : samples;
     }
 
+    private static PlacedLevel at(PlacedLevel placed, double seconds) {
+        return new PlacedLevel(Daylight.lit(placed.level(), seconds), placed.assets(), placed.statics());
+    }
+
     boolean isAsked() {
         return reference;
     }
@@ -172,7 +178,7 @@ final class ReferenceOptions {
                 picture.choice().showsIds() ? 1 : samples(),
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
-        var shown = picture.choice().shown(seen.opened);
+        var shown = at(picture.choice().shown(seen.opened), seen.seconds);
         var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = PinholeViews.of(seen.view);
         var facts = facts(seen, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());

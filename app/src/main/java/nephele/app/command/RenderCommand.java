@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -16,6 +17,7 @@ import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.FrameState;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.PrintedProgress;
@@ -76,7 +78,7 @@ final class RenderCommand implements Command {
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
-        ignored().ifPresent(terminal.err()::println);
+        ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
             var exposed = reference.exposed(opened, viewpoint.view(0), picture);
@@ -87,8 +89,10 @@ final class RenderCommand implements Command {
         try (var gl = GlContext.offscreen();
                 var target = picture.target(gl);
                 var renderer = AssetProblems.named(opened, () -> renderer(opened, gl, terminal))) {
+            var state = FrameState.atStart(renderer.scene().level());
+            state.seconds(timeSeconds);
             for (int frame = 0; frame < frames; frame++) {
-                renderer.draw(viewpoint.view(0), target);
+                renderer.draw(viewpoint.view(0), state, target);
             }
             gl.requireNoError("render");
             save(renderer, target);
@@ -100,10 +104,10 @@ final class RenderCommand implements Command {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
-    /** Returns a notice for options without effect: neither animated environments nor clouds are implemented. */
-    private Optional<String> ignored() {
+    /** Returns a notice for options without effect: the environment stands still, or clouds are not drawn yet. */
+    private Optional<String> ignored(OpenedLevel opened) {
         var options = new ArrayList<String>();
-        if (timeSeconds != 0) {
+        if (timeSeconds != 0 && !Daylight.moves(opened.level().environment())) {
             options.add("--time");
         }
         if (technique != null) {

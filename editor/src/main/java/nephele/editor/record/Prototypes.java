@@ -35,7 +35,7 @@ public final class Prototypes {
         if (field.isId()) {
             return id;
         }
-        if (!field.isRequired()) {
+        if (!field.isRequired() && field.written().prototype() == null) {
             return field.declaration().beside()
                     ? nested(field, id, at)
                     : field.written().absent();

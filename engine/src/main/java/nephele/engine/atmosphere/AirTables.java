@@ -1,5 +1,7 @@
 package nephele.engine.atmosphere;
 
+import java.util.function.DoubleConsumer;
+
 /** What depends on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
 public final class AirTables {
     private final Air air;
@@ -14,18 +16,32 @@ public final class AirTables {
         mieMoments = RepeatedScattering.mieMoments(air, field.degree());
     }
 
-    /** Computes the tables, all orders of scattering, which takes seconds of processor time. */
-    public static AirTables computed(Air air) {
+    /**
+     * Returns the tables. The light field of {@link Air#CLEAR} is a file of the program; that of other air is found or
+     * computed, all orders of scattering, which takes seconds of processor time.
+     *
+     * @param files where computed fields are found and kept
+     * @param progress of a computation, 0–1, from several threads; not called without one
+     */
+    public static AirTables of(Air air, AirFiles files, DoubleConsumer progress) {
         SunTransmittance sun = new SunTransmittance(air);
-        return new AirTables(air, sun, ScatteringOrders.sum(air, sun).refined());
+        if (air.equals(Air.CLEAR)) {
+            return new AirTables(air, sun, LightFieldFile.clear().refined());
+        }
+        String name = LightFieldFile.nameFor(air);
+        LightField field = files.find(name)
+                .flatMap(bytes -> LightFieldFile.decode(air, bytes))
+                .orElse(null);
+        if (field == null) {
+            field = ScatteringOrders.sum(air, sun, progress);
+            files.store(name, LightFieldFile.encode(air, field));
+        }
+        return new AirTables(air, sun, field.refined());
     }
 
-    /** Returns the tables; those of {@link Air#CLEAR} are read from the program's files, others are computed. */
+    /** Returns the tables, computed unless the air is clear. */
     public static AirTables of(Air air) {
-        return air.equals(Air.CLEAR)
-                ? new AirTables(
-                        air, new SunTransmittance(air), LightFieldFile.clear().refined())
-                : computed(air);
+        return of(air, AirFiles.NONE, done -> {});
     }
 
     public Air air() {

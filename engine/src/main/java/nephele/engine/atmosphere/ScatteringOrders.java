@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 
 /**
@@ -29,13 +30,19 @@ final class ScatteringOrders {
         sums = new double[LightField.HEIGHTS * LightField.SUNS * Air.CHANNELS][DirectionMoments.count(FIRST_DEGREE)];
     }
 
-    /** Returns the field of all orders: light scattered at least once, or reflected by the ground. */
-    static LightField sum(Air air, SunTransmittance sun) {
+    /**
+     * Returns the field of all orders: light scattered at least once, or reflected by the ground.
+     *
+     * @param progress the completed share, estimated from the light that the last order added
+     */
+    static LightField sum(Air air, SunTransmittance sun, DoubleConsumer progress) {
         ScatteringOrders orders = new ScatteringOrders(air, sun);
         LightField last = orders.next(null, FIRST_DEGREE);
         for (int order = 2; order <= MOST_ORDERS && orders.share > LEAST_SHARE; order++) {
+            progress.accept(Math.max(0, Math.log(orders.share) / Math.log(LEAST_SHARE)));
             last = orders.next(last.refined(), DEGREE);
         }
+        progress.accept(1);
         return orders.total();
     }
 

@@ -5,11 +5,11 @@ import nephele.engine.math.Vec3;
 /**
  * A directional light without a visible disc.
  *
- * @param directionTowardsSun any length but zero
+ * @param directionTowardsSun any length but zero; {@code null} for that of the hour, under an atmosphere only
  * @param irradiance linear RGB on a plane perpendicular to the light; a Lambertian surface reflects albedo / π ×
  * irradiance × cos
  */
 public record Sun(
-        @Written(required = true) Vec3 directionTowardsSun,
+        @Written(prototype = "[1, 2, 1]") Vec3 directionTowardsSun,
         @Written(required = true, min = 0, max = 1e9) Vec3 irradiance,
         @Written(absent = "true") boolean castsShadow) {}

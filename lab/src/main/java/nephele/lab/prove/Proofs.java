@@ -32,6 +32,7 @@ import nephele.lab.prove.process.MutantsProof;
 import nephele.lab.prove.process.SaveKillProof;
 import nephele.lab.prove.process.SoakProof;
 import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.sky.SkySweepProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {
@@ -65,6 +66,7 @@ public final class Proofs {
             new EditsProof(10, 8, EditedTown::baked),
             new CloudSlabsProof(),
             new CloudReferenceProof(),
+            new SkySweepProof(),
             new SoakProof());
 
     private Proofs() {}

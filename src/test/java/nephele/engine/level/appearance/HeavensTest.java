@@ -1,7 +1,9 @@
 package nephele.engine.level.appearance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -30,7 +32,7 @@ class HeavensTest {
     @ParameterizedTest
     @CsvSource({"0, 80, 90", "45, 80, 45", "45, 171.3, 68.44", "45, 354, 21.56", "-30, 354, 83.44", "66.56, 354, 0"})
     void theNoonSunIsAsHighAsTheSeasonHasIt(double latitude, double day, double degrees) {
-        Vec3 sun = Heavens.towardsSun(sky(latitude, day - 0.5, 12, 0), 0);
+        Vec3 sun = Heavens.towardsSun(sky(latitude, day - 0.5, 12, 0));
         assertEquals(degrees, Math.toDegrees(Math.asin(sun.y())), 0.2);
         assertEquals(0, sun.x(), 1e-9, "it stands in the meridian");
         assertEquals(1, sun.dot(sun), 1e-12);
@@ -38,46 +40,74 @@ class HeavensTest {
 
     @Test
     void theSunRisesInTheEastAndSetsInTheWest() {
-        assertTrue(Heavens.towardsSun(sky(45, 80, 7, 0), 0).x() > 0.9);
-        assertTrue(Heavens.towardsSun(sky(45, 80, 17, 0), 0).x() < -0.9);
-        assertTrue(Heavens.towardsSun(sky(45, 80, 12, 0), 0).z() > 0, "noon is in the south");
-        assertTrue(Heavens.towardsSun(sky(45, 80, 0, 0), 0).y() < 0);
+        assertTrue(Heavens.towardsSun(sky(45, 80, 7, 0)).x() > 0.9);
+        assertTrue(Heavens.towardsSun(sky(45, 80, 17, 0)).x() < -0.9);
+        assertTrue(Heavens.towardsSun(sky(45, 80, 12, 0)).z() > 0, "noon is in the south");
+        assertTrue(Heavens.towardsSun(sky(45, 80, 0, 0)).y() < 0);
     }
 
     @Test
     void aYearInSmallStepsMovesTheSunInSmallSteps() {
-        Atmosphere sky = sky(51, 1, 0, 0);
-        Vec3 before = Heavens.towardsSun(sky, 0);
-        for (int i = 1; i < 40_000; i++) {
-            Vec3 now = Heavens.towardsSun(sky, i / 36_000.0 + i / 40_000 * 100);
-            assertTrue(Math.toDegrees(now.minus(before).length()) <= 0.0101, "step " + i);
-            before = now;
+        Atmosphere sky = sky(51, 1, 0, 36_000);
+        for (int day = 0; day < 366; day += 61) {
+            Vec3 before = Heavens.towardsSun(Heavens.later(sky, 36_000 * day + 0.5));
+            for (int i = 1; i < 36_000; i++) {
+                Vec3 now = Heavens.towardsSun(Heavens.later(sky, 36_000 * day + i + 0.5));
+                double moved = Math.toDegrees(now.minus(before).length());
+                assertTrue(moved <= 0.0101, "day " + day + " step " + i);
+                before = now;
+            }
         }
     }
 
     @Test
     void aDayLaterTheSunIsWhereItWasAndTheMoonTwelveDegreesBehind() {
         Atmosphere sky = sky(45, 80, 9, 600);
+        Atmosphere tomorrow = Heavens.later(sky, 600);
         assertEquals(1, Heavens.days(sky, 600), 1e-4);
-        Vec3 today = Heavens.towardsSun(sky, 0);
-        assertTrue(Math.toDegrees(Heavens.towardsSun(sky, 1).minus(today).length()) < 0.5);
-        double moved = Heavens.towardsMoon(sky, 1).dot(Heavens.towardsMoon(sky, 0));
+        Vec3 today = Heavens.towardsSun(sky);
+        assertTrue(Math.toDegrees(Heavens.towardsSun(tomorrow).minus(today).length()) < 0.5);
+        double moved = Heavens.towardsMoon(tomorrow).dot(Heavens.towardsMoon(sky));
         assertEquals(12.2, Math.toDegrees(Math.acos(moved)), 2);
+    }
+
+    /** Four years are a whole number of days; a float clock of seconds would be 0.25 s off after 30 days. */
+    @Test
+    void afterThirtyDaysOfPlayTheSunStandsAsFourYearsBefore() {
+        Atmosphere sky = sky(45, 80, 9, 600);
+        double fourYears = 1461 * 600.0;
+        for (double seconds : new double[] {0, 0.3, 7.77, 321.5}) {
+            Vec3 before = Heavens.towardsSun(Heavens.later(sky, seconds));
+            Vec3 after = Heavens.towardsSun(Heavens.later(sky, seconds + 3 * fourYears));
+            assertTrue(Math.toDegrees(after.minus(before).length()) <= 0.0101, seconds + " s");
+        }
+    }
+
+    @Test
+    void theSkyOfAnInstantHasItsHour() {
+        Environment later = Daylight.at(under(sky(45, 80, 23, 240)), 20);
+        Atmosphere then = (Atmosphere) later.sky();
+        assertEquals(81, then.dayOfYear(), "past midnight");
+        assertEquals(1, then.timeOfDayHours(), 1e-3);
+        Environment again = Daylight.at(later, 0);
+        assertSame(later, again, "the hour's sun is recognised");
+        Environment first = Daylight.at(under(sky(45, 80, 23, 240)), 0);
+        assertEquals(later, Daylight.at(first, 20), "the sun of the level's first hour moves on");
     }
 
     @Test
     void theNewMoonIsAtTheSunAndTheFullMoonOpposite() {
         for (double latitude : new double[] {-40, 0, 60}) {
             Atmosphere young = sky(latitude, 6 - 0.25, 6, 0);
-            assertEquals(1, Heavens.towardsMoon(young, 0).dot(Heavens.towardsSun(young, 0)), 1e-6);
+            assertEquals(1, Heavens.towardsMoon(young).dot(Heavens.towardsSun(young)), 1e-6);
             Atmosphere full = sky(latitude, 6 - 0.25 + 29.530588 / 2, 6, 0);
-            assertTrue(Heavens.towardsMoon(full, 0).dot(Heavens.towardsSun(full, 0)) < -0.99);
+            assertTrue(Heavens.towardsMoon(full).dot(Heavens.towardsSun(full)) < -0.99);
         }
     }
 
     @Test
     void theAxesOfTheStarsAreARightHandedBasisAroundThePole() {
-        Vec3[] axes = Heavens.celestialAxes(sky(50, 200, 3, 0), 0.3);
+        Vec3[] axes = Heavens.celestialAxes(sky(50, 200, 10.2, 0));
         assertEquals(0, axes[0].cross(axes[1]).minus(axes[2]).length(), 1e-9);
         assertEquals(Math.sin(Math.toRadians(50)), axes[2].y(), 1e-9);
         assertTrue(axes[2].z() < 0, "the pole is in the north");
@@ -90,11 +120,26 @@ class HeavensTest {
                 .sun(new Vec3(0, 1, 0), 3)
                 .level()
                 .environment();
-        assertSame(written, Daylight.at(written, 100));
+        assertSame(written, Daylight.at(written, 0));
+        assertSame(written.sun(), Daylight.at(written, 100).sun());
         Environment timed = Daylight.at(under(sky(45, 80, 9, 60)), 0);
         assertNotNull(timed.sun());
         assertEquals(timed, Daylight.at(under(sky(45, 80, 9, 60)), 60 / 36_000.0 / 2), "within a step");
         assertTrue(Daylight.moves(under(sky(45, 80, 9, 60))) && !Daylight.moves(under(sky(45, 80, 9, 0))));
+    }
+
+    @Test
+    void aSunWithoutADirectionStandsWhereTheHourPutsIt() {
+        Sun bright = new Sun(null, new Vec3(7, 6, 5), false);
+        Environment written = under(sky(45, 80, 9, 60)).with(bright);
+        Sun sun = Daylight.at(written, 20).sun();
+        assertEquals(Daylight.at(under(sky(45, 80, 17, 60)), 0).sun().directionTowardsSun(), sun.directionTowardsSun());
+        assertEquals(bright.irradiance(), sun.irradiance());
+        assertFalse(sun.castsShadow());
+        assertNull(
+                Daylight.at(new TestLevel().level().environment().with(bright), 0)
+                        .sun(),
+                "nobody says where");
     }
 
     @Test

@@ -14,32 +14,65 @@ public final class Daylight {
     /** Outside the air, for a level that has no sun of its own. */
     private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
 
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
     public static final double SUN_RADIUS_RADIANS = Math.toRadians(0.2666);
 
     private Daylight() {}
 
     /**
-     * Returns the environment with the sun of its hour; itself if it has a sun of its own, or no atmosphere.
+     * Returns the environment at an instant: its atmosphere has the day and the hour, and its sun stands where the hour
+     * puts it unless another direction is written. Without an atmosphere a sun without a direction does not shine, which
+     * {@code check} reports. Itself if nothing differs.
      *
+     * @param environment as written, or at the simulated time 0
      * @param seconds simulated time
      */
     public static Environment at(Environment environment, double seconds) {
-        if (environment.sun() != null || !(environment.sky() instanceof Atmosphere sky)) {
-            return environment;
+        if (!(environment.sky() instanceof Atmosphere sky)) {
+            boolean isSomewhere = environment.sun() == null || environment.sun().directionTowardsSun() != null;
+            return isSomewhere ? environment : environment.with((Sun) null);
         }
-        double days = Heavens.days(sky, seconds);
-        return environment.with(new Sun(Heavens.towardsSun(sky, days), SOLAR_IRRADIANCE, true));
+        Atmosphere then = Heavens.later(sky, seconds);
+        Environment later = then.equals(sky) ? environment : environment.with(then);
+        if (!followsHour(environment.sun(), sky)) {
+            return later;
+        }
+        Sun sun = ofHour(environment.sun(), then);
+        return sun.equals(environment.sun()) ? later : later.with(sun);
     }
 
-    /** Returns the level with the sun of its hour; itself if that is written, or there is no atmosphere. */
+    /**
+     * Returns true if the hour has the direction of a sun: none is written, or the one that the hour has already given,
+     * which no written one equals to the last digit.
+     */
+    private static boolean followsHour(Sun sun, Atmosphere sky) {
+        return sun == null
+                || sun.directionTowardsSun() == null
+                || sun.directionTowardsSun().equals(Heavens.towardsSun(sky));
+    }
+
+    private static Sun ofHour(Sun before, Atmosphere then) {
+        Vec3 towards = Heavens.towardsSun(then);
+        return before == null
+                ? new Sun(towards, SOLAR_IRRADIANCE, true)
+                : new Sun(towards, before.irradiance(), before.castsShadow());
+    }
+
+    /** Returns the level at the simulated time 0, with the sun of its hour. */
     public static Level lit(Level level) {
-        Environment lit = at(level.environment(), 0);
+        return lit(level, 0);
+    }
+
+    /** Returns the level with the environment of a simulated time. */
+    public static Level lit(Level level, double seconds) {
+        Environment lit = at(level.environment(), seconds);
         return lit == level.environment() ? level : level.with(lit, level.lights());
     }
 
-    /** Returns true if the sun follows the simulated time. */
+    /** Returns true if the sky, and a sun without a written direction, follow the simulated time. */
     public static boolean moves(Environment environment) {
-        return environment.sun() == null && environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
+        return environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
     }
 
     /** Returns the air of a sky. */
@@ -50,24 +83,29 @@ public final class Daylight {
 
     /**
      * Returns the sun as it shines on the surfaces of a level: dimmed by the air above y = 0, and by as much of its disc
-     * as the horizon hides. Itself without an atmosphere; {@code null} without a sun.
+     * as the horizon hides. At night the moon is in its place. Itself without an atmosphere; {@code null} without a sun.
      */
     public static Sun onGround(Environment environment) {
         Sun sun = environment.sun();
         if (sun == null || !(environment.sky() instanceof Sky.Atmosphere sky)) {
             return sun;
         }
+        Moonlight moon = Moonlight.of(sky, sun);
+        if (moon.shines()) {
+            Vec3 through =
+                    air(sky).transmittance(0, Math.max(0, moon.towardsMoon().y()));
+            return new Sun(
+                    moon.towardsMoon(), product(sun.irradiance(), moon.irradiance(), through), sun.castsShadow());
+        }
         double sine = Directions.unit(sun.directionTowardsSun()).y();
-        Vec3 dimmed = air(sky).transmittance(0, Math.max(0, sine));
+        Vec3 through = air(sky).transmittance(0, Math.max(0, sine));
         double seen = shareAboveHorizon(Math.asin(sine));
-        Vec3 outside = sun.irradiance();
         return new Sun(
-                sun.directionTowardsSun(),
-                new Vec3(
-                        seen * dimmed.x() * outside.x(),
-                        seen * dimmed.y() * outside.y(),
-                        seen * dimmed.z() * outside.z()),
-                sun.castsShadow());
+                sun.directionTowardsSun(), product(sun.irradiance(), through.scaled(seen), ONE), sun.castsShadow());
+    }
+
+    private static Vec3 product(Vec3 a, Vec3 b, Vec3 c) {
+        return new Vec3(a.x() * b.x() * c.x(), a.y() * b.y() * c.y(), a.z() * b.z() * c.z());
     }
 
     /** Returns the share of the sun's disc above the horizon. */

@@ -59,13 +59,22 @@ public interface SkyRadiance {
 
     /** By numerical integration, which takes some 0.1 ms for a direction. */
     private static SkyRadiance of(Sky.Atmosphere atmosphere, Sun sun) {
-        AirTables tables = AirTables.of(Daylight.air(atmosphere));
+        AirTables tables = AirCache.tables(Daylight.air(atmosphere));
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        return (height, x, y, z) -> new ClearSky(tables)
-                .radiance(height, new Vec3(x, y, z), towardsSun)
-                .plus(Heavens.nightGlow(towardsSun.y(), y))
-                .toVector()
-                .mul(sun.irradiance().toVector());
+        Moonlight moon = Moonlight.of(atmosphere, sun);
+        return (height, x, y, z) -> {
+            ClearSky sky = new ClearSky(tables);
+            Vec3 direction = new Vec3(x, y, z);
+            Vector3d sum = sky.radiance(height, direction, towardsSun)
+                    .plus(Heavens.nightGlow(atmosphere, towardsSun.y(), y))
+                    .toVector();
+            if (moon.shines()) {
+                Vector3d moonlit =
+                        sky.radiance(height, direction, moon.towardsMoon()).toVector();
+                sum.add(moonlit.mul(moon.irradiance().toVector()));
+            }
+            return sum.mul(sun.irradiance().toVector());
+        };
     }
 
     private static SkyRadiance of(Sky.Gradient gradient) {

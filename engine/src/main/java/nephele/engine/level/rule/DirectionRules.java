@@ -1,9 +1,11 @@
 package nephele.engine.level.rule;
 
 import java.util.function.Consumer;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Light;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 
@@ -15,9 +17,7 @@ final class DirectionRules {
     static final LevelRule NOT_ZERO = (level, assets, report) -> {
         Check check = new Check(report);
         if (level.environment().sun() != null) {
-            check.direction(
-                    "environment.sun.directionTowardsSun",
-                    level.environment().sun().directionTowardsSun());
+            check.sun(level.environment());
         }
         LevelRule.each("cameras", level.cameras(), (path, camera) -> check.direction(path + ".up", camera.up()));
         LevelRule.each("solids", level.solids(), check::solid);
@@ -42,6 +42,18 @@ final class DirectionRules {
         void direction(String path, Vec3 direction) {
             if (isZero(direction)) {
                 report.accept(Problem.error(path, "this direction has no length: give one that points somewhere"));
+            }
+        }
+
+        void sun(Environment environment) {
+            Vec3 towards = environment.sun().directionTowardsSun();
+            if (towards != null) {
+                direction("environment.sun.directionTowardsSun", towards);
+            } else if (!(environment.sky() instanceof Sky.Atmosphere)) {
+                report.accept(Problem.error(
+                        "environment.sun.directionTowardsSun",
+                        "only under a sky of the kind `atmosphere` has the hour a sun: write a direction, such as [1,"
+                                + " 2, 1], or give the level that sky"));
             }
         }
 

@@ -18,13 +18,16 @@ import nephele.engine.reference.volume.Surroundings;
  *
  * @param irradiance of the sun outside the air
  */
-record OverPlanet(Vec3 towardsSun, Vec3 irradiance, SunOverPlanet sun, SkyLattice sky) implements Surroundings {
+record OverPlanet(Sky.Atmosphere atmosphere, Vec3 towardsSun, Vec3 irradiance, SunOverPlanet sun, SkyLattice sky)
+        implements Surroundings {
     /** @param environment with a sky of kind atmosphere and the sun of the time */
     static OverPlanet of(Environment environment) {
-        Air air = Daylight.air((Sky.Atmosphere) environment.sky());
+        var atmosphere = (Sky.Atmosphere) environment.sky();
+        Air air = Daylight.air(atmosphere);
         Vec3 towardsSun = Directions.unit(environment.sun().directionTowardsSun());
         Vec3 irradiance = environment.sun().irradiance();
         return new OverPlanet(
+                atmosphere,
                 towardsSun,
                 irradiance,
                 new SunOverPlanet(air, irradiance, towardsSun),
@@ -42,7 +45,7 @@ record OverPlanet(Vec3 towardsSun, Vec3 irradiance, SunOverPlanet sun, SkyLattic
         double sine = place.zenith().dot(direction);
         double sunSine = place.zenith().dot(towardsSun);
         Vec3 radiance = sky.radiance(place.altitudeMetres(), sine, sunSine, direction.dot(towardsSun))
-                .plus(Heavens.nightGlow(sunSine, sine));
+                .plus(Heavens.nightGlow(atmosphere, sunSine, sine));
         return new Vec3(radiance.x() * irradiance.x(), radiance.y() * irradiance.y(), radiance.z() * irradiance.z());
     }
 

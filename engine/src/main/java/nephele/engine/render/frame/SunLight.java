@@ -49,13 +49,16 @@ final class SunLight {
         if (hasCloudShade()) {
             block.cloudShade(CloudShadeRegion.of(statics).moved(anchor.negated()));
         }
+        boolean isTurned = !sun.directionTowardsSun().equals(towardsSun);
+        towardsSun = sun.directionTowardsSun();
         if (hasShadow()) {
-            if (!sun.directionTowardsSun().equals(towardsSun)) {
-                towardsSun = sun.directionTowardsSun();
-                frame = fitted();
-            }
+            frame = isTurned ? fitted() : frame;
             block.sunShadow(frame);
         }
+    }
+
+    Vec3 towardsSun() {
+        return towardsSun;
     }
 
     private ShadowFrame fitted() {

@@ -6,9 +6,11 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
+import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
@@ -109,14 +111,18 @@ public final class SurfaceLight implements GlObject {
 
     private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
-            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
+            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         }
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         SmoothSky smooth = new SmoothSky(airTables, towardsSun);
+        Moonlight moon = Moonlight.of(sky, sun);
+        SmoothSky moonlit = new SmoothSky(airTables, moon.towardsMoon());
+        Vector3d moonlight = moon.irradiance().toVector();
         Vector3d outside = sun.irradiance().toVector();
         return SkyIrradiance.of(
                 (height, x, y, z) -> smooth.radiance(x, y, z)
-                        .add(Heavens.nightGlow(towardsSun.y(), y).toVector())
+                        .add(Heavens.nightGlow(sky, towardsSun.y(), y).toVector())
+                        .add(moonlit.radiance(x, y, z).mul(moonlight))
                         .mul(outside),
                 SMOOTH_CELLS);
     }
@@ -129,6 +135,11 @@ public final class SurfaceLight implements GlObject {
     /** Returns the shadows of dynamic objects. */
     public DynamicShadows dynamicShadows() {
         return dynamicShadows;
+    }
+
+    /** Returns the direction towards the sun, or towards the moon when that is the level's directional light. */
+    public Vec3 towardsSun() {
+        return sun.towardsSun();
     }
 
     /** Returns the map's projection for the current sun; {@code null} without a sun that casts shadows. */

@@ -2,6 +2,7 @@ package nephele.engine.scene.light;
 
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.bake.SkyVisibility;
@@ -22,6 +23,7 @@ public final class BakedSky {
      * @return {@code null} if no light of the sky reaches anything
      */
     public static SkyVisibility of(PlacedLevel placed, DoubleConsumer progress) {
+        AirCache.prepare(placed.level().environment(), progress);
         if (!LightRequirements.skyVisibility(placed.level())) {
             return null;
         }

@@ -4,6 +4,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
@@ -31,8 +32,10 @@ public final class LightRequirements {
     public static boolean sunShadow(Level level, StaticShapes statics) {
         return sunCasts(level)
                 && (!level.models().isEmpty()
+                        || Daylight.moves(level.environment())
                         || ShadowCasters.any(
-                                statics.solids(), level.environment().sun().directionTowardsSun()));
+                                statics.solids(),
+                                Daylight.onGround(level.environment()).directionTowardsSun()));
     }
 
     public static boolean lights(Level level) {

@@ -5,6 +5,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.DynamicShadows;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -24,6 +25,7 @@ final class DynamicSunShadow {
     private final Frustum everything = Frustum.everything();
     private final GlContext gl;
     private final DynamicMeshes meshes;
+    private final SurfaceLight light;
     private final DynamicShadows shade;
     private final Vec3 anchor;
     private final DynamicSunProjection sunMap;
@@ -34,8 +36,9 @@ final class DynamicSunShadow {
     DynamicSunShadow(LoadContext context, DynamicMeshes meshes) {
         gl = context.gl();
         this.meshes = meshes;
-        shade = context.shared().surfaceLight().dynamicShadows();
-        anchor = context.shared().surfaceLight().anchor();
+        light = context.shared().surfaceLight();
+        shade = light.dynamicShadows();
+        anchor = light.anchor();
         int side = Math.max(256, context.quality().shadowTexels() / SIDE_DIVISOR);
         sunMap = new DynamicSunProjection(side);
         Texture.Extent extent = new Texture.Extent(side, side, 1);
@@ -57,7 +60,7 @@ final class DynamicSunShadow {
      * @return true if it was redrawn
      */
     boolean follow(DynamicDepthDraw depth, FrameContext frame, boolean haveMoved) {
-        Vec3 towardsSun = frame.frameState().environment().sun().directionTowardsSun();
+        Vec3 towardsSun = light.towardsSun();
         Vec3 eye = frame.view().eye();
         if (!haveMoved && towardsSun.equals(sunMap.towardsSun()) && !sunMap.isOutgrown(eye)) {
             return false;

@@ -1,16 +1,15 @@
 package nephele.engine.render.pass.sky;
 
-import java.nio.FloatBuffer;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
-import nephele.engine.level.appearance.Heavens;
+import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.AerialPerspective;
@@ -26,7 +25,6 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import org.lwjgl.system.MemoryUtil;
 
 /**
  * Draws the light that the air scatters, the planet's ground, the sun's disc, moon and stars where no solid has been
@@ -42,29 +40,28 @@ public final class AtmospherePass implements Pass {
 
     private final LoadContext context;
     private final Texture texture;
+    private final SkyTableLayers sunTable;
+    private final SkyTableLayers moonTable;
     private AirTables tables;
     private Sky.Atmosphere skyShown;
     private Sun sunShown;
     private Vec3 towardsSun;
-    private Key shown;
-    private CompletableFuture<Made> coming;
-
-    /** What a table depends on beside the air. */
-    private record Key(double heightMetres, double sunSine) {}
-
-    private record Made(Key key, SkyTable table) {}
+    private Moonlight moonlight;
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
         day = SkyProgram.of(context, false);
-        tables = context.shared().shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
+        tables = context.shared()
+                .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         texture = context.own(new Texture(
                 context.gl(),
                 "sky table",
                 Texture.Shape.ARRAY,
                 PixelFormat.RGBA32F,
-                new Texture.Extent(SkyTable.AZIMUTHS, SkyTable.ROWS, SkyTable.PARTS),
+                new Texture.Extent(SkyTable.AZIMUTHS, SkyTable.ROWS, 2 * SkyTable.PARTS),
                 Sampling.LINEAR_CLAMP));
+        sunTable = new SkyTableLayers(texture, 0);
+        moonTable = new SkyTableLayers(texture, SkyTable.PARTS);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -83,14 +80,15 @@ public final class AtmospherePass implements Pass {
         if (sky != skyShown || now.sun() != sunShown) {
             followSun(sky, now.sun());
         }
-        if (coming != null || shown == null || shown.heightMetres != height || shown.sunSine != towardsSun.y()) {
-            followTable(sky, new Key(height, towardsSun.y()));
+        sunTable.follow(tables, height, towardsSun.y(), sky.dayLengthSeconds());
+        if (moonlight.shines()) {
+            moonTable.follow(tables, height, moonlight.towardsMoon().y(), sky.dayLengthSeconds());
         }
         skyShown = sky;
         SkyProgram program = program();
-        program.sun(sunShown, towardsSun, tables.air(), shown.heightMetres);
+        program.sun(sunShown, towardsSun, tables.air(), sunTable.heightMetres());
         if (program == night) {
-            program.heavens(sky, Heavens.days(sky, frame.frameState().seconds()));
+            program.heavens(sky, moonlight);
         }
         texture.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());
@@ -108,42 +106,10 @@ public final class AtmospherePass implements Pass {
 
     private void followSun(Sky.Atmosphere sky, Sun sun) {
         if (!Daylight.air(sky).equals(tables.air())) {
-            tables = AirTables.of(Daylight.air(sky));
-            shown = null;
-            coming = null;
+            tables = AirCache.tables(Daylight.air(sky));
         }
         sunShown = sun;
         towardsSun = Directions.unit(sun.directionTowardsSun());
-    }
-
-    /** The first table is waited for; while the sun moves, the next one is computed beside the frames. */
-    private void followTable(Sky.Atmosphere sky, Key wanted) {
-        if (coming != null && coming.isDone()) {
-            show(coming.join());
-            coming = null;
-        }
-        if (wanted.equals(shown) || coming != null) {
-            return;
-        }
-        if (shown == null || sky.dayLengthSeconds() == 0) {
-            show(make(wanted));
-        } else {
-            coming = CompletableFuture.supplyAsync(() -> make(wanted));
-        }
-    }
-
-    private Made make(Key key) {
-        return new Made(key, new SkyTable(tables, key.heightMetres, key.sunSine));
-    }
-
-    private void show(Made made) {
-        shown = made.key;
-        var texels = MemoryUtil.memAlloc(4 * Float.BYTES * SkyTable.AZIMUTHS * SkyTable.ROWS);
-        for (int part = 0; part < SkyTable.PARTS; part++) {
-            FloatBuffer numbersOfPart = texels.asFloatBuffer();
-            made.table.putTexels(part, numbersOfPart);
-            texture.upload(part, texels);
-        }
-        MemoryUtil.memFree(texels);
+        moonlight = Moonlight.of(sky, sun);
     }
 }

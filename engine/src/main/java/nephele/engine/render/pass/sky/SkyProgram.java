@@ -6,6 +6,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
+import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -28,11 +29,18 @@ final class SkyProgram {
     private NightNumbers nightNumbers;
     private Sun sunShown;
     private double heightShown = Double.NaN;
-    private double daysShown = Double.NaN;
+    private Sky.Atmosphere skyShown;
 
     private record SunNumbers(Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Scalar mieG) {}
 
-    private record NightNumbers(Vector3 towardsMoon, Vector3 equinox, Vector3 east, Vector3 pole, Vector3 depth) {}
+    private record NightNumbers(
+            Vector3 towardsMoon,
+            Vector3 moonlight,
+            Vector3 groundAlbedo,
+            Vector3 equinox,
+            Vector3 east,
+            Vector3 pole,
+            Vector3 depth) {}
 
     private SkyProgram(LoadContext context, boolean isNight) {
         Defines defines = Defines.of(context).withIf(isNight, "NIGHT");
@@ -50,6 +58,8 @@ final class SkyProgram {
                             ? null
                             : new NightNumbers(
                                     uniforms.vector3("towardsMoon"),
+                                    uniforms.vector3("moonlight"),
+                                    uniforms.vector3("groundAlbedo"),
                                     uniforms.vector3("equinox"),
                                     uniforms.vector3("eastOfEquinox"),
                                     uniforms.vector3("northPole"),
@@ -80,13 +90,16 @@ final class SkyProgram {
     }
 
     /** Sets moon and stars of the program of the night. */
-    void heavens(Sky.Atmosphere sky, double days) {
-        if (days == daysShown) {
+    void heavens(Sky.Atmosphere sky, Moonlight moonlight) {
+        set(nightNumbers.moonlight, moonlight.irradiance());
+        if (sky == skyShown) {
             return;
         }
-        daysShown = days;
-        Vec3[] axes = Heavens.celestialAxes(sky, days);
-        set(nightNumbers.towardsMoon, Heavens.towardsMoon(sky, days));
+        skyShown = sky;
+        Vec3[] axes = Heavens.celestialAxes(sky);
+        set(nightNumbers.towardsMoon, moonlight.towardsMoon());
+        Vec3 groundAlbedo = Daylight.air(sky).groundAlbedo();
+        set(nightNumbers.groundAlbedo, groundAlbedo);
         set(nightNumbers.equinox, axes[0]);
         set(nightNumbers.east, axes[1]);
         set(nightNumbers.pole, axes[2]);

@@ -8,6 +8,7 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.CacheFolder;
 import nephele.engine.level.placed.StaticShapes;
 
 /**
@@ -28,17 +29,9 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
 
     /** Returns the cache in a folder beside the level if there is one, and in the user's cache folder. */
     public static SkyVisibilityCache of(AssetSource assets) {
-        Path own = userFolder();
+        Path own = CacheFolder.ofUser();
         return new SkyVisibilityCache(
                 assets, assets.cacheFolder().map(beside -> List.of(beside, own)).orElse(List.of(own)));
-    }
-
-    private static Path userFolder() {
-        String cache = System.getenv("XDG_CACHE_HOME");
-        Path base = cache == null || cache.isBlank()
-                ? Path.of(System.getProperty("user.home", "."), ".cache")
-                : Path.of(cache);
-        return base.resolve("nephele");
     }
 
     /**

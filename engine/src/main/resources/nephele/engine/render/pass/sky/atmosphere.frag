@@ -3,7 +3,8 @@
 in vec3 direction;
 
 // Light around the eye by azimuth from the sun and elevation, square roots: scattered once by molecules and once by
-// aerosols, without phase functions, then all other light. Per unit solar irradiance.
+// aerosols, without phase functions, then all other light. Per unit irradiance; three layers of sunlight, three of
+// moonlight.
 uniform sampler2DArray skyTable;
 uniform vec3 towardsSun;
 uniform vec3 irradiance; // of the sun outside the air
@@ -12,6 +13,8 @@ uniform float horizon; // its elevation
 uniform float mieG;
 #ifdef NIGHT
 uniform vec3 towardsMoon;
+uniform vec3 moonlight; // its irradiance outside the air; per unit irradiance of the sun
+uniform vec3 groundAlbedo; // of the planet
 uniform vec3 equinox; // axes of the stars
 uniform vec3 eastOfEquinox;
 uniform vec3 northPole;
@@ -64,20 +67,9 @@ const float MOON_ALBEDO = 0.12;
 const float NIGHT_GAIN = 400.0;
 // Light of the night's own air and of unresolved stars, after nautical dusk; per unit irradiance of the sun.
 const vec3 NIGHT_GLOW = vec3(0.55, 0.75, 1.25) * 1.6e-8 * NIGHT_GAIN;
+// The glow's irradiance of a level ground, divided by pi and by the glow of the zenith.
+const float GLOW_ON_GROUND = 1.061;
 const float CELLS = 40.0;
-
-// A sphere that the sun lights, with its seas; per unit irradiance.
-vec3 moon(vec3 away, float pixel) {
-    float towards = dot(away, towardsMoon);
-    vec3 side = (away - towardsMoon * towards) / MOON_SINE;
-    float inside = towards > 0.0 ? discInPixel(length(side) * MOON_SINE, MOON_SINE, pixel) : 0.0;
-    vec3 normal = normalize(side - (sqrt(max(0.0, 1.0 - dot(side, side))) + 1e-4) * towardsMoon);
-    // Its surface is rough: the full moon is nearly as bright at its edge as in its middle.
-    float lit = smoothstep(-0.05, 0.35, dot(normal, towardsSun));
-    vec2 spot = side.xy * 3.0 + side.z * vec2(1.7, 2.3);
-    float seas = 0.5 + 0.25 * sin(spot.x * 2.1 + sin(spot.y * 3.3)) + 0.25 * sin(spot.y * 2.7 + 1.9 * sin(spot.x));
-    return vec3(1.0, 0.97, 0.92) * inside * lit * MOON_ALBEDO / PI * mix(1.15, 0.75, seas);
-}
 
 uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d
     v = v * 1664525u + 1013904223u;
@@ -89,6 +81,102 @@ uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Ren
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     return v;
+}
+
+// Dark plains: unit vectors to their middles, east, north and towards the planet, and their radii in radians.
+const int SEA_COUNT = 15;
+const vec4 SEAS[SEA_COUNT] = vec4[](
+    vec4(-0.231, 0.545, 0.806, 0.314),
+    vec4(0.273, 0.469, 0.840, 0.192),
+    vec4(0.509, 0.156, 0.847, 0.227),
+    vec4(0.820, 0.292, 0.493, 0.140),
+    vec4(0.770, -0.139, 0.623, 0.192),
+    vec4(0.554, -0.259, 0.791, 0.105),
+    vec4(-0.273, -0.358, 0.893, 0.192),
+    vec4(-0.575, -0.407, 0.710, 0.122),
+    vec4(-0.797, 0.342, 0.498, 0.314),
+    vec4(-0.718, -0.052, 0.694, 0.244),
+    vec4(-0.610, 0.139, 0.780, 0.209),
+    vec4(0.047, 0.839, 0.543, 0.105),
+    vec4(-0.256, 0.839, 0.481, 0.105),
+    vec4(0.068, 0.225, 0.972, 0.087),
+    vec4(-0.385, -0.174, 0.907, 0.122));
+// Young craters with bright rays: directions and sizes.
+const int RAYED_COUNT = 6;
+const vec4 RAYED[RAYED_COUNT] = vec4[](
+    vec4(-0.140, -0.682, 0.718, 0.628),
+    vec4(-0.337, 0.174, 0.925, 0.279),
+    vec4(-0.610, 0.139, 0.780, 0.157),
+    vec4(-0.668, 0.407, 0.623, 0.157),
+    vec4(0.864, -0.156, 0.479, 0.209),
+    vec4(0.703, 0.276, 0.656, 0.122));
+
+float random(ivec3 cell) {
+    return float(mixed(uvec3(cell + 4096)).x >> 8u) / 16777216.0;
+}
+
+float valueNoise(vec3 p) {
+    ivec3 cell = ivec3(floor(p));
+    vec3 f = p - vec3(cell);
+    f = f * f * (3.0 - 2.0 * f);
+    vec4 low = vec4(
+        random(cell), random(cell + ivec3(1, 0, 0)), random(cell + ivec3(0, 1, 0)), random(cell + ivec3(1, 1, 0)));
+    vec4 high = vec4(
+        random(cell + ivec3(0, 0, 1)), random(cell + ivec3(1, 0, 1)),
+        random(cell + ivec3(0, 1, 1)), random(cell + ivec3(1, 1, 1)));
+    vec4 between = mix(low, high, f.z);
+    vec2 row = mix(between.xy, between.zw, f.y);
+    return mix(row.x, row.y, f.x);
+}
+
+// The relative albedo of a place on the moon. A count of 0 lets a software renderer leave the loops at once.
+float moonAlbedo(vec3 place, bool isSeen) {
+    float rough = 0.0;
+    float weight = 0.5;
+    int octaves = isSeen ? 5 : 0;
+    for (int i = 0; i < octaves; i++) {
+        rough += weight * (valueNoise(place * (2.7 * exp2(float(i)))) - 0.5);
+        weight *= 0.65;
+    }
+    float sea = 0.0;
+    int seas = isSeen ? SEA_COUNT : 0;
+    for (int i = 0; i < seas; i++) {
+        float apart = length(place - SEAS[i].xyz) / SEAS[i].w;
+        sea = max(sea, 1.0 - smoothstep(0.85, 1.25, apart + 1.7 * rough));
+    }
+    float bright = 0.0;
+    int rayed = isSeen ? RAYED_COUNT : 0;
+    for (int i = 0; i < rayed; i++) {
+        vec3 from = place - RAYED[i].xyz;
+        float apart = length(from) / RAYED[i].w;
+        vec3 east = normalize(cross(vec3(0.0, 1.0, 0.0), RAYED[i].xyz));
+        float angle = atan(dot(from, cross(RAYED[i].xyz, east)), dot(from, east));
+        float streak = 0.5 + 0.5 * sin(angle * 9.0 + 2.0 * sin(angle * 4.0 + float(i)));
+        bright = max(bright, exp(-1.6 * apart) * (0.15 + 0.85 * streak * streak * streak));
+        bright = max(bright, exp(-apart * apart * 90.0));
+    }
+    return mix(1.0 + 0.6 * rough, 0.5 + 0.3 * rough, sea) + 0.45 * bright;
+}
+
+// The share of the pixel that the moon hides.
+float moonCover(vec3 away, float pixel) {
+    float towards = dot(away, towardsMoon);
+    return towards > 0.0 ? discInPixel(length(away - towardsMoon * towards), MOON_SINE, pixel) : 0.0;
+}
+
+// A sphere that the sun lights and that shows the planet one side; per unit irradiance.
+vec3 moon(vec3 away, float cover) {
+    vec3 side = (away - towardsMoon * dot(away, towardsMoon)) / MOON_SINE;
+    float outwards = sqrt(max(0.0, 1.0 - dot(side, side))) + 1e-4;
+    vec3 normal = normalize(side - outwards * towardsMoon);
+    vec3 west = normalize(cross(northPole, towardsMoon));
+    vec3 north = cross(towardsMoon, west);
+    vec3 place = vec3(-dot(normal, west), dot(normal, north), -dot(normal, towardsMoon));
+    float albedo = moonAlbedo(place, cover > 0.0);
+    // Lommel and Seeliger's law of a rough surface: the full moon is as bright at its edge as in its middle.
+    float sunwards = max(0.0, dot(normal, towardsSun));
+    float lit = 2.0 * sunwards / (sunwards + max(outwards, 0.05)) * (0.75 - 0.25 * dot(towardsMoon, towardsSun));
+    return vec3(1.0, 0.97, 0.92) * cover * lit * MOON_ALBEDO / PI * albedo;
 }
 
 // One star in each cell of a cube around the eye, some 9600 to magnitude 6; per unit irradiance of the sun.
@@ -116,37 +204,51 @@ vec3 stars(vec3 away, float pixel) {
     return flux * tint * exp(-apart * apart / (2.0 * spread * spread)) / (2.0 * PI * spread * spread);
 }
 
+float afterDusk() {
+    return 1.0 - smoothstep(-0.21, -0.105, towardsSun.y);
+}
+
 // What shines beside the sun; per unit irradiance of the sun. It fades in while the sun sets.
 vec3 nightLight(vec3 away, float pixel) {
     float starlight = 1.0 - smoothstep(-0.10, 0.0, towardsSun.y);
-    float afterDusk = 1.0 - smoothstep(-0.21, -0.105, towardsSun.y);
     vec3 clear = exp(-zenithDepth / (max(away.y, 0.0) + 0.03));
-    vec3 glow = afterDusk * NIGHT_GLOW * (1.0 + 0.8 * exp(-5.0 * away.y));
-    return starlight * clear * (moon(away, pixel) + stars(away, pixel)) + glow;
+    vec3 glow = afterDusk() * NIGHT_GLOW * (1.0 + 0.8 * exp(-5.0 * away.y));
+    float cover = moonCover(away, pixel);
+    return starlight * clear * (moon(away, cover) + (1.0 - cover) * stars(away, pixel)) + glow;
 }
 #endif
 
-void main() {
-    vec3 away = normalize(direction);
-    float elevation = atan(away.y, length(away.xz));
-    vec2 along = vec2(dot(away.xz, towardsSun.xz), away.x * towardsSun.z - away.z * towardsSun.x);
+// Light of sun or moon that the air and the ground send to the eye; per unit irradiance of it.
+vec3 scattered(vec3 away, float elevation, vec3 towards, float firstLayer) {
+    vec2 along = vec2(dot(away.xz, towards.xz), away.x * towards.z - away.z * towards.x);
     float azimuth = along == vec2(0.0) ? 0.0 : abs(atan(along.y, along.x));
     vec2 place = vec2(
         (0.5 + azimuth / PI * (AZIMUTHS - 1.0)) / AZIMUTHS,
         (0.5 + rowOf(elevation)) / (SKY_ROWS + GROUND_ROWS));
-    vec3 apart = away - towardsSun;
+    vec3 apart = away - towards;
     float fromPeak = 0.5 * dot(apart, apart);
     float cosine = 1.0 - fromPeak;
-    vec3 light = rayleighPhase(cosine) * part(place, 0.0) + miePhase(cosine, fromPeak) * part(place, 1.0)
-        + part(place, 2.0);
+    return rayleighPhase(cosine) * part(place, firstLayer) + miePhase(cosine, fromPeak) * part(place, firstLayer + 1.0)
+        + part(place, firstLayer + 2.0);
+}
+
+void main() {
+    vec3 away = normalize(direction);
+    float elevation = atan(away.y, length(away.xz));
+    vec3 light = scattered(away, elevation, towardsSun, 0.0);
     float pixel = max(length(dFdx(away)), 1e-6);
 #ifdef NIGHT
     if (elevation > horizon) {
         light += nightLight(away, pixel);
+    } else {
+        light += groundAlbedo * GLOW_ON_GROUND * afterDusk() * NIGHT_GLOW;
+    }
+    if (moonlight.y > 0.0) { // else the moon's layers may not be filled yet
+        light += moonlight * scattered(away, elevation, towardsMoon, 3.0);
     }
 #endif
     light *= irradiance;
-    if (elevation > horizon && cosine > 0.0) {
+    if (elevation > horizon && dot(away, towardsSun) > 0.0) {
         // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
         float sine = length(cross(away, towardsSun));
         float fromMiddle = min(1.0, sine / SUN_SINE);

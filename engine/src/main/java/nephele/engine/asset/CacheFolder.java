@@ -1,4 +1,4 @@
-package nephele.engine.scene.light.bake;
+package nephele.engine.asset;
 
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
@@ -18,11 +18,20 @@ import java.util.Optional;
  * @param pattern glob of the files' names
  * @param mostBytes limit for all files together; the newest one is kept even if it is larger
  */
-record CacheFolder(Path folder, String pattern, long mostBytes) {
+public record CacheFolder(Path folder, String pattern, long mostBytes) {
     private record Stored(Path path, long bytes, FileTime used) {}
 
+    /** Returns the user's own cache folder, which may not exist yet. */
+    public static Path ofUser() {
+        String cache = System.getenv("XDG_CACHE_HOME");
+        Path base = cache == null || cache.isBlank()
+                ? Path.of(System.getProperty("user.home", "."), ".cache")
+                : Path.of(cache);
+        return base.resolve("nephele");
+    }
+
     /** Returns the bytes of a file and marks it as used now; empty if it does not exist or cannot be read. */
-    Optional<byte[]> find(String name) {
+    public Optional<byte[]> find(String name) {
         Path file = folder.resolve(name);
         try {
             byte[] bytes = Files.readAllBytes(file);
@@ -43,7 +52,7 @@ record CacheFolder(Path folder, String pattern, long mostBytes) {
     }
 
     /** Writes a file atomically and deletes the least recently used ones above the limit. */
-    void store(String name, byte[] bytes) throws IOException {
+    public void store(String name, byte[] bytes) throws IOException {
         Files.createDirectories(folder);
         Path temporary = Files.createTempFile(folder, name, ".tmp");
         try {

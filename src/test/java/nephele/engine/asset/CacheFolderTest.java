@@ -1,4 +1,4 @@
-package nephele.engine.scene.light.bake;
+package nephele.engine.asset;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
