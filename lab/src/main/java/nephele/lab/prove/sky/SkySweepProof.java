@@ -8,6 +8,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
@@ -100,7 +101,7 @@ public final class SkySweepProof implements Proof {
     private static Environment at(Atmosphere sky, Vec3 towards, double seconds) {
         Vec3 outside = new Vec3(SOLAR_IRRADIANCE, SOLAR_IRRADIANCE, SOLAR_IRRADIANCE);
         Sun sun = new Sun(towards, outside, true);
-        Environment written = new Environment(sun, sky, null, 0, ToneCurve.CLIP, null, List.of());
+        Environment written = new Environment(sun, sky, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Daylight.at(written, seconds);
     }
 
