@@ -75,8 +75,8 @@ final class PictureMutants {
                     BLENDING,
                     "light is added where it should be covered",
                     ENGINE + "render/gl/DrawState.java",
-                    "GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,",
-                    "GL_SRC_ALPHA, GL_ONE,",
+                    "case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,",
+                    "case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE,",
                     "OverlayPassGlTest"),
             new Mutant(
                     BLENDING,

@@ -1,6 +1,7 @@
 package nephele.app.command;
 
 import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.level.appearance.AutoExposure;
+import nephele.engine.level.appearance.LuminanceHistogram;
+import nephele.engine.render.frame.ToneMapping;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,6 +64,34 @@ class DrawingCommandsGlTest {
         assertEquals(0.25f, pixels.getFloat());
         assertEquals(0.5f, pixels.getFloat());
         assertEquals(2f, pixels.getFloat());
+    }
+
+    /** A PNG, drawn or traced, shows the converged exposure; a PFM has the light itself. */
+    @Test
+    void exposureAutoIsConvergedInAPngAndBypassedByAPfm() throws IOException {
+        var auto = SKY.replace("\"exposureStops\": 1", "\"exposureStops\": \"auto\"");
+        var level = Files.writeString(folder.resolve("auto.json"), auto).toString();
+        var png = folder.resolve("auto.png");
+        var traced = folder.resolve("traced.png");
+        var pfm = folder.resolve("auto.pfm");
+        var fixed = folder.resolve("fixed.pfm");
+        var direct = folder.resolve("direct.png");
+        assertEquals(
+                "",
+                Captured.run("render", level, "--out", png.toString(), "--size", "8x8")
+                        .err());
+        Captured.run("render", level, "--out", traced.toString(), "--size", "8x8", "--reference", "--spp", "1");
+        Captured.run("render", level, "--out", pfm.toString(), "--size", "8x8");
+        Captured.run("render", level(), "--out", fixed.toString(), "--size", "8x8");
+        double luminance = 0.2126 * 0.25 + 0.7152 * 0.5 + 0.0722 * 2;
+        float[] even = {(float) luminance, (float) luminance, (float) luminance};
+        double factor = Math.pow(2, AutoExposure.stops(LuminanceHistogram.of(even, 1), 0));
+        double green = 255 * ToneMapping.displayValue(0.5, factor, ToneCurve.CLIP);
+        assertEquals(green, ImageIO.read(png.toFile()).getRGB(4, 4) >> 8 & 255, 1);
+        assertEquals(green, ImageIO.read(traced.toFile()).getRGB(4, 4) >> 8 & 255, 1);
+        assertArrayEquals(Files.readAllBytes(fixed), Files.readAllBytes(pfm));
+        var notice = Captured.run("render", level, "--out", direct.toString(), "--size", "8x8", "--output", "direct");
+        assertTrue(notice.err().contains("exposureStops \"auto\" counts as 0"), notice.err());
     }
 
     @ParameterizedTest

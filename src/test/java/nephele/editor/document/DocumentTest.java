@@ -26,7 +26,13 @@ class DocumentTest {
             "",
             "",
             new nephele.engine.level.Environment(
-                    null, null, null, 0, nephele.engine.level.ToneCurve.CLIP, null, List.of()),
+                    null,
+                    null,
+                    null,
+                    nephele.engine.level.Exposure.NEUTRAL,
+                    nephele.engine.level.ToneCurve.CLIP,
+                    null,
+                    List.of()),
             List.of());
     private final Document document = new Document(start);
 

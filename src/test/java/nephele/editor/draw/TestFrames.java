@@ -17,6 +17,7 @@ import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
@@ -57,7 +58,13 @@ final class TestFrames {
 
     static Level level(Solid... solids) {
         Environment environment = new Environment(
-                null, new Sky.Constant(new Vec3(0.1, 0.1, 0.3)), null, 0, ToneCurve.CLIP, null, List.of());
+                null,
+                new Sky.Constant(new Vec3(0.1, 0.1, 0.3)),
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of());
         return Level.of("test", "", environment, List.of()).with(List.<Material>of(), List.of(solids));
     }
 

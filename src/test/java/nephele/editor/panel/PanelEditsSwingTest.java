@@ -19,6 +19,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSettings;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.Test;
@@ -81,5 +82,29 @@ class PanelEditsSwingTest {
             seen.add(table.getSelectedRowCount());
         });
         assertEquals(List.of(3, Selection.of(new EntityRef("materials", "lamp")), 1, true, false, 0), seen);
+    }
+
+    @Test
+    void exposureIsANumberOrAutomatic() throws Exception {
+        EditorSession session = session();
+        Exposure written = session.document().level().environment().exposureStops();
+        List<Object> seen = new ArrayList<>();
+        onEventThread(() -> {
+            var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
+            JCheckBox auto = all(inspector, JCheckBox.class).stream()
+                    .filter(box -> box.getText().equals("Automatic"))
+                    .findFirst()
+                    .orElseThrow();
+            seen.add(auto.isSelected());
+            auto.doClick();
+            seen.add(session.document().level().environment().exposureStops());
+            auto.doClick();
+            seen.add(session.document().level().environment().exposureStops());
+            session.document().undo();
+            seen.add(auto.isSelected());
+            session.document().undo();
+            seen.add(session.document().level().environment().exposureStops());
+        });
+        assertEquals(List.of(false, Exposure.AUTO, Exposure.NEUTRAL, true, written), seen);
     }
 }

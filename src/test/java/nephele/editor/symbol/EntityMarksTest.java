@@ -15,6 +15,7 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exit;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.PlayerStart;
@@ -47,7 +48,8 @@ class EntityMarksTest {
                 "in", "out", new Vec3(0, 1, -50), new Vec3(0, 0, 1), UP, 1.2, 2.1, PortalShape.RECTANGLE);
         PortalSpec out = new PortalSpec(
                 "out", "in", new Vec3(9, 1, -50), new Vec3(0, 0, 1), UP, 1.2, 2.1, PortalShape.RECTANGLE);
-        Environment environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of(cloud));
+        Environment environment =
+                new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of(cloud));
         return Level.of(
                         "",
                         "",

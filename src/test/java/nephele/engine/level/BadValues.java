@@ -16,7 +16,12 @@ final class BadValues {
             stops("1e39", "must be from -32 to 32"),
             stops("1e1000000000", "too large"),
             stops("9".repeat(10_000), "not valid JSON"),
-            stops("\"1.5\"", "a number"),
+            stops("\"1.5\"", "a number or \"auto\""),
+            stops("\"automatic\"", "must be a number or \"auto\", not 'automatic'"),
+            stops("\"Auto\"", "must be a number or \"auto\""),
+            stops("null", "leave the key out or give a number or \"auto\""),
+            stops("[0]", "a number or \"auto\""),
+            stops("-32.001", "must be from -32 to 32"),
             stops("1,5", "not valid JSON"),
             stops("+1", "not valid JSON"),
             stops(".5", "not valid JSON"),
@@ -97,6 +102,27 @@ final class BadValues {
                     "must be from",
                     cloud("{\"kind\": \"noise\", \"seed\": 9007199254740993}")),
             level("environment.clouds[0].density.kind", "no kind", cloud("{\"kind\": \"fluff\"}")),
+            level(
+                    "environment.clouds[0].density.erosion",
+                    "must be from",
+                    cloud("{\"kind\": \"noise\", \"erosion\": 2}")),
+            level(
+                    "environment.clouds[0].density.profile",
+                    "one of",
+                    cloud("{\"kind\": \"noise\", \"profile\": \"fog\"}")),
+            level(
+                    "environment.clouds[0].density.anvil",
+                    "unknown key",
+                    cloud("{\"kind\": \"ellipsoid\", \"anvil\": 1}")),
+            level(
+                    "environment.clouds[0].density.fill.count",
+                    "must be from",
+                    cloud("{\"kind\": \"puffs\", \"fill\": {\"boxes\": [], \"count\": 1000000}}")),
+            level(
+                    "environment.clouds[0].density.fill.boxes",
+                    "is missing",
+                    cloud("{\"kind\": \"puffs\", \"fill\": {}}")),
+            level("environment.weather", "one of", "\"environment\": {\"weather\": \"rain\"}"),
             level(
                     "environment.clouds[0].size",
                     "unknown key",

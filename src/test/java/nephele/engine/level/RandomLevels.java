@@ -60,6 +60,8 @@ final class RandomLevels {
         Class<?> raw = (Class<?>) type;
         if (raw == Vec3.class) {
             return new Vec3(number(written), number(written), number(written));
+        } else if (raw == Exposure.class) {
+            return random.nextInt(3) == 0 ? Exposure.AUTO : Exposure.ofStops(number(written));
         } else if (raw == double.class || raw == Double.class) {
             return number(written);
         } else if (raw == int.class) {

@@ -75,7 +75,7 @@ public final class RoomLevel {
     }
 
     public Level level() {
-        var environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of());
+        var environment = new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Level.of("room", "", environment, List.of())
                 .with(start, gun)
                 .with(List.of(), List.copyOf(solids), List.copyOf(bodies))

@@ -12,7 +12,7 @@ public final class TestLevel {
     private Sky sky;
     private Vec3 ambient = Vec3.ZERO;
     private ToneCurve toneCurve = ToneCurve.CLIP;
-    private double exposureStops;
+    private Exposure exposure = Exposure.NEUTRAL;
     private Fog fog;
     private final List<Material> materials = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
@@ -51,7 +51,12 @@ public final class TestLevel {
 
     public TestLevel toneMapping(ToneCurve curve, double stops) {
         toneCurve = curve;
-        exposureStops = stops;
+        exposure = Exposure.ofStops(stops);
+        return this;
+    }
+
+    public TestLevel autoExposure() {
+        exposure = Exposure.AUTO;
         return this;
     }
 
@@ -130,7 +135,7 @@ public final class TestLevel {
     }
 
     public Level level() {
-        Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of());
+        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.of());
         return Level.of("test", "", environment, List.of())
                 .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
                 .with(environment, List.copyOf(lights))

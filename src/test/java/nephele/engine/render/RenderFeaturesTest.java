@@ -10,10 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import nephele.engine.draw.Outputs;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.TestLevel;
+import nephele.engine.level.ToneCurve;
 import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -136,5 +138,21 @@ class RenderFeaturesTest {
         assertEquals(
                 RenderFeatures.ALL.size(),
                 RenderFeatures.ALL.stream().map(f -> f.name()).distinct().count());
+    }
+
+    /** Exposure auto requires linear light and the metering of it; stops written as a number require neither. */
+    @Test
+    void exposureIsMeteredOnlyWhereTheLevelSaysSo() {
+        Level auto = new TestLevel().autoExposure().level();
+        assertEquals(Output.HDR, Outputs.defaultFor(auto));
+        List<String> lines = FramePlan.of(FrameRequest.of(PlacedLevel.of(auto, NoFiles.AT_ALL), Output.HDR))
+                .explain();
+        assertTrue(lines.contains("exposure: required by environment.exposureStops: auto, metered from the picture"));
+        assertTrue(lines.contains("tonemap: required by environment.exposureStops: auto meters linear light"));
+        Level fixed = new TestLevel().toneMapping(ToneCurve.CLIP, 3).level();
+        assertEquals(Output.DIRECT, Outputs.defaultFor(fixed));
+        assertTrue(FramePlan.of(FrameRequest.of(PlacedLevel.of(fixed, NoFiles.AT_ALL), Output.HDR))
+                .explain()
+                .contains("exposure: not required"));
     }
 }

@@ -11,6 +11,7 @@ import java.util.List;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
@@ -196,7 +197,7 @@ class SharedSceneGlTest {
                             null,
                             new Sky.Skybox(SkyboxLayout.CROSS, List.of("sky/none.png")),
                             null,
-                            0,
+                            Exposure.NEUTRAL,
                             ToneCurve.CLIP,
                             null,
                             List.of()),

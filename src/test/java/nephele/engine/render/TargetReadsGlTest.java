@@ -60,7 +60,9 @@ class TargetReadsGlTest {
                 withBodies()
                         .portal("a", "b", new Vec3(-0.5, 1, -1.4), new Vec3(0, 0, 1), 1, 1)
                         .portal("b", "a", new Vec3(3, 1, -1.4), new Vec3(0, 0, 1), 1, 1)
-                        .level());
+                        .level(),
+                "exposure auto",
+                room().autoExposure().level());
     }
 
     @ParameterizedTest

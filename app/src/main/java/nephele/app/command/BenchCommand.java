@@ -106,6 +106,7 @@ final class BenchCommand implements Command {
     }
 
     private void measure(OpenedLevel opened, Terminal terminal) {
+        picture.unmetered(opened).ifPresent(terminal.err()::println);
         try (var gl = GlContext.offscreen();
                 var drawing = AssetProblems.named(opened, () -> drawing(opened, gl))) {
             print(times(gl, drawing), terminal);

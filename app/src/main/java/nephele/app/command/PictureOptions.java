@@ -1,5 +1,6 @@
 package nephele.app.command;
 
+import java.util.Optional;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.Renderer;
@@ -52,6 +53,14 @@ final class PictureOptions {
     /** Returns the requested output, else the one that the level requires. */
     Output output(OpenedLevel opened) {
         return output != null ? output : choice().output(opened.level());
+    }
+
+    /** Returns a notice if the requested output cannot show the level's exposure. */
+    Optional<String> unmetered(OpenedLevel opened) {
+        return output == Output.DIRECT
+                        && opened.level().environment().exposureStops().isAuto()
+                ? Optional.of("output direct has no linear picture to meter: exposureStops \"auto\" counts as 0")
+                : Optional.empty();
     }
 
     QualityChoice choice() {

@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
 /** Saves one offscreen picture: drawn as the game draws it, or traced by the reference path tracer. */
 @picocli.CommandLine.Command
 final class RenderCommand implements Command {
-    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
+    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file.")
     private String level;
 
     @Option(
@@ -71,12 +71,19 @@ final class RenderCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         checkUsage();
+        if (reference.isMerge()) {
+            reference.merge(out);
+            return ExitCode.DONE;
+        }
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
         ignored(opened).ifPresent(terminal.err()::println);
+        picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            save(reference.trace(opened, timeSeconds, viewpoint.view(0), picture, terminal), opened);
+            var exposed = reference.exposed(opened, viewpoint.view(0), picture);
+            var seen = new ReferenceOptions.Seen(exposed, viewpoint.view(0), timeSeconds);
+            reference.trace(seen, picture, out, radiance -> save(radiance, exposed), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();
@@ -125,7 +132,10 @@ final class RenderCommand implements Command {
             throw CommandFailure.usage("a PFM holds linear radiance: leave --output out or say hdr");
         }
         picture.check();
-        reference.check();
+        reference.check(out);
+        if ((level == null) != reference.isMerge()) {
+            throw CommandFailure.usage(level == null ? "name the LEVEL to draw" : "--merge needs no LEVEL: " + level);
+        }
     }
 
     private void save(float[] radiance, OpenedLevel opened) {

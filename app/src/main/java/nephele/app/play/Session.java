@@ -106,6 +106,7 @@ final class Session implements AutoCloseable {
     /** Replaces the renderer by one of the chosen quality. */
     void redraw(GlContext gl, AutoQuality auto) {
         Renderer next = renderer(gl, request, prepared, auto.of(request));
+        next.follow(renderer);
         renderer.close();
         renderer = next;
     }

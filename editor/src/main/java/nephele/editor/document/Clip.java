@@ -16,6 +16,7 @@ import nephele.editor.record.RecordKind;
 import nephele.editor.record.RecordWalk;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.json.LevelFormatException;
@@ -37,7 +38,7 @@ public final class Clip {
         for (EntityRef ref : refs) {
             entities.find(level, ref).ifPresent(entity -> wanted.addAll(materials(entity)));
         }
-        Environment none = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of());
+        Environment none = new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         Level clip = Level.of("", "", none, List.of());
         for (EntitySection section : entities.structure().lists()) {
             List<Record> chosen = section.entities(level).stream()

@@ -19,14 +19,13 @@ import nephele.engine.scene.light.bake.SkyVisibility;
 
 /** The level in one view mode on the GPU, followed through edits. */
 final class LevelPicture implements AutoCloseable {
-    private static final RenderSettings SETTINGS = RenderSettings.of(Output.DIRECT);
-
     private final GlContext gl;
     private final ViewMode mode;
     private final LevelDerivation derivation;
     private PlacedLevel placed;
     private SkyVisibility baked;
     private Renderer renderer;
+    private Output output;
     private FrameState state;
 
     LevelPicture(GlContext gl, ViewMode mode, Vec3 background) {
@@ -51,10 +50,26 @@ final class LevelPicture implements AutoCloseable {
         Scene scene = renderer == null
                 ? Scene.of(next, first(level, light))
                 : renderer.scene().edited(next, light);
-        renderer = renderer == null ? Renderer.load(gl, scene, SETTINGS) : renderer.edited(scene);
+        load(scene, outputOf(level));
         state = FrameState.atStart(level);
         placed = next;
         baked = light;
+    }
+
+    /** Returns the output that is enough for the editor: linear light only where exposure is metered from it. */
+    private static Output outputOf(Level level) {
+        return level.environment().exposureStops().isAuto() ? Output.HDR : Output.DIRECT;
+    }
+
+    private void load(Scene scene, Output wanted) {
+        if (renderer != null && output == wanted) {
+            renderer = renderer.edited(scene);
+            return;
+        }
+        Renderer next = Renderer.load(gl, scene, RenderSettings.of(wanted));
+        close();
+        renderer = next;
+        output = wanted;
     }
 
     private static SkyVisibility first(Level level, SkyVisibility light) {
@@ -77,6 +92,10 @@ final class LevelPicture implements AutoCloseable {
     void draw(View view, RenderTarget picture) {
         if (mode != ViewMode.LIT) {
             state.environment(EvenLight.seenFrom(placed.level().environment(), view.right(), view.up(), view.back()));
+        }
+        if (output == Output.HDR) {
+            // No time passes in which exposure could adapt: each view is shown as its picture calls for.
+            renderer.forget();
         }
         renderer.draw(view, state, picture);
     }

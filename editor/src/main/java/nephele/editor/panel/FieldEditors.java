@@ -36,6 +36,7 @@ final class FieldEditors {
         return switch (field.type().kind()) {
             case NUMBER, WHOLE -> number(field, changes);
             case VECTOR -> new VectorEditor(field, changes);
+            case EXPOSURE -> new ExposureEditor(field, changes);
             case TRUTH -> truth(field, changes);
             case CHOICE -> combo(field, changes, field.type()::choices, value -> changes.set(field, value));
             case REFERENCE ->

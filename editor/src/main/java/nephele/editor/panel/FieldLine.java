@@ -36,7 +36,7 @@ final class FieldLine {
         menu.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         menu.addActionListener(event -> menu().show(menu, 0, menu.getHeight()));
         title.setLabelFor(editor.component());
-        if (field.type().kind() == FieldKind.NUMBER || field.type().kind() == FieldKind.WHOLE) {
+        if (field.type().isShifted()) {
             listenToDrags();
         }
         show(field);
@@ -53,8 +53,8 @@ final class FieldLine {
             panel.add(menu);
             return;
         }
-        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET || isLong) {
-            // Three numbers, the name of a file and a long title need the whole width to be readable.
+        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET || kind == FieldKind.EXPOSURE || isLong) {
+            // Several inputs, the name of a file and a long title need the whole width to be readable.
             panel.add(title, indent + ", span 2");
             panel.add(menu);
             panel.add(editor.component(), indent + ", span 3, growx, w 40:120:");
@@ -160,9 +160,7 @@ final class FieldLine {
             public void mouseDragged(MouseEvent event) {
                 double step = event.isShiftDown() ? 0.001 : 0.01;
                 double change = (event.getX() - startX) * (field.type().kind() == FieldKind.WHOLE ? 0.1 : step);
-                changes.drag(
-                        field,
-                        old -> old instanceof Number number ? field.type().number(number.doubleValue() + change) : old);
+                changes.drag(field, old -> field.type().shifted(old, change));
             }
 
             @Override

@@ -17,6 +17,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
@@ -51,9 +52,10 @@ public record PixelExplanation(List<String> lines) {
                 place(eye.camera().eye())));
         try {
             PlacedLevel placed = PlacedLevel.of(level, asked.assets);
-            TracedLevel traced = TracedLevel.of(placed, ColourDecoding.SRGB);
+            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole());
+            TracedLevel traced = TracedLevel.of(exposed, ColourDecoding.SRGB);
             addSight(lines, language, level, traced.sight(eye.pinhole(pixel)), eye);
-            addLight(lines, language, level, traced, eye, pixel);
+            addLight(lines, language, exposed.level(), traced, eye, pixel);
             lines.add("");
             lines.add(ProvingText.PASSES.in(language));
             FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level)))

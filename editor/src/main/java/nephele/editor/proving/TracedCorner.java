@@ -11,6 +11,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 
 /**
@@ -43,7 +44,16 @@ public final class TracedCorner {
         }
     }
 
-    private record Prepared(Level level, AssetSource assets, TracedLevel traced) {}
+    private record Prepared(Level level, AssetSource assets, PlacedLevel placed, TracedLevel traced) {
+        /** Returns what an eye sees: for an exposure that its picture decides, another level. */
+        Prepared seenFrom(PaneEye eye) {
+            if (!TracedExposure.isNeeded(level)) {
+                return this;
+            }
+            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole());
+            return new Prepared(exposed.level(), assets, exposed, TracedLevel.of(exposed, ColourDecoding.SRGB));
+        }
+    }
 
     /**
      * The picture as far as it is.
@@ -124,7 +134,8 @@ public final class TracedCorner {
 
     private void trace(Run run, Wanted what, int most) {
         try {
-            TracedLevel level = prepared(what);
+            Prepared seen = prepared(what).seenFrom(what.eye);
+            TracedLevel level = seen.traced;
             run.requireWanted();
             int width = (int) Math.min(
                     WIDEST_PIXELS, Math.max(16, SHARE_OF_PANE * what.eye.size().width()));
@@ -132,14 +143,14 @@ public final class TracedCorner {
             TraceProgress sum = new TraceProgress(width, height);
             float[] coarse = rays(
                     run, level, what, new TraceSettings(width / PREVIEW_DIVISOR, height / PREVIEW_DIVISOR, 1, 1, 1));
-            show(run, new Traced(TraceProgress.picture(coarse, width / PREVIEW_DIVISOR, what.level), 0));
+            show(run, new Traced(TraceProgress.picture(coarse, width / PREVIEW_DIVISOR, seen.level), 0));
             while (sum.samples() < most) {
                 int samples =
                         Math.min(Math.min(MOST_SAMPLES_AT_ONCE, Math.max(1, sum.samples())), most - sum.samples());
                 sum.add(
                         rays(run, level, what, new TraceSettings(width, height, samples, sum.samples() + 1, 1)),
                         samples);
-                show(run, new Traced(sum.picture(what.level), sum.samples()));
+                show(run, new Traced(sum.picture(seen.level), sum.samples()));
             }
         } catch (CancellationException cancelled) {
             return;
@@ -148,14 +159,14 @@ public final class TracedCorner {
         }
     }
 
-    private TracedLevel prepared(Wanted what) {
+    private Prepared prepared(Wanted what) {
         Prepared known = prepared;
         if (known == null || known.level != what.level || known.assets != what.assets) {
             PlacedLevel placed = PlacedLevel.of(what.level, what.assets);
-            known = new Prepared(what.level, what.assets, TracedLevel.of(placed, ColourDecoding.SRGB));
+            known = new Prepared(what.level, what.assets, placed, TracedLevel.of(placed, ColourDecoding.SRGB));
             prepared = known;
         }
-        return known.traced;
+        return known;
     }
 
     /** Traces on one thread, and gives way to everything else. */

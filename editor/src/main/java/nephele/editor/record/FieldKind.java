@@ -4,6 +4,7 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
@@ -20,6 +21,8 @@ public enum FieldKind {
     ASSET,
     CHOICE,
     VECTOR,
+    /** A number or a word, see {@link Exposure}. */
+    EXPOSURE,
     RECORD,
     /** One of several records, chosen by {@code kind}. */
     VARIANT,
@@ -34,6 +37,8 @@ public enum FieldKind {
             return TABLE;
         } else if (raw == Vec3.class) {
             return VECTOR;
+        } else if (raw == Exposure.class) {
+            return EXPOSURE;
         } else if (raw == double.class || raw == Double.class) {
             return NUMBER;
         } else if (raw == int.class || raw == long.class) {

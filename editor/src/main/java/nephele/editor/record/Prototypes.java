@@ -2,6 +2,7 @@ package nephele.editor.record;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Spatial;
 import nephele.engine.math.Vec3;
 
@@ -57,6 +58,7 @@ public final class Prototypes {
             case TEXT, REFERENCE, ASSET -> id.isEmpty() ? "new" : id;
             case CHOICE -> field.choices().get(0);
             case VECTOR -> field.spatial() == Spatial.DIRECTION ? new Vec3(0, 1, 0) : new Vec3(number, number, number);
+            case EXPOSURE -> Exposure.NEUTRAL;
             case RECORD, VARIANT -> nested(field, id, at);
             case LIST -> List.of();
             case TABLE -> Map.of();

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.json.WrittenRecord;
 import nephele.engine.math.Vec3;
 
@@ -47,11 +48,11 @@ public final class RecordKind {
 
     /**
      * Returns the record classes of a type: itself, or those of a sealed interface in the order of their names. A vector
-     * is a plain value.
+     * and an exposure are plain values.
      */
     static List<Class<?>> classesOf(Class<?> type) {
         if (type.isRecord()) {
-            return type == Vec3.class ? List.of() : List.of(type);
+            return type == Vec3.class || type == Exposure.class ? List.of() : List.of(type);
         }
         if (!type.isSealed()) {
             return List.of();

@@ -31,7 +31,7 @@ public final class RecordWalk {
     }
 
     private static Object mapped(RecordField field, Object value, ValueChange change) {
-        if (value instanceof Record nested && field.kind() != FieldKind.VECTOR) {
+        if (value instanceof Record nested && !field.recordClasses().isEmpty()) {
             return map(nested, change);
         } else if (value instanceof List<?> list) {
             return list(field, list, change);

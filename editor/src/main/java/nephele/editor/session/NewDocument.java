@@ -6,6 +6,7 @@ import java.util.Optional;
 import nephele.editor.save.DocumentFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
@@ -22,7 +23,7 @@ public final class NewDocument {
         var sky = new Sky.Gradient(new Vec3(0.1, 0.24, 0.56), new Vec3(0.5, 0.6, 0.7), new Vec3(0.26, 0.24, 0.21));
         // Even light inside: a room without lamps is not black while it is built, and needs no bake.
         var inside = new Vec3(0.2, 0.22, 0.25);
-        var environment = new Environment(sun, sky, inside, 0, ToneCurve.FILMIC, null, List.of());
+        var environment = new Environment(sun, sky, inside, Exposure.NEUTRAL, ToneCurve.FILMIC, null, List.of());
         return new DocumentFile.Opened(
                 DocumentFile.UNTITLED,
                 Level.of("Untitled", "", environment, List.of()),

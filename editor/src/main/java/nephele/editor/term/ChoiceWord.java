@@ -2,6 +2,7 @@ package nephele.editor.term;
 
 import java.util.Map;
 import nephele.editor.text.Words;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.json.WordFormats;
 
 /** The word for a constant or a key of a table. */
@@ -10,19 +11,29 @@ public final class ChoiceWord {
             word("arch", "Arch", "Arco", "Arco"),
             word("auto", "Automatic", "Automático", "Automático"),
             word("billboard", "Billboards", "Painéis voltados à câmera", "Painéis voltados à câmara"),
+            word("broken", "Broken clouds", "Muitas nuvens", "Muitas nuvens"),
+            word("cirrus", "Cirrus", "Cirros", "Cirros"),
+            word("clear", "Clear", "Céu limpo", "Céu limpo"),
             word("clip", "Clipped", "Cortada", "Cortada"),
             word("cross", "Cross", "Cruz", "Cruz"),
+            word("cumulonimbus", "Cumulonimbus", "Cumulonimbo", "Cumulonimbo"),
+            word("cumulus", "Cumulus", "Cúmulo", "Cúmulo"),
             word("ellipse", "Ellipse", "Elipse", "Elipse"),
             word("face", "Along the face", "Ao longo da face", "Ao longo da face"),
             word("faces", "Six pictures", "Seis imagens", "Seis imagens"),
+            word("few", "Few clouds", "Poucas nuvens", "Poucas nuvens"),
             word("filmic", "Filmic", "Fílmica", "Fílmica"),
             word("opengl", "OpenGL cube", "Cubo do OpenGL", "Cubo do OpenGL"),
+            word("overcast", "Overcast", "Encoberto", "Encoberto"),
             word("particles", "Particles", "Partículas", "Partículas"),
             word("procedural", "Procedural noise", "Ruído procedural", "Ruído procedural"),
             word("quake2", "Quake II", "Quake II", "Quake II"),
             word("rectangle", "Rectangle", "Retângulo", "Retângulo"),
+            word("scattered", "Scattered clouds", "Nuvens esparsas", "Nuvens dispersas"),
             word("skybox", "Sky box", "Caixa de céu", "Caixa de céu"),
             word("skyplane", "Sky planes", "Planos de céu", "Planos de céu"),
+            word("storm", "Storm", "Tempestade", "Tempestade"),
+            word("stratus", "Stratus", "Estrato", "Estrato"),
             word("terragen", "Terragen", "Terragen", "Terragen"),
             word("volume", "Volume", "Volume", "Volume"),
             word("world", "Along the world's axes", "Ao longo dos eixos do mundo", "Ao longo dos eixos do mundo"));
@@ -38,9 +49,9 @@ public final class ChoiceWord {
         return value instanceof Enum<?> ? WordFormats.Choice.word(value) : String.valueOf(value);
     }
 
-    /** Returns the words that a designer reads: those of files for a key, and for a constant without a name here. */
+    /** Returns the words that a designer reads: those of files for a key, a number, and a constant without a name here. */
     public static Words words(Object value) {
         Words inFiles = Words.same(of(value));
-        return value instanceof Enum<?> ? ALL.getOrDefault(of(value), inFiles) : inFiles;
+        return value instanceof Enum<?> || value instanceof Exposure ? ALL.getOrDefault(of(value), inFiles) : inFiles;
     }
 }

@@ -27,13 +27,20 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
     private static final double MIE_SCATTERING_PER_METRE = 3.996e-6;
     private static final double MIE_ABSORPTION_PER_METRE = 0.444e-6;
     private static final double[] OZONE_PER_METRE = {0.650e-6, 1.881e-6, 0.085e-6};
-    private static final double RAYLEIGH_HEIGHT_METRES = 8_000;
+    /** Height over which the molecules' density falls by a factor e. */
+    static final double RAYLEIGH_HEIGHT_METRES = 8_000;
+
     private static final double MIE_HEIGHT_METRES = 1_200;
     private static final double OZONE_MIDDLE_METRES = 25_000;
     private static final double OZONE_HALF_WIDTH_METRES = 15_000;
 
     /** Heights between which a polynomial follows the extinction well; the ozone has kinks at three of them. */
     static final double[] LAYERS_METRES = {600, 2_000, 5_000, 10_000, 17_000, 25_000, 40_000, 65_000};
+
+    /** Returns the scattering by molecules at the ground, per metre. */
+    static double rayleighPerMetre(int channel) {
+        return RAYLEIGH_PER_METRE[channel];
+    }
 
     /** Returns the scattering by molecules, per metre. */
     double rayleighPerMetre(double heightMetres, int channel) {

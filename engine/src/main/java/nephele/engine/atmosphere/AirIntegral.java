@@ -1,6 +1,7 @@
 package nephele.engine.atmosphere;
 
 import java.util.Arrays;
+import nephele.engine.math.GaussLegendre;
 
 /**
  * Integrates light along rays by Gauss–Legendre quadrature on each piece of a ray; the optical depth up to a node is the
@@ -9,6 +10,8 @@ import java.util.Arrays;
 final class AirIntegral {
     /** For reference values. */
     static final GaussLegendre FINE = new GaussLegendre(10);
+    /** For rays that are cut into short pieces. */
+    static final GaussLegendre SHORT = new GaussLegendre(3);
     /** For light that is smooth along the ray. */
     static final GaussLegendre COARSE = new GaussLegendre(5);
 
@@ -65,6 +68,40 @@ final class AirIntegral {
         }
         for (int c = 0; c < CHANNELS; c++) {
             transmittance[c] = Math.exp(-depthBefore[c]);
+        }
+    }
+
+    /**
+     * Puts the light of one colour that parts of a segment of increasing length send to its origin, and the
+     * transmittance of these parts.
+     *
+     * @param distances ends of the parts, at which the segment is cut
+     * @param light for each part radiance, then transmittance, each for every wavelength
+     */
+    void putParts(AirRay segment, AirSource source, double[] distances, double[] light) {
+        double[] radiance = new double[CHANNELS];
+        Arrays.fill(depthBefore, 0);
+        int part = 0;
+        for (int piece = 0; piece < segment.pieceCount(); piece++) {
+            double from = segment.cut(piece);
+            for (; part < distances.length && distances[part] <= from; part++) {
+                putPart(part, radiance, light);
+            }
+            double length = segment.cut(piece + 1) - from;
+            if (length > 0) {
+                evaluate(segment, source, from, length);
+                addPiece(length, CHANNELS, radiance);
+            }
+        }
+        for (; part < distances.length; part++) {
+            putPart(part, radiance, light);
+        }
+    }
+
+    private void putPart(int part, double[] radiance, double[] light) {
+        for (int c = 0; c < CHANNELS; c++) {
+            light[2 * CHANNELS * part + c] = radiance[c];
+            light[2 * CHANNELS * part + CHANNELS + c] = Math.exp(-depthBefore[c]);
         }
     }
 

@@ -16,12 +16,21 @@ final class AirRay {
     private double betweenCosine;
     private double lengthMetres;
     private boolean hitsGround;
-    private final double[] cuts = new double[2 * Air.LAYERS_METRES.length + 10];
+    private final double[] cuts;
     private int cutCount;
 
     private double pointHeightMetres;
     private double pointZenithCosine;
     private double pointSunCosine;
+
+    AirRay() {
+        this(0);
+    }
+
+    /** @param moreCuts the greatest number of distances at which a segment is cut besides */
+    AirRay(int moreCuts) {
+        cuts = new double[2 * Air.LAYERS_METRES.length + 10 + moreCuts];
+    }
 
     /**
      * Sets the ray.
@@ -45,9 +54,18 @@ final class AirRay {
      */
     void setSegment(
             double heightMetres, double zenithCosine, double sunCosine, double betweenCosine, double lengthMetres) {
+        setSegment(heightMetres, zenithCosine, sunCosine, betweenCosine, new double[] {lengthMetres});
+    }
+
+    /** Sets a ray as the other method does, cut at distances of which the last is its length. */
+    void setSegment(
+            double heightMetres, double zenithCosine, double sunCosine, double betweenCosine, double[] distances) {
         begin(heightMetres, zenithCosine, sunCosine, betweenCosine);
         hitsGround = false;
-        this.lengthMetres = Math.max(0, Math.min(lengthMetres, toTop()));
+        lengthMetres = Math.max(0, Math.min(distances[distances.length - 1], toTop()));
+        for (int i = 0; i < distances.length - 1; i++) {
+            add(distances[i]);
+        }
         cutAtHeight(0);
         cut();
     }

@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import nephele.engine.math.GaussLegendre;
 import nephele.engine.math.Vec3;
 
 /**

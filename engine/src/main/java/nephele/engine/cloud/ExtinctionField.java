@@ -16,6 +16,11 @@ public interface ExtinctionField {
     /** Returns a box that contains all of the medium; infinite in x and z for a layer, empty if there is none. */
     Aabb bounds();
 
+    /** Returns true if there is surely no extinction anywhere. */
+    default boolean isEmpty() {
+        return bounds().isEmpty();
+    }
+
     /**
      * Walks along a part of a ray through segments with upper bounds of the extinction. Parts of the ray that no
      * segment covers have no extinction.

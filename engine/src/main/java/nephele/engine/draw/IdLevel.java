@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.MirrorFaces;
@@ -61,7 +62,7 @@ public final class IdLevel {
         if (!mirrors.isEmpty()) {
             materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
-        var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
+        var flatLight = new Environment(null, null, ONE, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return level.with(flatLight, List.of())
                 .with(materials, solids, bodies, models)
                 .withExits(List.of());

@@ -16,6 +16,7 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
@@ -70,6 +71,19 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "edgeFilter",
                     EdgeFilter.class,
                     (all, value) -> all.with(all.quality().withEdgeFilter(value))),
+            SettingKey.share(
+                    "cloudResolution",
+                    0.125,
+                    (all, value) -> all.with(all.quality().withCloudResolution(value))),
+            SettingKey.number(
+                    "cloudStep",
+                    0.25,
+                    16,
+                    (all, value) -> all.with(all.quality().withCloudStep(value))),
+            SettingKey.word(
+                    "cloudScattering",
+                    CloudScattering.class,
+                    (all, value) -> all.with(all.quality().withCloudScattering(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

@@ -30,6 +30,14 @@ record SettingKey(String name, String allowed, Function<String, Function<RenderS
         });
     }
 
+    static SettingKey number(
+            String name, double least, double most, BiFunction<RenderSettings, Double, RenderSettings> change) {
+        return new SettingKey(name, "a number from " + least + " to " + most, value -> {
+            double number = value.matches("[0-9]{1,3}(\\.[0-9]{1,9})?") ? Double.parseDouble(value) : Double.NaN;
+            return number >= least && number <= most ? all -> change.apply(all, number) : null;
+        });
+    }
+
     static <E extends Enum<E>> SettingKey word(
             String name, Class<E> words, BiFunction<RenderSettings, E, RenderSettings> change) {
         var all = Arrays.stream(words.getEnumConstants())

@@ -35,6 +35,13 @@ public final class OpenedLevel {
         return read.notice();
     }
 
+    /** Returns another version of the level, derived from {@link #placed}. */
+    public OpenedLevel edited(PlacedLevel other) {
+        OpenedLevel edited = new OpenedLevel(new LevelFile.Opened(file(), other.level(), assets(), notice()));
+        edited.placed = other;
+        return edited;
+    }
+
     /**
      * Returns the level with derived transforms and meshes; thread-safe.
      *

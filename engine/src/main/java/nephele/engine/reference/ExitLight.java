@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.List;
 import nephele.engine.level.Exit;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ExitCurtain;
 import nephele.engine.math.Vec3;
@@ -9,7 +10,8 @@ import org.joml.Vector3d;
 
 /**
  * The light that the curtains of exits add along a path: the integral of their emission, attenuated by fog. A segment's
- * two ways through a shell are integrated one by one with the midpoint rule.
+ * two ways through a shell are integrated one by one with the midpoint rule. While exposure is auto, the light is
+ * infinite, so that metering leaves its pixels out; see {@link TracedExposure}.
  */
 final class ExitLight {
     private static final int STEPS = 24;
@@ -19,17 +21,22 @@ final class ExitLight {
 
     ExitLight(Level level) {
         exits = level.exits();
-        radiancePerDisplay = StrictMath.pow(2, -level.environment().exposureStops());
+        Exposure exposure = level.environment().exposureStops();
+        radiancePerDisplay = StrictMath.pow(2, -exposure.stopsOr(Double.NEGATIVE_INFINITY));
     }
 
-    /** Adds the light to the radiance at the end of a path. */
-    void addTo(Vector3d radiance, EyePath path, TracedLevel level) {
+    /**
+     * Adds the light to the radiance at the end of a path.
+     *
+     * @param metres of the path that the eye sees; infinite for all
+     */
+    void addTo(Vector3d radiance, EyePath path, double metres, TracedLevel level) {
         if (exits.isEmpty()) {
             return;
         }
         for (EyePath.Segment segment : path.segments()) {
             for (Exit exit : exits) {
-                add(exit, segment, level, radiance);
+                add(exit, segment.shortened(metres - segment.metresBefore()), level, radiance);
             }
         }
     }

@@ -146,14 +146,14 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     @Override
     public void drawSky(FrameContext frame, ViewNode child) {
-        shared.frameUniforms().upload(child.view(), environment.exposure());
+        shared.setView(child.view());
         FrameContext context = context(child.depth());
         context.begin(frame.frameState(), frame.surface());
         context.setView(child.view(), child, null, null);
         for (int i = 0; i < skies.size(); i++) {
             skies.get(i).draw(context);
         }
-        shared.frameUniforms().upload(frame.view(), environment.exposure());
+        shared.setView(frame.view());
     }
 
     @Override
@@ -162,7 +162,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void enter(ViewNode node) {
-        shared.frameUniforms().upload(node.view(), environment.exposure());
+        shared.setView(node.view());
         if (node.parent() == null || settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -185,7 +185,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private void drawPicture(ViewNode node, FrameState frameState, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
         RenderTarget target = technique().copies() ? frameBuffer : multisampling.inPlaceOf(own, own.format());
-        shared.frameUniforms().upload(node.view(), environment.exposure());
+        shared.setView(node.view());
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {

@@ -2,9 +2,12 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.cloud.shade.CloudShadePass;
+import nephele.engine.render.pass.cloud.volume.VolumePass;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
+import nephele.engine.render.pass.exposure.ExposurePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
@@ -28,6 +31,7 @@ public final class RenderFeatures {
             LightShadowPass.FEATURE,
             DynamicShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            CloudShadePass.FEATURE,
             // In each view.
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
@@ -39,8 +43,11 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
+            VolumePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,
+            // After the views.
+            ExposurePass.FEATURE,
             // After everything else.
             ToneMapPass.FEATURE,
             EdgeFilterPass.FEATURE,

@@ -1,12 +1,14 @@
 package nephele.engine.render;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
@@ -37,12 +39,15 @@ public final class Renderer implements AutoCloseable {
     private PassOrder passes;
     private List<Pass> onceAFrame;
     private ViewPasses views;
+    private List<Pass> afterViews;
     private List<Pass> afterAll;
     private PictureChain chain;
     private ViewCopies copies;
     private Multisampling multisampling;
     /** {@code null} in a level that cannot have portals. */
     private PortalViews portals;
+    /** {@code null} if exposure is not metered. */
+    private MeteredExposure exposure;
 
     private FrameContext frame;
 
@@ -98,6 +103,7 @@ public final class Renderer implements AutoCloseable {
      */
     public Renderer edited(Scene edited) {
         Renderer next = load(gl, edited, settings, features);
+        next.follow(this);
         close();
         return next;
     }
@@ -106,7 +112,9 @@ public final class Renderer implements AutoCloseable {
         passes = new PassOrder(shared.loadContext(), settings.decoration(), features);
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
         views = passes.views();
+        afterViews = passes.of(Stage.AFTER_VIEWS);
         afterAll = passes.of(Stage.AFTER_ALL);
+        exposure = shared.exposure();
         chain = new PictureChain(gl, settings, afterAll.size());
         copies = new ViewCopies(gl, shared, passes.reads());
         multisampling = new Multisampling(gl, settings.quality().samples(), copies.areRead());
@@ -173,6 +181,23 @@ public final class Renderer implements AutoCloseable {
             begin(view, frameState, surface, drawn);
             drawOnce(listener);
         }
+        if (exposure != null) {
+            exposure.begin(frameState, picture);
+            if (exposure.needsDrawingBefore()) {
+                meterBefore(frameState, surface, drawn);
+            }
+        }
+        clear(frameState, surface, drawn);
+        if (views.passes().isEmpty()) {
+            average(surface);
+        }
+        listener.submitted(onceAFrame.size());
+        drawView(surface, listener);
+        drawAfterViews(surface, listener);
+        drawAfterAll(picture, listener);
+    }
+
+    private void clear(FrameState frameState, RenderTarget surface, RenderTarget drawn) {
         if (portals != null) {
             // Views with pictures of their own are drawn first: it is costly to continue in a target after a switch to
             // another one.
@@ -180,12 +205,17 @@ public final class Renderer implements AutoCloseable {
         }
         ClearColour behind = environment.clearColour();
         drawn.clear(behind.red(), behind.green(), behind.blue());
-        if (views.passes().isEmpty()) {
-            average(surface);
+    }
+
+    /** Draws the views only to meter them: what shows values of the display in them needs the exposure. */
+    private void meterBefore(FrameState frameState, RenderTarget surface, RenderTarget drawn) {
+        clear(frameState, surface, drawn);
+        for (int i = 0; i < views.passes().size(); i++) {
+            views.draw(i, frame, copies);
         }
-        listener.submitted(onceAFrame.size());
-        drawView(surface, listener);
-        drawAfterAll(picture, listener);
+        multisampling.resolve(surface);
+        drawAfterViews(surface, StepListener.NONE);
+        frame.begin(frameState, drawn);
     }
 
     private void begin(View view, FrameState frameState, RenderTarget surface, RenderTarget drawn) {
@@ -193,7 +223,7 @@ public final class Renderer implements AutoCloseable {
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        shared.frameUniforms().upload(view, environment.exposure());
+        shared.setView(view);
         frame.begin(frameState, drawn);
         frame.setView(view, root, visible, settings.limits(root));
     }
@@ -216,8 +246,16 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
+    private void drawAfterViews(RenderTarget surface, StepListener listener) {
+        for (int i = 0; i < afterViews.size(); i++) {
+            frame.setPictures(surface, null);
+            afterViews.get(i).draw(frame);
+            listener.submitted(onceAFrame.size() + 1 + views.passes().size() + i);
+        }
+    }
+
     private void drawAfterAll(RenderTarget picture, StepListener listener) {
-        int first = onceAFrame.size() + 1 + views.passes().size();
+        int first = onceAFrame.size() + 1 + views.passes().size() + afterViews.size();
         for (int i = 0; i < afterAll.size(); i++) {
             frame.setPictures(chain.before(i, picture), chain.before(i + 1, picture));
             afterAll.get(i).draw(frame);
@@ -238,9 +276,13 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Drops the history of pictures after a cut, so that the deepest openings of the next picture take nothing from it.
+     * Drops the history of pictures after a cut: the deepest openings of the next picture take nothing from it, and its
+     * exposure is what it calls for.
      */
     public void forget() {
+        if (exposure != null) {
+            exposure.forget();
+        }
         if (portals != null) {
             portals.forget();
         }
@@ -252,6 +294,18 @@ public final class Renderer implements AutoCloseable {
      */
     public float[] readRadiance() {
         return chain.readRadiance();
+    }
+
+    /** Continues the adaption of exposure of another renderer of this context, which it replaces. */
+    public void follow(Renderer replaced) {
+        if (exposure != null && replaced.exposure != null) {
+            exposure.follow(replaced.exposure);
+        }
+    }
+
+    /** Returns the exposure of the last frame in stops, if it is metered; waits for the GPU. */
+    public OptionalDouble readMeteredStops() {
+        return exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure.readStops());
     }
 
     /** Returns the number of views through openings in the last frame. */

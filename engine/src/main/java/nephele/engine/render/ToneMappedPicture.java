@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import java.awt.image.BufferedImage;
 import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.ToneMapping;
 
@@ -10,13 +11,13 @@ public final class ToneMappedPicture {
     private ToneMappedPicture() {}
 
     /**
-     * Returns the displayed picture.
+     * Returns the displayed picture; exposure auto is metered from it.
      *
      * @param rgb linear radiance, the bottom row first
      */
     public static BufferedImage of(float[] rgb, int width, Environment environment, Output output) {
         int height = rgb.length / 3 / width;
-        double exposure = Math.pow(2, environment.exposureStops());
+        double exposure = Math.pow(2, AutoExposure.stops(environment, rgb, width));
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {

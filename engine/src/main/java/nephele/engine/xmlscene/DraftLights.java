@@ -3,6 +3,7 @@ package nephele.engine.xmlscene;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
@@ -119,6 +120,6 @@ final class DraftLights {
 
     Environment environment(double ambient) {
         Sky sky = new Sky.Constant(Vec3.ZERO);
-        return new Environment(sun, sky, grey(ambient), 0, ToneCurve.CLIP, null, List.of());
+        return new Environment(sun, sky, grey(ambient), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
     }
 }

@@ -126,14 +126,7 @@ public final class BakedSkybox {
         Environment old = lit.environment();
         List<String> files =
                 NAMES.stream().map(end -> name + "-" + end + ".png").toList();
-        Environment environment = new Environment(
-                Daylight.onGround(old),
-                new Sky.Skybox(SkyboxLayout.FACES, files),
-                old.ambient(),
-                old.exposureStops(),
-                old.toneCurve(),
-                old.fog(),
-                old.clouds());
+        Environment environment = old.with(Daylight.onGround(old)).with(new Sky.Skybox(SkyboxLayout.FACES, files));
         return lit.with(environment, lit.lights());
     }
 }

@@ -11,6 +11,7 @@ import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
@@ -111,7 +112,10 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {
-        var level = AssetProblems.named(opened, () -> TracedLevel.of(opened.placed(), ColourDecoding.SRGB));
+        var level = AssetProblems.named(
+                opened,
+                () -> TracedLevel.of(
+                        TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye), ColourDecoding.SRGB));
         return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 

@@ -72,9 +72,12 @@ class LevelRulesTest {
     @Test
     void whatHasNoEffectYetIsSaid() {
         List<Problem> problems = LevelRules.check(
-                LevelRules.STRUCTURE, LevelJsonTest.read(LevelJsonTest.PUFF), LevelAssets.beside(Path.of("x.json")));
+                LevelRules.STRUCTURE,
+                LevelJsonTest.read(LevelJsonTest.PUFF.replace("\"auto\"", "\"skyplane\"")),
+                LevelAssets.beside(Path.of("x.json")));
         assertEquals(
-                List.of("f: environment.clouds: warning: is not drawn by this version yet"),
+                List.of("f: environment.clouds[0].technique: warning: is not drawn by this version yet; the cloud is"
+                        + " drawn as a volume"),
                 problems.stream().map(problem -> problem.line("f")).toList());
     }
 

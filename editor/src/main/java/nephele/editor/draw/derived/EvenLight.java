@@ -2,6 +2,7 @@ package nephele.editor.draw.derived;
 
 import java.util.List;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
@@ -33,6 +34,12 @@ public final class EvenLight {
 
     private static Environment environment(Vec3 towardsSun, Sky sky) {
         return new Environment(
-                new Sun(towardsSun, IRRADIANCE, false), sky, AMBIENT, 0, ToneCurve.CLIP, null, List.of());
+                new Sun(towardsSun, IRRADIANCE, false),
+                sky,
+                AMBIENT,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of());
     }
 }

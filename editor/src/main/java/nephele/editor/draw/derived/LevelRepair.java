@@ -107,14 +107,7 @@ public final class LevelRepair implements LevelDerivation {
     }
 
     private static Environment withoutSkybox(Environment said) {
-        return new Environment(
-                said.sun(),
-                INSTEAD_OF_SKYBOX,
-                said.ambient(),
-                said.exposureStops(),
-                said.toneCurve(),
-                said.fog(),
-                said.clouds());
+        return said.with(INSTEAD_OF_SKYBOX);
     }
 
     /**

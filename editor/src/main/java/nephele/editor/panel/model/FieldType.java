@@ -15,6 +15,7 @@ import nephele.editor.term.ChoiceWord;
 import nephele.editor.term.FieldWords;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetId;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
@@ -103,6 +104,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
             case TEXT, REFERENCE, ASSET -> "";
             case CHOICE -> choices().get(0);
             case VECTOR -> new Vec3(number, number, number);
+            case EXPOSURE -> Exposure.NEUTRAL;
             case RECORD, VARIANT -> Prototypes.make(kinds().get(0), "new", Vec3.ZERO);
             case LIST -> List.of();
             case TABLE -> Map.of();
@@ -111,7 +113,24 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
 
     /** Returns a number as the value's class has it. */
     public Object number(double value) {
-        return kind == FieldKind.WHOLE ? whole(value) : (Object) value;
+        return switch (kind) {
+            case WHOLE -> whole(value);
+            case EXPOSURE -> Exposure.ofStops(value);
+            default -> value;
+        };
+    }
+
+    /** Returns true if {@link #shifted} changes values. */
+    public boolean isShifted() {
+        return kind == FieldKind.NUMBER || kind == FieldKind.WHOLE || kind == FieldKind.EXPOSURE;
+    }
+
+    /** Returns a number with another one added; any other value as it is. */
+    public Object shifted(Object value, double change) {
+        if (value instanceof Exposure exposure && !exposure.isAuto()) {
+            return number(exposure.fixedStops() + change);
+        }
+        return value instanceof Number number ? number(number.doubleValue() + change) : value;
     }
 
     private Object whole(double value) {
@@ -135,6 +154,10 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
                                 .filter(choice -> ChoiceWord.of(choice).equals(text.toLowerCase(Locale.ROOT)))
                                 .findFirst();
                     case VECTOR -> vector(text);
+                    case EXPOSURE ->
+                        text.equals(Exposure.AUTO_WORD)
+                                ? Optional.of(Exposure.AUTO)
+                                : number(text).map(this::number);
                     case RECORD, VARIANT, LIST, TABLE -> Optional.empty();
                 };
         return value.filter(each -> problem(each).isEmpty());
@@ -160,6 +183,8 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
     public Optional<Words> problem(Object value) {
         if (value instanceof Number number) {
             return rangeProblem(number.doubleValue());
+        } else if (value instanceof Exposure exposure) {
+            return exposure.isAuto() ? Optional.empty() : rangeProblem(exposure.fixedStops());
         } else if (value instanceof Vec3 vector) {
             return rangeProblem(vector.x()).or(() -> rangeProblem(vector.y())).or(() -> rangeProblem(vector.z()));
         } else if (value instanceof String text) {
@@ -192,7 +217,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
 
     /** Returns the range in words, such as {@code 0 … 1}; empty if it is only the size of the world. */
     public String range() {
-        boolean isNumber = kind == FieldKind.NUMBER || kind == FieldKind.WHOLE || kind == FieldKind.VECTOR;
+        boolean isNumber = isShifted() || kind == FieldKind.VECTOR;
         boolean isBounded = declaration().min() > -1e7 || declaration().max() < 1e7;
         return isNumber && isBounded
                 ? NumberExpression.text(declaration().min()) + " … "

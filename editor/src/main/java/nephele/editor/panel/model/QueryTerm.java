@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.RecordWalk;
+import nephele.engine.level.Exposure;
 import nephele.engine.math.Vec3;
 
 /**
@@ -62,6 +63,8 @@ public record QueryTerm(String name, String operator, String value) {
             return isMet(Math.max(vector.x(), Math.max(vector.y(), vector.z())));
         } else if (component instanceof Number number) {
             return isMet(number.doubleValue());
+        } else if (component instanceof Exposure exposure && !exposure.isAuto()) {
+            return isMet(exposure.fixedStops());
         }
         String text = component.toString().toLowerCase(Locale.ROOT);
         return operator.equals(":") ? text.contains(value) : text.equals(value);

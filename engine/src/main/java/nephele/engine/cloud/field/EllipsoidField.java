@@ -22,6 +22,11 @@ public record EllipsoidField(Aabb bounds, double extinctionPerMetre) implements 
     }
 
     @Override
+    public boolean isEmpty() {
+        return extinctionPerMetre == 0 || bounds.isEmpty();
+    }
+
+    @Override
     public MajorantWalk walk(Ray ray, double fromMetres, double toMetres) {
         return new UniformWalk(chord(ray, fromMetres, toMetres), extinctionPerMetre);
     }

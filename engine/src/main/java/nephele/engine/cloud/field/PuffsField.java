@@ -47,6 +47,11 @@ public final class PuffsField implements ExtinctionField {
     }
 
     @Override
+    public boolean isEmpty() {
+        return extinctionPerMetre == 0 || bounds.isEmpty();
+    }
+
+    @Override
     public Aabb bounds() {
         return bounds;
     }

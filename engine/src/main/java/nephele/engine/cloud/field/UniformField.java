@@ -19,6 +19,11 @@ public record UniformField(Aabb bounds, double extinctionPerMetre) implements Ex
     }
 
     @Override
+    public boolean isEmpty() {
+        return extinctionPerMetre == 0 || bounds.isEmpty();
+    }
+
+    @Override
     public MajorantWalk walk(Ray ray, double fromMetres, double toMetres) {
         return new UniformWalk(RaySpan.inBox(ray, bounds, fromMetres, toMetres), extinctionPerMetre);
     }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
@@ -68,6 +69,8 @@ final class FormatBuilder {
             return new NumberFormats.Vector(written.min(), written.max());
         } else if (type == double.class || type == Double.class) {
             return new NumberFormats.Real(written.min(), written.max(), type == double.class ? 0.0 : null);
+        } else if (type == Exposure.class) {
+            return new NumberFormats.RealOrAuto(new NumberFormats.Real(written.min(), written.max(), null));
         } else if (type == int.class || type == long.class) {
             return new NumberFormats.Whole(written.min(), written.max(), type == int.class);
         } else if (type == boolean.class || type == Boolean.class) {

@@ -1,6 +1,7 @@
 package nephele.engine.level.json;
 
 import java.util.List;
+import nephele.engine.level.Exposure;
 import nephele.engine.math.Vec3;
 
 /** Formats of numbers and vectors, checked as doubles against a range. */
@@ -29,6 +30,36 @@ final class NumberFormats {
         @Override
         public Object absent() {
             return fallback;
+        }
+    }
+
+    /** A number, or the word {@code "auto"}. */
+    record RealOrAuto(Real number) implements ValueFormat {
+        @Override
+        public Object read(JsonValue json, Problems problems) {
+            if (json instanceof JsonValue.Text text) {
+                return text.value().equals(Exposure.AUTO_WORD)
+                        ? Exposure.AUTO
+                        : problems.error("must be a number or \"" + Exposure.AUTO_WORD + "\", not '"
+                                + JsonTree.shortened(text.value()) + "'");
+            } else if (!(json instanceof JsonValue.Number)) {
+                return ValueFormat.mismatch("a number or \"" + Exposure.AUTO_WORD + "\"", json, problems);
+            }
+            Object stops = number.read(json, problems);
+            return stops == null ? null : Exposure.ofStops((Double) stops);
+        }
+
+        @Override
+        public JsonValue write(Object value) {
+            Exposure exposure = (Exposure) value;
+            return exposure.isAuto() ? new JsonValue.Text(Exposure.AUTO_WORD) : number.write(exposure.fixedStops());
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            JsonValue word = new JsonValue.Members().with("const", new JsonValue.Text(Exposure.AUTO_WORD));
+            return new JsonValue.Members()
+                    .with("oneOf", new JsonValue.Array(List.of(number.schema(definitions), word)));
         }
     }
 

@@ -1,7 +1,8 @@
 package nephele.engine.level.rule;
 
-import java.util.function.Consumer;
-import nephele.engine.level.Environment;
+import java.util.List;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
@@ -15,18 +16,19 @@ final class EnvironmentRules {
         }
     };
 
-    /** Warns of features that are read and checked but not drawn yet. */
+    /** Warns of techniques of clouds that are read and checked but not built yet. */
     static final LevelRule NOT_YET = (level, assets, report) -> {
-        Environment environment = level.environment();
-        tell(!environment.clouds().isEmpty(), "environment.clouds", report);
+        List<Cloud> clouds = level.environment().clouds();
+        for (int i = 0; i < clouds.size(); i++) {
+            CloudTechnique technique = clouds.get(i).technique();
+            if (technique != CloudTechnique.AUTO && technique != CloudTechnique.VOLUME) {
+                report.accept(Problem.warning(
+                                "environment.clouds[" + i + "].technique",
+                                "is not drawn by this version yet; the cloud is drawn as a volume")
+                        .about(Topic.NOT_DRAWN_YET));
+            }
+        }
     };
 
     private EnvironmentRules() {}
-
-    private static void tell(boolean present, String path, Consumer<Problem> report) {
-        if (present) {
-            report.accept(
-                    Problem.warning(path, "is not drawn by this version yet").about(Topic.NOT_DRAWN_YET));
-        }
-    }
 }

@@ -48,8 +48,8 @@ public record ClearColour(float red, float green, float blue) {
         };
     }
 
-    /** Returns the factor on radiance. */
+    /** Returns the factor on radiance; 1 for auto, which no other output than HDR can meter. */
     public static double exposure(Environment environment) {
-        return Math.pow(2, environment.exposureStops());
+        return Math.pow(2, environment.exposureStops().stopsOr(0));
     }
 }

@@ -11,7 +11,7 @@ public final class Defines {
     private final Map<String, String> values = new HashMap<>();
 
     /**
-     * Returns the output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may
+     * Returns the output, tone curve, fog and air of {@code context}, which {@code output.glsl} needs, and whether there may
      * be openings.
      */
     public static Defines of(LoadContext context) {
@@ -20,7 +20,9 @@ public final class Defines {
                 .withIf(context.quality().samples() > 1, "MULTISAMPLED")
                 .with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
+                .withIf(MeteredExposure.isRequiredBy(context.request()), "EXPOSURE_METERED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
+                .withIf(AerialPerspective.isIn(environment), "AIR")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");
     }

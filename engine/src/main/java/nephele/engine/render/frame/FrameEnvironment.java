@@ -22,7 +22,7 @@ public final class FrameEnvironment {
         }
     }
 
-    /** Returns the factor on radiance before the tone curve. */
+    /** Returns the factor on radiance before the tone curve; 1 for auto, see {@link MeteredExposure}. */
     public double exposure() {
         return exposure;
     }

@@ -4,16 +4,23 @@ import java.util.Optional;
 import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.WeatherClouds;
 
 /**
  * Decides whether a level's light is accumulated in a linear target before tone mapping, because a pass adds light to
- * the drawn surfaces.
+ * the drawn surfaces, or because exposure is metered from the picture.
  */
 public final class LinearLight {
     private LinearLight() {}
 
-    /** Returns the reason; empty if nothing is added. */
+    /** Returns the reason; empty if there is none. */
     public static Optional<String> because(Level level) {
+        if (level.environment().exposureStops().isAuto()) {
+            return Optional.of("environment.exposureStops: auto meters linear light");
+        }
+        if (!WeatherClouds.all(level.environment()).isEmpty()) {
+            return Optional.of("environment.clouds: they are blended with what is behind them");
+        }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()
                 ? Optional.empty()

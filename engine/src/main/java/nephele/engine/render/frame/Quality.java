@@ -15,6 +15,9 @@ import java.util.function.Consumer;
  * @param lightShadows greatest number of punctual lights that cast shadows, the most powerful ones
  * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
  * @param edgeFilter filter of the displayed picture that smooths edges
+ * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
+ * @param cloudStep length of a step through a cloud, in its cells
+ * @param cloudScattering model of light that clouds scatter more than once
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -30,6 +33,9 @@ public record Quality(
         int lightShadows,
         int samples,
         EdgeFilter edgeFilter,
+        double cloudResolution,
+        double cloudStep,
+        CloudScattering cloudScattering,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -47,19 +53,36 @@ public record Quality(
             ALL_LIGHTS,
             1,
             EdgeFilter.NONE,
+            0.5,
+            1,
+            CloudScattering.TWO_STREAM,
             PortalTechnique.STENCIL,
             12,
             1);
-    public static final Quality LOW =
-            HIGH.withPictureResolution(0.5).withShadowTexels(2048).withViewBudget(6);
+    public static final Quality LOW = HIGH.withPictureResolution(0.5)
+            .withShadowTexels(2048)
+            .withCloudStep(2)
+            .withViewBudget(6);
     public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
-    public static final Quality ULTRA = HIGH.withAnisotropy(8).withSamples(4).withViewBudget(32);
+    public static final Quality ULTRA =
+            HIGH.withAnisotropy(8).withSamples(4).withCloudResolution(1).withViewBudget(32);
 
     /** The filter that smooths edges of the displayed picture. */
     public enum EdgeFilter {
         NONE,
         /** Morphological antialiasing: coverage is estimated from the shapes of edges. */
         MORPHOLOGICAL
+    }
+
+    /** The model of light that clouds scatter more than once. */
+    public enum CloudScattering {
+        /** {@link nephele.engine.cloud.light.CloudLight}: two streams of diffuse light, small angles along the path. */
+        TWO_STREAM,
+        /**
+         * Eight times single scattering, each with half the light, optical depth and asymmetry of the one before
+         * (Wrenninge 2013); the sum is far too dark in thick clouds.
+         */
+        OCTAVES
     }
 
     /** The filter that scales a picture up. */
@@ -151,6 +174,18 @@ public record Quality(
         return with(draft -> draft.edgeFilter = filter);
     }
 
+    public Quality withCloudResolution(double share) {
+        return with(draft -> draft.cloudResolution = share);
+    }
+
+    public Quality withCloudStep(double cells) {
+        return with(draft -> draft.cloudStep = cells);
+    }
+
+    public Quality withCloudScattering(CloudScattering model) {
+        return with(draft -> draft.cloudScattering = model);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -180,6 +215,9 @@ public record Quality(
         private int lightShadows;
         private int samples;
         private EdgeFilter edgeFilter;
+        private double cloudResolution;
+        private double cloudStep;
+        private CloudScattering cloudScattering;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -195,6 +233,9 @@ public record Quality(
             lightShadows = from.lightShadows;
             samples = from.samples;
             edgeFilter = from.edgeFilter;
+            cloudResolution = from.cloudResolution;
+            cloudStep = from.cloudStep;
+            cloudScattering = from.cloudScattering;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -212,6 +253,9 @@ public record Quality(
                     lightShadows,
                     samples,
                     edgeFilter,
+                    cloudResolution,
+                    cloudStep,
+                    cloudScattering,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

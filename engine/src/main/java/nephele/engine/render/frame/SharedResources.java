@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.cloud.drawn.DrawnClouds;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
@@ -22,6 +24,7 @@ import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.SceneMaterials.PictureArray;
+import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyProbes;
@@ -39,18 +42,24 @@ public final class SharedResources implements GlObject {
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
+    private MeteredExposure exposure;
+    /** {@code null} without air to see through. */
+    private final AerialPerspective air;
+
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
+    private DrawnClouds clouds;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
         this.gl = gl;
         this.scene = scene;
         this.request = request;
         surroundings = new FrameEnvironment(request.output());
+        air = AerialPerspective.isIn(scene.level().environment()) ? own(new AerialPerspective(gl, this)) : null;
     }
 
     /** Returns the arguments for building a pass. */
@@ -89,6 +98,17 @@ public final class SharedResources implements GlObject {
         if (surfaceLight != null) {
             surfaceLight.follow(frameState.environment());
         }
+        if (air != null) {
+            air.follow(frameState.environment());
+        }
+    }
+
+    /** Sets the view of the following draws. */
+    public void setView(View view) {
+        if (air != null) {
+            air.setView(view, frameUniforms());
+        }
+        frameUniforms().upload(view, surroundings.exposure());
     }
 
     public FrameEnvironment surroundings() {
@@ -105,6 +125,14 @@ public final class SharedResources implements GlObject {
         return frameUniforms;
     }
 
+    /** Returns the exposure that is metered from the pictures; {@code null} if none is. */
+    public MeteredExposure exposure() {
+        if (exposure == null && MeteredExposure.isRequiredBy(request)) {
+            exposure = own(new MeteredExposure(gl));
+        }
+        return exposure;
+    }
+
     /** Returns the openings in the views of this frame. */
     public OpeningMesh openings() {
         if (openings == null) {
@@ -119,6 +147,19 @@ public final class SharedResources implements GlObject {
             solids = share(SolidMesh.class, new Same(scene.solids()), () -> new SolidMesh(gl, scene.solids()));
         }
         return solids;
+    }
+
+    /** Returns the level's static shapes. */
+    public StaticShapes statics() {
+        return scene.statics();
+    }
+
+    /** Returns the level's clouds; all techniques draw these. */
+    public DrawnClouds clouds() {
+        if (clouds == null) {
+            clouds = DrawnClouds.of(scene.level().environment(), scene.assets());
+        }
+        return clouds;
     }
 
     /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */

@@ -11,6 +11,8 @@ public enum Stage {
      * Target#VIEW_COLOUR}.
      */
     IN_VIEWS_AFTER_OPAQUE,
-    /** After all views have been drawn and their samples averaged. */
+    /** Once, after all views have been drawn and their samples averaged; reads that picture and leaves it as it is. */
+    AFTER_VIEWS,
+    /** After that: each pass reads a picture and writes the next one. */
     AFTER_ALL
 }

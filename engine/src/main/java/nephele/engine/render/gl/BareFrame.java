@@ -150,6 +150,13 @@ public final class BareFrame implements AutoCloseable {
         }
 
         @Override
+        public void drawnPoints(int count) {
+            bindAll();
+            words.add("draw points " + count);
+            calls.add(() -> glDrawArrays(GL_POINTS, 0, count));
+        }
+
+        @Override
         public void drawnFullScreen() {
             bindAll();
             words.add("draw full screen");

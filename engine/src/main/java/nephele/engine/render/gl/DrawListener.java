@@ -17,6 +17,9 @@ interface DrawListener {
     /** Called before lines are drawn with the bound state, two vertices each. */
     void drawnLines(int count);
 
+    /** Called before points are drawn with the bound state. */
+    void drawnPoints(int count);
+
     /** Called before instanced indexed triangles are drawn with the bound state. */
     void drawnInstanced(int first, int count, int instances);
 

@@ -75,6 +75,13 @@ public final class DrawState {
         OVER,
         /** Adds source to destination; the destination keeps its alpha. */
         ADD,
+        /**
+         * As {@link #OVER}, and reduces the destination's alpha by as much as its colour: alpha is then the share of a
+         * linear picture's pixel that is metered for exposure.
+         */
+        OVER_UNMETERED,
+        /** As {@link #ADD}, and reduces the destination's alpha by the source's. */
+        ADD_UNMETERED,
         /** Source with premultiplied alpha over destination, alpha included; for layers that are composited later. */
         PREMULTIPLIED_OVER
     }
@@ -226,6 +233,34 @@ public final class DrawState {
         scissor.off();
     }
 
+    /**
+     * What limits drawing in a view, kept while a layer of fewer pixels is drawn. One object can serve all frames.
+     */
+    public static final class Limits {
+        private Stencil stencil;
+        private int reference;
+        private Scissor scissor;
+    }
+
+    /**
+     * Begins a layer of a view that has a target of its own: no stencil, the scissor divided.
+     *
+     * @param before receives what {@link #endLayer} restores
+     */
+    public void beginLayer(int divisor, Limits before) {
+        before.stencil = stencil;
+        before.reference = stencilReference;
+        before.scissor = scissor.copy();
+        stencil(Stencil.OFF, 0);
+        scissor.divide(divisor);
+    }
+
+    /** Ends a layer. */
+    public void endLayer(Limits before) {
+        stencil(before.stencil, before.reference);
+        scissor.restore(before.scissor);
+    }
+
     private void setDepth(Depth newDepth) {
         toggle(GL_DEPTH_TEST, newDepth != Depth.OFF);
         glDepthMask(newDepth.depthWritten);
@@ -241,6 +276,9 @@ public final class DrawState {
             case REPLACE -> {}
             case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
             case ADD -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+            case OVER_UNMETERED ->
+                glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+            case ADD_UNMETERED -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
             case PREMULTIPLIED_OVER -> glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         }
         blend = newBlend;

@@ -1,8 +1,10 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.FrontFace;
 import nephele.engine.render.gl.GlContext;
@@ -25,8 +27,9 @@ public final class FrameUniforms implements GlObject {
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
-    private static final int FLOATS = 16 + 11 * 4;
+    private static final int FLOATS = 16 + 14 * 4;
     private static final int SAMPLE_POSITIONS = 40;
+    private static final int AIR = 60;
 
     private final DrawState state;
     private final UniformBuffer buffer;
@@ -51,6 +54,18 @@ public final class FrameUniforms implements GlObject {
      */
     public void samplePositions(float[] positions) {
         System.arraycopy(positions, 0, values, SAMPLE_POSITIONS, positions.length);
+    }
+
+    /** Sets the numbers of the air for the next view: {@code airPlace}, {@code airSun} and {@code airIrradiance}. */
+    public void air(AerialTable table, Vec3 towardsSun, Vec3 irradiance) {
+        double level = Math.max(1e-12, Math.hypot(towardsSun.x(), towardsSun.z()));
+        values[AIR] = (float) table.heightMetres();
+        values[AIR + 1] = (float) table.horizon();
+        values[AIR + 2] = (float) AerialTable.column(table.heightMetres());
+        values[AIR + 3] = (float) AerialTable.density(table.heightMetres());
+        values[AIR + 4] = (float) (towardsSun.x() / level);
+        values[AIR + 5] = (float) (towardsSun.z() / level);
+        irradiance.put(values, AIR + 8, 0);
     }
 
     /**

@@ -10,4 +10,8 @@ layout(std140) uniform Frame {
     vec4 fog; // rgb: radiance, a: extinction per metre
     vec4 samplePositions[4]; // two in each: from the pixel's centre, pixels
     vec4 mirrorTint; // rgb: product of the tints of the mirrors in front of the view
+    vec4 airPlace; // x: height of the eye, metres, y: tan(e / 2) of the horizon's elevation e, z: molecules below the
+                   // eye, metres at the density of the ground, w: their density at the eye, relative to that
+    vec4 airSun; // xy: horizontal unit direction towards the sun, as x and z
+    vec4 airIrradiance; // rgb: of the sun outside the air
 };

@@ -3,7 +3,11 @@
 #ifdef FOG
 #include "fog.glsl"
 #endif
+#ifdef AIR
+#include "air.glsl"
+#endif
 #ifdef OUTPUT_DIRECT
+#include "exposure.glsl"
 #include "tone-mapping.glsl"
 #endif
 
@@ -18,13 +22,16 @@ void writeRadiance(vec3 radiance) {
 #elif defined(OUTPUT_HDR)
     pixel = vec4(clamp(radiance, 0.0, 65504.0), 1.0);
 #else
-    pixel = vec4(toneMapped(radiance), 1.0);
+    pixel = vec4(toneMapped(radiance, exposureFactor()), 1.0);
 #endif
 }
 
-// Writes the radiance of a surface, with the fog between it and the eye. Behind an opening the eye is a virtual one, at
+// Writes the radiance of a surface, with air and fog between it and the eye. Behind an opening the eye is a virtual one, at
 // the distance of the whole path.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {
+#ifdef AIR
+    radiance = throughAir(radiance, relativePosition);
+#endif
 #ifdef FOG
     writeRadiance(behindFog(radiance, fog, length(relativePosition)));
 #else

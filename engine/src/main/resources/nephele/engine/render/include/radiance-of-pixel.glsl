@@ -1,6 +1,6 @@
 // The inverse of tone-mapping.glsl, for passes that add light to drawn pixels. Values that the curve has clipped stay at
 // the least radiance that is drawn so. Twin: render.frame.ToneMapping.
-#include "frame.glsl"
+#include "exposure.glsl"
 
 vec3 decodedSrgb(vec3 encoded) {
     vec3 power = pow((encoded + 0.055) / 1.055, vec3(2.4));
@@ -15,5 +15,5 @@ vec3 radianceOfPixel(vec3 stored) {
     vec3 b = 0.03 - 0.59 * linear;
     linear = (sqrt(b * b + 0.56 * a * linear) - b) / (2.0 * a);
 #endif
-    return linear / max(toneMapping.x, 1e-6);
+    return linear / max(exposureFactor(), 1e-6);
 }

@@ -1,5 +1,4 @@
 // Linear radiance to display values; the Java twin is render.frame.ToneMapping.
-#include "frame.glsl"
 
 // CLIP: values above 1 are lost. FILMIC: Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
 vec3 toneCurve(vec3 exposed) {
@@ -26,7 +25,7 @@ float ditherOffset() {
 }
 
 // Applies exposure, tone curve, sRGB and dither, once per pixel; no other code does.
-vec3 toneMapped(vec3 radiance) {
-    vec3 encoded = encodeSrgb(toneCurve(max(radiance * toneMapping.x, 0.0)));
+vec3 toneMapped(vec3 radiance, float factor) {
+    vec3 encoded = encodeSrgb(toneCurve(max(radiance * factor, 0.0)));
     return encoded + ditherOffset() / 255.0;
 }

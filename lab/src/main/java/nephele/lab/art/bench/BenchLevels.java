@@ -8,6 +8,7 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
@@ -89,7 +90,7 @@ public final class BenchLevels {
     }
 
     private static Environment environment(Sun sun, Sky sky, Vec3 ambient) {
-        return new Environment(sun, sky, ambient, 0, ToneCurve.CLIP, null, List.of());
+        return new Environment(sun, sky, ambient, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
     }
 
     private static Level level(String name, String description, Environment environment, List<Camera.Waypoint> path) {

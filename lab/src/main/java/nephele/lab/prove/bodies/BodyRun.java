@@ -10,6 +10,7 @@ import nephele.engine.collision.rigid.body.BodyInfluences;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.ToneCurve;
@@ -23,7 +24,7 @@ import org.joml.Vector3d;
 final class BodyRun {
     private static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
     static final Environment DARK =
-            new Environment(null, new Sky.Constant(Vec3.ZERO), null, 0, ToneCurve.CLIP, null, List.of());
+            new Environment(null, new Sky.Constant(Vec3.ZERO), null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
 
     private final RigidStep step;
     private final PortalWorld surroundings;

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -242,8 +243,7 @@ final class RandomEdits {
     /** Switches the ambient light between the sky's and a constant. */
     private static Environment toggledSky(Environment old) {
         Vec3 ambient = old.ambient() == null ? new Vec3(0.2, 0.2, 0.2) : null;
-        return new Environment(
-                old.sun(), old.sky(), ambient, old.exposureStops(), old.toneCurve(), old.fog(), old.clouds());
+        return old.withAmbient(ambient);
     }
 
     private Light changedLight(Light light) {
@@ -270,7 +270,7 @@ final class RandomEdits {
 
     private Environment otherSun(Environment old) {
         Sun sun = new Sun(new Vec3(step(), 1, step()), new Vec3(3, 3, 3), true);
-        return new Environment(sun, old.sky(), old.ambient(), step(), old.toneCurve(), old.fog(), old.clouds());
+        return old.with(sun).with(Exposure.ofStops(step()));
     }
 
     private Body movedBody(Body body) {

@@ -8,6 +8,7 @@ import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -68,7 +69,7 @@ final class Town {
         double depth = PLOT_METRES * rows;
         Sun sun = new Sun(new Vec3(0.4, 0.8, 0.3), new Vec3(3, 3, 2.8), true);
         Sky sky = new Sky.Gradient(new Vec3(0.2, 0.4, 0.8), new Vec3(0.6, 0.7, 0.8), new Vec3(0.2, 0.2, 0.2));
-        Environment environment = new Environment(sun, sky, null, 0, ToneCurve.CLIP, null, List.of());
+        Environment environment = new Environment(sun, sky, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         // Drawn from the random numbers in this order.
         List<Light> lights = lights(width, depth);
         List<ModelPlacement> models = models(width, depth);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -32,7 +33,7 @@ final class WhiteBoxes {
 
     /** @param sun {@code null} for none */
     Level lit(Sun sun, List<Light> lights) {
-        var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
+        var environment = new Environment(sun, null, Vec3.ZERO, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         var white = new Material("white", new Vec3(1, 1, 1), null, null, null, null, Vec3.ZERO, 1);
         return Level.of("white boxes", "", environment, List.of())
                 .with(List.of(white), List.copyOf(solids))

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.PlayerStart;
@@ -80,7 +81,8 @@ public final class DoorwayRooms {
     /** Returns the same level with the cube in another place. */
     public static Level level(int doors, Doors kind, Cube cubePlace) {
         var rooms = new DoorwayRooms(doors, kind);
-        var environment = new Environment(null, null, new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
+        var environment =
+                new Environment(null, null, new Vec3(1, 1, 1), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         var size = new Vec3(CUBE, CUBE, CUBE);
         var cube = new Body.Box("cube", cubePlace.centre, size, 5, "paint-7", 0.6, 0);
         return Level.of("doorways", "", environment, List.of())

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.PortalShape;
@@ -64,7 +65,13 @@ public final class EyeCrossings implements AutoCloseable {
     /** Returns a room of 8 m with one portal in its north wall and one, rotated by a quarter turn, in its east wall. */
     private static Level level() {
         Environment environment = new Environment(
-                null, new Sky.Constant(new Vec3(0, 0, 1)), new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
+                null,
+                new Sky.Constant(new Vec3(0, 0, 1)),
+                new Vec3(1, 1, 1),
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of());
         return Level.of("crossings", "", environment, List.of())
                 .with(
                         List.of(material("red", RED), material("grey", new Vec3(0.5, 0.5, 0.5))),

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
+import nephele.lab.trade.subject.CloudSubjects;
 import nephele.lab.trade.subject.CullingSphereSubject;
 import nephele.lab.trade.subject.EdgeSubjects;
 import nephele.lab.trade.subject.PictureSubjects;
@@ -31,6 +32,9 @@ public final class Trades {
             PortalSubjects.BUDGET_BETWEEN_FACING,
             PortalSubjects.RESOLUTION,
             ShadowSubject.TRADE,
+            CloudSubjects.SCATTERING,
+            CloudSubjects.STEP,
+            CloudSubjects.RESOLUTION,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

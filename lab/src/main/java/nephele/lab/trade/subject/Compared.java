@@ -3,6 +3,7 @@ package nephele.lab.trade.subject;
 import java.awt.image.BufferedImage;
 import java.util.function.Supplier;
 import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.HdrFlip;
@@ -84,7 +85,7 @@ enum Compared {
 
     private static LinearPicture toneMapped(LinearPicture radiance, Environment environment) {
         float[] rgb = radiance.rgb().clone();
-        double exposure = Math.pow(2, environment.exposureStops());
+        double exposure = Math.pow(2, AutoExposure.stops(environment, rgb, radiance.width()));
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = (float) ToneMapping.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
         }

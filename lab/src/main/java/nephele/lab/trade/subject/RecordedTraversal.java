@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalShape;
@@ -53,7 +54,7 @@ final class RecordedTraversal {
         double aside = away * random.nextDouble(-0.8, 0.8);
         double yaw = Math.toDegrees(Math.atan2(aside - random.nextDouble(-0.25, 0.25), away));
         var start = new PlayerStart(new Vec3(aside, 0, away - h), yaw, random.nextDouble(-30, 20));
-        var environment = new Environment(null, null, null, 0, ToneCurve.CLIP, null, List.of());
+        var environment = new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Level.of("traversal", "", environment, List.of())
                 .with(start, null)
                 .with(List.of(), walls())

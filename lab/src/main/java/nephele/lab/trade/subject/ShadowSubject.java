@@ -2,7 +2,6 @@ package nephele.lab.trade.subject;
 
 import java.util.List;
 import java.util.stream.Stream;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sun;
@@ -45,14 +44,7 @@ public final class ShadowSubject {
         Sun sun = light.sun() == null
                 ? null
                 : new Sun(light.sun().directionTowardsSun(), light.sun().irradiance(), false);
-        var environment = new Environment(
-                sun,
-                light.sky(),
-                light.ambient(),
-                light.exposureStops(),
-                light.toneCurve(),
-                light.fog(),
-                light.clouds());
+        var environment = light.with(sun);
         return level.with(
                 environment,
                 level.lights().stream().map(ShadowSubject::unshadowed).toList());

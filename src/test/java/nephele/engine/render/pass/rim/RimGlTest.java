@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
@@ -39,7 +40,8 @@ class RimGlTest {
 
     /** A pale wall at z = 0 and a floor. */
     private static Level wall() {
-        var environment = new Environment(null, null, new Vec3(1.4, 1.4, 1.4), 0, ToneCurve.CLIP, null, List.of());
+        var environment =
+                new Environment(null, null, new Vec3(1.4, 1.4, 1.4), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Level.of("wall", "", environment, List.of())
                 .with(null, GUN)
                 .with(

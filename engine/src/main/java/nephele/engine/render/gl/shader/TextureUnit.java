@@ -14,16 +14,29 @@ public enum TextureUnit {
     OVERLAY_PICTURE(1),
     /** The edge mask of the edge filter. */
     EDGES(1),
+    /** The cells of a cloud, which is drawn after all surfaces. */
+    CLOUD_DENSITY(1),
+    CLOUD_LIGHT(2),
+    SMALL_ANGLES(3),
+    CLOUD_SHAPE(4),
+    CLOUD_DETAIL(5),
+    CLOUD_PROFILE(6),
+    CLOUD_PLAN(14),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),
     SKY_VISIBILITY(4),
     PUNCTUAL_LIGHTS(5),
     LIGHT_GRID(6),
+    CLOUD_SHADE(8),
+    /** Bound with each view; {@link Uniforms} assigns it to its sampler. */
+    AIR(7),
     DYNAMIC_INSTANCES(9),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),
     VIEW_COLOUR(13),
+    /** The metered exposure, bound throughout a frame. */
+    EXPOSURE(15),
 
     /** The following units are for XML scenes, whose draws use none of the units above. */
     SCENE_VISIBLE(0),

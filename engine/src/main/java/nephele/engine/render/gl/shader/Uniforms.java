@@ -2,7 +2,10 @@ package nephele.engine.render.gl.shader;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** Looks up uniforms by name while a program is created; throws for a name that the program does not use. */
+/**
+ * Looks up uniforms by name while a program is created; throws for a name that the program does not use. The table of
+ * the air, which every shader of a surface may read, has its unit at once.
+ */
 public final class Uniforms {
     private final int program;
     private final String programName;
@@ -10,6 +13,10 @@ public final class Uniforms {
     public Uniforms(int program, String programName) {
         this.program = program;
         this.programName = programName;
+        int air = glGetUniformLocation(program, "airTable");
+        if (air >= 0) {
+            glProgramUniform1i(program, air, TextureUnit.AIR.number());
+        }
     }
 
     /** A {@code float} of one program. */
@@ -23,6 +30,13 @@ public final class Uniforms {
     public record Whole(int program, int location) {
         public void set(int x) {
             glProgramUniform1i(program, location, x);
+        }
+    }
+
+    /** A {@code vec2} of one program. */
+    public record Vector2(int program, int location) {
+        public void set(float x, float y) {
+            glProgramUniform2f(program, location, x, y);
         }
     }
 
@@ -53,6 +67,10 @@ public final class Uniforms {
 
     public Whole whole(String name) {
         return new Whole(program, location(name));
+    }
+
+    public Vector2 vector2(String name) {
+        return new Vector2(program, location(name));
     }
 
     public Vector3 vector3(String name) {

@@ -12,6 +12,7 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -76,7 +77,7 @@ public final class ExitPass implements Pass {
         shared = context.shared();
         boolean decodes = context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
-        blend = decodes ? Blend.REPLACE : Blend.ADD;
+        blend = decodes ? Blend.REPLACE : MeteredExposure.added(context);
         exits = context.scene().level().exits();
         bounds = exits.stream().map(ExitPass::bounds).toList();
         prism = context.own(new PrismMesh(gl));
@@ -90,6 +91,7 @@ public final class ExitPass implements Pass {
                 ShaderSource.load(FOLDER + "exit.frag", defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
+                    MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     if (decodes) {
                         uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);

@@ -4,6 +4,7 @@ import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -34,12 +35,15 @@ final class OpeningMembrane {
                 context.gl(),
                 ShaderSource.load(FOLDER + "membrane-in-opening.vert", defines),
                 ShaderSource.load(FOLDER + "membrane.frag", defines),
-                uniforms -> new Places(
-                        uniforms.vector4("centreFromEye"),
-                        uniforms.vector3("portalRight"),
-                        uniforms.vector3("portalUp"),
-                        uniforms.vector4("tintAndOpacity"),
-                        uniforms.vector4("pattern")));
+                uniforms -> {
+                    MeteredExposure.tieInView(context, uniforms);
+                    return new Places(
+                            uniforms.vector4("centreFromEye"),
+                            uniforms.vector3("portalRight"),
+                            uniforms.vector3("portalUp"),
+                            uniforms.vector4("tintAndOpacity"),
+                            uniforms.vector4("pattern"));
+                });
     }
 
     /** Sets the appearance of the openings that are drawn next. */

@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalRequirements;
 import nephele.engine.render.frame.RenderFeature;
@@ -31,11 +32,13 @@ public final class RimPass implements Pass {
     private final RimShapes shapes;
     private final RimPrograms programs;
     private final RimLook look = new RimLook();
+    private final Blend over;
 
     private RimPass(LoadContext context) {
         gl = context.gl();
         shapes = context.own(new RimShapes(gl));
         programs = new RimPrograms(context);
+        over = MeteredExposure.over(context);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -68,7 +71,7 @@ public final class RimPass implements Pass {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
         use(programs.ring());
         shape.drawRing();
-        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
+        gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
         use(programs.glow());
         shape.drawGlow();
         if (!look.isOpen) {
@@ -80,7 +83,7 @@ public final class RimPass implements Pass {
     private void drawPreview(FrameContext frame) {
         RimShape shape = shapes.of(look.portal.aperture());
         look.cells = shape.cells();
-        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
+        gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
         use(programs.ring());
         shape.drawRing();
     }

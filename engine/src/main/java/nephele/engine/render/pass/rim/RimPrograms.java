@@ -4,6 +4,7 @@ import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -30,7 +31,10 @@ final class RimPrograms {
                 context.gl(),
                 ShaderSource.load(FOLDER + "rim.vert", defines),
                 ShaderSource.load(FOLDER + fragment, defines),
-                Placing::new);
+                uniforms -> {
+                    MeteredExposure.tieInView(context, uniforms);
+                    return new Placing(uniforms);
+                });
     }
 
     GlProgram<Placing> ring() {

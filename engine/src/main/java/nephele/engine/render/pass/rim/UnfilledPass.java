@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
@@ -32,11 +33,13 @@ public final class UnfilledPass implements Pass {
     private final RimLook look = new RimLook();
     private final OpeningMembrane membrane;
     private final OpeningMesh openings;
+    private final Blend over;
 
     private UnfilledPass(LoadContext context) {
         gl = context.gl();
         membrane = new OpeningMembrane(context);
         openings = context.shared().openings();
+        over = MeteredExposure.over(context);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -62,7 +65,7 @@ public final class UnfilledPass implements Pass {
         }
         frame.surface().bind();
         gl.state().depthOf(OpeningMesh.depthOf(child));
-        gl.state().set(Depth.EQUAL, Blend.OVER, Cull.NONE);
+        gl.state().set(Depth.EQUAL, over, Cull.NONE);
         membrane.use(look);
         openings.draw(child);
         gl.state().depthOf(DepthOf.SURFACE);

@@ -12,6 +12,7 @@ import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.AerialPerspective;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -74,7 +75,7 @@ public final class AtmospherePass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         Environment now = frame.frameState().environment();
-        double height = shelf(frame.view().eye().y());
+        double height = AerialPerspective.shelf(frame.view().eye().y());
         Sky.Atmosphere sky = (Sky.Atmosphere) now.sky();
         if (sky != skyShown || now.sun() != sunShown) {
             followSun(sky, now.sun());
@@ -101,12 +102,6 @@ public final class AtmospherePass implements Pass {
             night = SkyProgram.of(context, true);
         }
         return night;
-    }
-
-    /** A table holds for heights that differ by less than can be seen. */
-    private static double shelf(double heightMetres) {
-        double near = Math.max(0, heightMetres);
-        return near < 50 ? 2 : Math.exp(Math.round(Math.log(near) * 50) / 50.0);
     }
 
     private void followSun(Sky.Atmosphere sky, Sun sun) {

@@ -7,6 +7,7 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LinearLight;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -24,12 +25,18 @@ public final class ToneMapPass implements Pass {
     private static final String FOLDER = "/nephele/engine/render/pass/tonemap/";
 
     private final FullScreenDrawing drawing;
+    private final boolean isMetered;
 
     private ToneMapPass(LoadContext context) {
+        isMetered = MeteredExposure.isRequiredBy(context.request());
         var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
         drawing = new FullScreenDrawing(context, FOLDER, stages, uniforms -> {
-            uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("linearPicture", TextureUnit.COLOURS);
+            if (isMetered) {
+                context.shared().exposure().tie(uniforms);
+            } else {
+                uniforms.block("Frame", FrameUniforms.BINDING);
+            }
         });
     }
 
@@ -43,7 +50,7 @@ public final class ToneMapPass implements Pass {
 
     @Override
     public Set<Target> reads() {
-        return Set.of(Target.SURFACE);
+        return isMetered ? Set.of(Target.SURFACE, Target.EXPOSURE) : Set.of(Target.SURFACE);
     }
 
     @Override

@@ -85,7 +85,7 @@ void main() {
     radiance *= mirrorTint.rgb;
 #endif
 #ifdef OUTPUT_DIRECT
-    pixel = vec4(toneMapped(radianceOfPixel(texelFetch(viewColour, at, 0).rgb) + radiance), 1.0);
+    pixel = vec4(toneMapped(radianceOfPixel(texelFetch(viewColour, at, 0).rgb) + radiance, exposureFactor()), 1.0);
 #else
     pixel = vec4(radiance, 1.0);
 #endif

@@ -5,5 +5,8 @@ in vec3 picturePosition;
 layout(location = 0) out vec4 pixel;
 
 void main() {
-    pixel = vec4(texture(shown, 0.5 * picturePosition.xy / picturePosition.z + 0.5).rgb, 1.0);
+    pixel = texture(shown, 0.5 * picturePosition.xy / picturePosition.z + 0.5);
+#ifndef EXPOSURE_METERED
+    pixel.a = 1.0; // else the share that is metered
+#endif
 }

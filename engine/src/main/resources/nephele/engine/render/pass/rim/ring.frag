@@ -56,5 +56,10 @@ void main() {
     vec3 luminous = mix(tint * 0.10, hot * 1.5, lit);
     writeRadiance(radianceOf(mix(housing, luminous, strip)), relativePosition);
     bool isGhost = tintAndOpacity.a < 1.0;
-    pixel.a = isGhost ? tintAndOpacity.a * strip * (0.6 + 0.4 * lit) : 1.0;
+#ifdef EXPOSURE_METERED
+    const float whole = 0.0; // replaces the pixel: no share of it is metered
+#else
+    const float whole = 1.0;
+#endif
+    pixel.a = isGhost ? tintAndOpacity.a * strip * (0.6 + 0.4 * lit) : whole;
 }

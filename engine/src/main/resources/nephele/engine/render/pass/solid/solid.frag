@@ -23,7 +23,7 @@ flat in vec3 reflectedPerAlbedo;
 flat in vec3 faceNormal;
 flat in float materialIndex;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || defined(AIR) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
 in vec3 relativePosition;
 #endif
 #ifdef MODEL
@@ -127,7 +127,7 @@ void main() {
 #ifdef EMISSION
     radiance += emission;
 #endif
-#ifdef FOG
+#if defined(FOG) || defined(AIR)
     writeRadiance(radiance, relativePosition);
 #else
     writeRadiance(radiance);

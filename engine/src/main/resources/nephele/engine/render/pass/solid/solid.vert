@@ -27,7 +27,7 @@ flat out vec3 reflectedPerAlbedo;
 flat out vec3 faceNormal;
 flat out float materialIndex;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || defined(AIR) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
 out vec3 relativePosition;
 #endif
 #ifdef MODEL
@@ -65,7 +65,7 @@ void main() {
     faceNormal = normal;
     materialIndex = normalAndMaterial.w;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || defined(AIR) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
     relativePosition = relative;
 #endif
 #ifdef MODEL

@@ -1,16 +1,16 @@
-package nephele.engine.atmosphere;
+package nephele.engine.math;
 
 /**
  * Gauss–Legendre quadrature on [0, 1], with the integrals from 0 to each node of the polynomial through the values at the
  * nodes.
  */
-final class GaussLegendre {
-    final double[] nodes;
-    final double[] weights;
+public final class GaussLegendre {
+    public final double[] nodes;
+    public final double[] weights;
     /** Row j has the weights of the values for the integral from 0 to node j. */
-    final double[][] upTo;
+    public final double[][] upTo;
 
-    GaussLegendre(int count) {
+    public GaussLegendre(int count) {
         nodes = new double[count];
         weights = new double[count];
         for (int i = 0; i < count; i++) {
@@ -24,7 +24,7 @@ final class GaussLegendre {
 
     /** Newton's iteration from Chebyshev's estimate of the i-th root, the largest first. */
     private static double root(int degree, int i) {
-        double x = Math.cos(Math.PI * (i + 0.75) / (degree + 0.5));
+        double x = StrictMath.cos(Math.PI * (i + 0.75) / (degree + 0.5));
         for (int step = 0; step < 50; step++) {
             double change = value(degree, x) / slope(degree, x);
             x -= change;

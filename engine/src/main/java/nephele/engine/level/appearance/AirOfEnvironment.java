@@ -1,0 +1,56 @@
+package nephele.engine.level.appearance;
+
+import java.util.Optional;
+import nephele.engine.atmosphere.AirLight;
+import nephele.engine.atmosphere.AirTables;
+import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * The effect of an atmosphere's air on the view of a surface, by numerical integration. A path through openings has the
+ * air of the straight line that ends as the path does and is as long: what a virtual eye sees.
+ */
+public final class AirOfEnvironment {
+    private final AirTables tables;
+    private final Vec3 towardsSun;
+    private final Vec3 irradiance;
+
+    private AirOfEnvironment(AirTables tables, Vec3 towardsSun, Vec3 irradiance) {
+        this.tables = tables;
+        this.towardsSun = towardsSun;
+        this.irradiance = irradiance;
+    }
+
+    /**
+     * Returns the air of an environment; empty without an atmosphere or its sun.
+     *
+     * @param environment with the sun of its hour
+     */
+    public static Optional<AirOfEnvironment> of(Environment environment) {
+        return environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
+                ? Optional.of(new AirOfEnvironment(
+                        AirTables.of(Daylight.air(sky)),
+                        Directions.unit(environment.sun().directionTowardsSun()),
+                        environment.sun().irradiance()))
+                : Optional.empty();
+    }
+
+    /**
+     * Returns radiance seen through the air.
+     *
+     * @param place where it comes from
+     * @param direction of the path at its end, away from the eye, unit
+     * @param metres length of the path
+     */
+    public Vector3d over(Vector3d radiance, Vec3 place, Vector3dc direction, double metres) {
+        double eyeHeight = place.y() - metres * direction.y();
+        AirLight light = new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsSun, metres);
+        Vector3d added = light.radiance().toVector().mul(irradiance.toVector());
+        return radiance.mul(light.transmittance().toVector()).add(added);
+    }
+}

@@ -1,0 +1,65 @@
+package nephele.engine.reference.sky;
+
+import java.util.List;
+import java.util.Optional;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.field.CloudMedium;
+import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Ray;
+import nephele.engine.reference.volume.CloudMedia;
+import nephele.engine.reference.volume.Surroundings;
+import nephele.engine.reference.volume.VolumeTracer;
+
+/** The clouds of a level at a time and the light around them, without the level's surfaces. Immutable. */
+public final class LevelClouds {
+    private final CloudMedia media;
+    private final Surroundings open;
+
+    private LevelClouds(CloudMedia media, Surroundings open) {
+        this.media = media;
+        this.open = open;
+    }
+
+    /**
+     * Returns the clouds of an environment; empty if none of them can be seen.
+     *
+     * @param environment with the sun of the time
+     * @param seconds simulated time
+     * @param sky what eyes see; empty for black
+     * @throws nephele.engine.asset.AssetException if the picture or grid of a cloud is unusable
+     */
+    public static Optional<LevelClouds> of(
+            Environment environment, AssetSource assets, double seconds, Optional<SkyRadiance> sky) {
+        List<CloudMedium> media = LoadedClouds.of(environment, assets).at(seconds).stream()
+                .filter(medium -> !medium.field().isEmpty())
+                .toList();
+        if (media.isEmpty()) {
+            return Optional.empty();
+        }
+        boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
+        Surroundings open = isRound ? OverPlanet.of(environment) : OverPlain.of(environment, sky);
+        return Optional.of(new LevelClouds(new CloudMedia(media), open));
+    }
+
+    public CloudMedia media() {
+        return media;
+    }
+
+    /** Returns the light around the clouds, with no walls; for any number of threads. */
+    public Surroundings open() {
+        return open;
+    }
+
+    /** Returns the tracer of a sky without surfaces; for any number of threads. */
+    public VolumeTracer inTheOpen() {
+        return new VolumeTracer(media, open);
+    }
+
+    /** Returns how far a ray of unit direction can meet clouds. */
+    public double reachMetres(Ray ray) {
+        return open.reachMetres(ray);
+    }
+}

@@ -1,0 +1,92 @@
+package nephele.engine.reference.sky;
+
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import nephele.engine.atmosphere.Air;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.math.Vec3;
+
+/**
+ * The sun's irradiance at places over the planet: what the air above lets pass, and as much of the disc as the planet does
+ * not hide; on the ground as {@link Daylight#onGround}. The air's transmittance is integrated at nodes of height and angle
+ * above the horizon, when it is first needed; between them its logarithm is linear. Threads may share it.
+ */
+final class SunOverPlanet {
+    private static final int HEIGHTS = 513;
+    private static final int NODES_PER_DEGREE = 20;
+    private static final int MOST_DEGREES = 101;
+    private static final double PLANET = Air.PLANET_RADIUS_METRES;
+    private static final double LEAST_TRANSMITTANCE = 1e-300;
+
+    private final Air air;
+    private final Vec3 outside;
+    private final Vec3 towardsSun;
+    /** For each angle above the horizon the logarithms for each height and wavelength. */
+    private final AtomicReferenceArray<double[]> logarithms =
+            new AtomicReferenceArray<>(MOST_DEGREES * NODES_PER_DEGREE + 1);
+
+    /**
+     * @param outside irradiance above the air, RGB
+     * @param towardsSun unit
+     */
+    SunOverPlanet(Air air, Vec3 outside, Vec3 towardsSun) {
+        this.air = air;
+        this.outside = outside;
+        this.towardsSun = towardsSun;
+    }
+
+    /** Returns the RGB irradiance on a plane perpendicular to the beam. */
+    Vec3 at(PlanetPlace place) {
+        double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
+        double elevation = Math.asin(Math.max(-1, Math.min(1, place.zenith().dot(towardsSun))));
+        double above = elevation - horizonRadians(height);
+        double seen = Daylight.shareAboveHorizon(above);
+        if (seen == 0) {
+            return Vec3.ZERO;
+        }
+        double x = Math.toDegrees(Math.max(0, above)) * NODES_PER_DEGREE;
+        int column = Math.min(logarithms.length() - 2, (int) x);
+        double y = Math.sqrt(height / Air.TOP_METRES) * (HEIGHTS - 1);
+        int row = Math.min(HEIGHTS - 2, (int) y);
+        double[] low = logarithms(column);
+        double[] high = logarithms(column + 1);
+        double[] passed = new double[3];
+        for (int channel = 0; channel < 3; channel++) {
+            double before = between(low, row, y - row, channel);
+            passed[channel] = seen * Math.exp(before + (x - column) * (between(high, row, y - row, channel) - before));
+        }
+        return new Vec3(outside.x() * passed[0], outside.y() * passed[1], outside.z() * passed[2]);
+    }
+
+    private static double between(double[] column, int row, double share, int channel) {
+        double low = column[3 * row + channel];
+        return low + share * (column[3 * row + 3 + channel] - low);
+    }
+
+    /** Returns the elevation of the horizon, at most 0. */
+    private static double horizonRadians(double height) {
+        return -Math.acos(PLANET / (PLANET + height));
+    }
+
+    private double[] logarithms(int column) {
+        double[] known = logarithms.get(column);
+        if (known == null) {
+            known = integrated(Math.toRadians((double) column / NODES_PER_DEGREE));
+            logarithms.set(column, known);
+        }
+        return known;
+    }
+
+    private double[] integrated(double aboveHorizon) {
+        double[] logarithms = new double[3 * HEIGHTS];
+        for (int row = 0; row < HEIGHTS; row++) {
+            double share = row / (HEIGHTS - 1.0);
+            double height = Air.TOP_METRES * share * share;
+            double elevation = Math.min(Math.PI / 2, horizonRadians(height) + aboveHorizon);
+            Vec3 passed = air.transmittance(height, Math.sin(elevation));
+            logarithms[3 * row] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.x()));
+            logarithms[3 * row + 1] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.y()));
+            logarithms[3 * row + 2] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.z()));
+        }
+        return logarithms;
+    }
+}

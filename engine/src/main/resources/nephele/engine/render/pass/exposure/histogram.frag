@@ -1,0 +1,7 @@
+flat in vec4 added;
+
+layout(location = 0) out vec4 bin;
+
+void main() {
+    bin = added;
+}

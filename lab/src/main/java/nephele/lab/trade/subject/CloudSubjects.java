@@ -1,0 +1,50 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import nephele.lab.trade.Trade;
+
+/** Quality fields {@code cloudScattering}, {@code cloudStep} and {@code cloudResolution}, on the sample of a grid. */
+public final class CloudSubjects {
+    private static final String LEVEL = "levels/samples/clouds-grid.json";
+    private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they take";
+
+    public static final Trade SCATTERING = subject(
+            "cloudScattering",
+            "Light scattered often in clouds",
+            "Most light of a thick cloud has been scattered tens of times. The two-stream model finds it in closed"
+                    + " form from the optical depths around each point, and follows small angles along the path;"
+                    + " octaves repeat single scattering with less extinction and lose most of it.",
+            "two_stream",
+            List.of(
+                    PictureSetting.of("cloudScattering", "two_stream", "all presets"),
+                    PictureSetting.of("cloudScattering", "octaves", "the usual approximation")));
+
+    public static final Trade STEP = subject(
+            "cloudStep",
+            "Steps through clouds",
+            "How far apart the samples of a ray through a cloud are, in its cells. Long steps miss thin parts.",
+            "1",
+            List.of(
+                    PictureSetting.of("cloudStep", "0.5", ""),
+                    PictureSetting.of("cloudStep", 1, "medium, high and ultra"),
+                    PictureSetting.of("cloudStep", 2, "low"),
+                    PictureSetting.of("cloudStep", 4, "")));
+
+    public static final Trade RESOLUTION = subject(
+            "cloudResolution",
+            "Rays through clouds",
+            "How many rays are marched along each side of the picture. Fewer are interpolated; pixels whose surface is"
+                    + " among the clouds are always marched on their own.",
+            "0.5",
+            List.of(
+                    PictureSetting.of("cloudResolution", "0.25", ""),
+                    PictureSetting.of("cloudResolution", "0.5", "low, medium and high"),
+                    PictureSetting.of("cloudResolution", "1", "ultra")));
+
+    private CloudSubjects() {}
+
+    private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
+        var words = new Trade.Text(title, text, ORACLE);
+        return PictureSubjects.of(field, words, List.of(field), usual, settings).in(LEVEL, field, words);
+    }
+}

@@ -1,0 +1,55 @@
+package nephele.engine.reference;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.AirLight;
+import nephele.engine.atmosphere.AirTables;
+import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** The reference sees surfaces through the air of an atmosphere: that of the straight line of the path's length. */
+class AirTest {
+    private static final Vec3 SUN = Directions.unit(new Vec3(0.6, 0.1, -0.8));
+    private static final double WHITE = 0.8;
+    private static final double IRRADIANCE = 4;
+    private static final Vec3 EYE = new Vec3(0, 1, 2);
+
+    private static TestLevel stage() {
+        return new TestLevel()
+                .sky(Sky.Atmosphere.CLEAR)
+                .sun(SUN, IRRADIANCE)
+                .ambient(1)
+                .material("white", TestLevel.grey(WHITE));
+    }
+
+    private static void assertAir(double eyeHeight, double metres, float[] seen) {
+        AirLight air = new ClearSky(AirTables.of(Air.CLEAR)).along(eyeHeight, new Vec3(0, 0, -1), SUN, metres);
+        Vec3 left = air.transmittance();
+        Vec3 added = air.radiance().scaled(IRRADIANCE);
+        assertEquals(WHITE * left.x() + added.x(), seen[0], 1e-6);
+        assertEquals(WHITE * left.y() + added.y(), seen[1], 1e-6);
+        assertEquals(WHITE * left.z() + added.z(), seen[2], 1e-6);
+    }
+
+    /** The faces that are seen turn away from the sun. */
+    @Test
+    void aWallFadesByItsDistance() {
+        TestLevel wall = stage().box("white", new Vec3(0, 0, -6000), new Vec3(900, 900, 2000));
+        assertAir(1, 5002, Traced.towards(wall, EYE, new Vec3(0, 1, 0), 1));
+    }
+
+    /** 2 m to the portal, 5 km behind it, where the level is 3 km higher. */
+    @Test
+    void throughAPortalTheAirIsThatOfTheMovedEye() {
+        TestLevel pair = stage().box("white", new Vec3(0, 1, -5), new Vec3(13, 6, 10))
+                .box("white", new Vec3(0, 3001, -6000), new Vec3(900, 900, 2000))
+                .portal("a", "b", new Vec3(0, 1, 0), new Vec3(0, 0, 1), 1, 2)
+                .portal("b", "a", new Vec3(0, 3001, 0), new Vec3(0, 0, -1), 1, 2);
+        assertAir(3001, 5002, Traced.towards(pair, EYE, new Vec3(0, 1, 0), 1));
+    }
+}
