@@ -7,6 +7,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.sky.SkyLight;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;

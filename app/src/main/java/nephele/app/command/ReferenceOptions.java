@@ -1,26 +1,48 @@
 package nephele.app.command;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
+import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
+import nephele.engine.reference.tile.MergedParts;
+import nephele.engine.reference.tile.PartFileException;
+import nephele.engine.reference.tile.PartHeader;
+import nephele.engine.reference.tile.PixelMean;
+import nephele.engine.reference.tile.Shard;
+import nephele.engine.reference.tile.TiledPicture;
+import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
 import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
+import nephele.lab.oracle.LevelHash;
 import nephele.lab.oracle.PinholeViews;
+import nephele.lab.oracle.ResumableTrace;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
 final class ReferenceOptions {
     private static final int USUAL_SAMPLES = 64;
     private static final int MOST_SAMPLES = 1 << 20;
 
-    @Option(names = "--reference", description = "Trace exact rays on the CPU instead of drawing.")
+    @Option(
+            names = "--reference",
+            description = "Trace exact rays on the CPU instead of drawing. An interrupted run goes on when the same"
+                    + " command is typed again.")
     private boolean reference;
 
     @Option(names = "--spp", paramLabel = "N", description = "Samples a pixel of --reference (default: 64).")
@@ -29,13 +51,67 @@ final class ReferenceOptions {
     @Option(names = "--seed", paramLabel = "N", description = "Seed of --reference (default: 1).")
     private Long seed;
 
-    void check() {
-        if (!reference && (samples != null || seed != null)) {
-            throw CommandFailure.usage("--spp and --seed belong to --reference");
+    @Option(
+            names = "--error",
+            paramLabel = "E.pfm",
+            description = "Also write the standard error of each value of --reference, from 32 batches of samples.")
+    private Path error;
+
+    @Option(
+            names = "--shard",
+            paramLabel = "i/n",
+            converter = ShardConverter.class,
+            description = "Trace every n-th tile of --reference only, from the i-th on, into FILE.i-of-n.part: for n"
+                    + " machines.")
+    private Shard shard;
+
+    @Option(
+            names = "--merge",
+            paramLabel = "PART",
+            arity = "1..*",
+            description = "Write the picture that the parts of all shards make; needs no LEVEL.")
+    private List<Path> parts;
+
+    void check(Path out) {
+        if (!reference && (samples != null || seed != null || shard != null)) {
+            throw CommandFailure.usage("--spp, --seed and --shard belong to --reference");
+        }
+        if (isMerge() && reference) {
+            throw CommandFailure.usage("--merge puts together what is traced; leave --reference out");
         }
         if (samples != null && (samples < 1 || samples > MOST_SAMPLES)) {
             throw CommandFailure.usage("--spp is a whole number from 1 to " + MOST_SAMPLES + ", not " + samples);
         }
+        if ((isMerge() || shard != null) && !isPfm(out)) {
+            throw CommandFailure.usage("--shard and --merge need an --out that ends in .pfm, not " + out);
+        }
+        checkError(out);
+    }
+
+    private void checkError(Path out) {
+        if (error == null) {
+            return;
+        }
+        if (!reference && !isMerge()) {
+            throw CommandFailure.usage("--error belongs to --reference or --merge");
+        }
+        if (shard != null) {
+            throw CommandFailure.usage("--error is written with the merged picture; leave it out with --shard");
+        }
+        if (!isPfm(error) || error.equals(out)) {
+            throw CommandFailure.usage("--error must end in .pfm and differ from --out: " + error);
+        }
+        if (reference && samples() < PixelMean.BATCHES) {
+            throw CommandFailure.usage("--error needs --spp of at least " + PixelMean.BATCHES + ", not " + samples());
+        }
+    }
+
+    private static boolean isPfm(Path file) {
+        return file.toString().toLowerCase(Locale.ROOT).endsWith(".pfm");
+    }
+
+    private int samples() {
+        return samples == null ? USUAL_SAMPLES : samples;
     }
 
     boolean isAsked() {
@@ -51,21 +127,108 @@ final class ReferenceOptions {
                 : opened;
     }
 
+    boolean isMerge() {
+        return parts != null;
+    }
+
+    /** Writes what the parts make. */
+    void merge(Path out) {
+        TiledPicture picture = ofParts(() -> MergedParts.of(parts));
+        WrittenFile.write(out, file -> writePfm(picture, picture.rgb(), file));
+        writeError(picture);
+    }
+
+    /** Writes the standard error of a picture if it is asked for. */
+    private void writeError(TiledPicture picture) {
+        if (error == null) {
+            return;
+        }
+        if (!picture.hasError()) {
+            throw CommandFailure.input("--error: the parts have too few samples a pixel; trace them with --spp "
+                    + PixelMean.BATCHES + " or more");
+        }
+        WrittenFile.write(error, file -> writePfm(picture, picture.standardError(), file));
+    }
+
+    private static void writePfm(TiledPicture picture, float[] rgb, Path file) throws IOException {
+        Capture.pfm(rgb, picture.tiles().width(), picture.tiles().height(), file);
+    }
+
+    /** Where a picture is seen from, and when. */
+    record Seen(OpenedLevel opened, View view, double seconds) {}
+
     /**
-     * Returns linear radiance, the bottom row first. A picture of ids has one sample, in the centre of each pixel, as
-     * ids must not be averaged.
+     * Traces a picture or a shard of it and saves it. A picture of ids has one sample, in the centre of each pixel, as ids
+     * must not be averaged.
+     *
+     * @param save writes linear radiance, the bottom row first
      */
-    float[] trace(OpenedLevel opened, View view, PictureOptions picture, Terminal terminal) {
-        var shown = picture.choice().shown(opened);
-        var decoding = picture.output(opened) == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
-        var level = AssetProblems.named(opened, () -> TracedLevel.of(shown, decoding));
-        int usual = samples == null ? USUAL_SAMPLES : samples;
+    void trace(Seen seen, PictureOptions picture, Path out, Consumer<float[]> save, Terminal terminal) {
+        boolean isPlain = picture.output(seen.opened) == Output.PLAIN;
+        var decoding = isPlain ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
         var settings = new TraceSettings(
                 picture.size().width(),
                 picture.size().height(),
-                picture.choice().showsIds() ? 1 : usual,
+                picture.choice().showsIds() ? 1 : samples(),
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
-        return ReferencePicture.trace(level, PinholeViews.of(view), settings, PrintedProgress.ofTrace(terminal.err()));
+        var shown = picture.choice().shown(seen.opened);
+        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding));
+        var eye = PinholeViews.of(seen.view);
+        var facts = facts(seen, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
+        var part = new ResumableTrace(
+                partFile(out),
+                new PartHeader(settings.tiles(), Optional.ofNullable(shard).orElse(Shard.WHOLE), facts),
+                terminal.err());
+        TiledPicture traced = ofParts(() -> part.run(level, eye, settings));
+        if (shard == null) {
+            save.accept(traced.rgb());
+            writeError(traced);
+            WrittenFile.write(part.file(), file -> part.forget());
+        }
+    }
+
+    private Path partFile(Path out) {
+        String share = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
+        return out.resolveSibling(out.getFileName() + share + ".part");
+    }
+
+    private static Map<String, String> facts(Seen seen, Pinhole eye, TraceSettings settings, String colours) {
+        return Map.of(
+                "level", LevelHash.key(seen.opened),
+                "seconds", Double.toString(seen.seconds),
+                "camera", eye.toString(),
+                "samples", Integer.toString(settings.samples()),
+                "seed", Long.toString(settings.seed()),
+                "colours", colours,
+                "tracer", Integer.toString(ReferencePicture.VERSION));
+    }
+
+    /** Work with part files. */
+    private interface PartWork {
+        TiledPicture run() throws IOException;
+    }
+
+    private static TiledPicture ofParts(PartWork work) {
+        try {
+            return work.run();
+        } catch (PartFileException unusable) {
+            throw CommandFailure.input(unusable.getMessage());
+        } catch (IOException failure) {
+            throw CommandFailure.environment(
+                    failure.getMessage() == null ? AtomicFile.reason(failure) : failure.getMessage(), failure);
+        }
+    }
+
+    /** Reads {@code i/n}. */
+    static final class ShardConverter implements ITypeConverter<Shard> {
+        @Override
+        public Shard convert(String text) {
+            try {
+                return Shard.parse(text);
+            } catch (IllegalArgumentException unusable) {
+                throw new TypeConversionException(unusable.getMessage());
+            }
+        }
     }
 }

@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
 /** Saves one offscreen picture: drawn as the game draws it, or traced by the reference path tracer. */
 @picocli.CommandLine.Command
 final class RenderCommand implements Command {
-    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
+    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file.")
     private String level;
 
     @Option(
@@ -69,6 +69,10 @@ final class RenderCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         checkUsage();
+        if (reference.isMerge()) {
+            reference.merge(out);
+            return ExitCode.DONE;
+        }
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
@@ -76,7 +80,8 @@ final class RenderCommand implements Command {
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
             var exposed = reference.exposed(opened, viewpoint.view(0), picture);
-            save(reference.trace(exposed, viewpoint.view(0), picture, terminal), exposed);
+            var seen = new ReferenceOptions.Seen(exposed, viewpoint.view(0), timeSeconds);
+            reference.trace(seen, picture, out, radiance -> save(radiance, exposed), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();
@@ -123,7 +128,10 @@ final class RenderCommand implements Command {
             throw CommandFailure.usage("a PFM holds linear radiance: leave --output out or say hdr");
         }
         picture.check();
-        reference.check();
+        reference.check(out);
+        if ((level == null) != reference.isMerge()) {
+            throw CommandFailure.usage(level == null ? "name the LEVEL to draw" : "--merge needs no LEVEL: " + level);
+        }
     }
 
     private void save(float[] radiance, OpenedLevel opened) {

@@ -32,7 +32,10 @@ public record RecordField(int index, WrittenField written, FieldKind kind) {
 
     /** Returns true if the value may be {@code null}: absent in the file and in the record. */
     public boolean isNullable() {
-        return !isRequired() && written.absent() == null && !valueClass().isPrimitive();
+        return !isRequired()
+                && !declaration().beside()
+                && written.absent() == null
+                && !valueClass().isPrimitive();
     }
 
     /** Returns true for the component that is the record's id. */

@@ -1,6 +1,7 @@
 package nephele.engine.atmosphere;
 
 import java.util.Arrays;
+import nephele.engine.math.GaussLegendre;
 
 /**
  * Integrates light along rays by Gauss–Legendre quadrature on each piece of a ray; the optical depth up to a node is the

@@ -16,7 +16,7 @@ final class AirRay {
     private double betweenCosine;
     private double lengthMetres;
     private boolean hitsGround;
-    private final double[] cuts = new double[2 * Air.LAYERS_METRES.length + 8];
+    private final double[] cuts = new double[2 * Air.LAYERS_METRES.length + 10];
     private int cutCount;
 
     private double pointHeightMetres;
@@ -32,16 +32,36 @@ final class AirRay {
      * @param betweenCosine between the ray and the sun
      */
     void set(double heightMetres, double zenithCosine, double sunCosine, double betweenCosine) {
+        begin(heightMetres, zenithCosine, sunCosine, betweenCosine);
+        double ground = halfChordSquared(PLANET);
+        hitsGround = zenithCosine < 0 && ground >= 0;
+        lengthMetres = hitsGround ? Math.max(0, -radius * zenithCosine - Math.sqrt(ground)) : toTop();
+        cut();
+    }
+
+    /**
+     * Sets a ray that ends after a distance, or at the top of the air. The ground does not stop it: below the ground the
+     * air is that of height 0.
+     */
+    void setSegment(
+            double heightMetres, double zenithCosine, double sunCosine, double betweenCosine, double lengthMetres) {
+        begin(heightMetres, zenithCosine, sunCosine, betweenCosine);
+        hitsGround = false;
+        this.lengthMetres = Math.max(0, Math.min(lengthMetres, toTop()));
+        cutAtHeight(0);
+        cut();
+    }
+
+    private void begin(double heightMetres, double zenithCosine, double sunCosine, double betweenCosine) {
         radius = PLANET + heightMetres;
         this.zenithCosine = zenithCosine;
         this.sunCosine = sunCosine;
         this.betweenCosine = betweenCosine;
-        double ground = halfChordSquared(PLANET);
-        hitsGround = zenithCosine < 0 && ground >= 0;
-        double nearest = -radius * zenithCosine;
-        double half = hitsGround ? -Math.sqrt(ground) : Math.sqrt(Math.max(0, halfChordSquared(Air.TOP_RADIUS_METRES)));
-        lengthMetres = Math.max(0, nearest + half);
-        cut(nearest);
+        cutCount = 0;
+    }
+
+    private double toTop() {
+        return Math.max(0, -radius * zenithCosine + Math.sqrt(Math.max(0, halfChordSquared(Air.TOP_RADIUS_METRES))));
     }
 
     /** Negative if the line misses the sphere; the squares of the radii are not subtracted from each other. */
@@ -50,20 +70,24 @@ final class AirRay {
         return along * along + (sphereRadius - radius) * (sphereRadius + radius);
     }
 
-    private void cut(double nearest) {
-        cutCount = 0;
+    private void cut() {
         add(0);
         add(lengthMetres);
-        add(nearest);
+        add(-radius * zenithCosine);
         for (double height : Air.LAYERS_METRES) {
-            double square = halfChordSquared(PLANET + height);
-            if (square > 0) {
-                add(nearest - Math.sqrt(square));
-                add(nearest + Math.sqrt(square));
-            }
+            cutAtHeight(height);
         }
         cutAtShadow();
         Arrays.sort(cuts, 0, cutCount);
+    }
+
+    private void cutAtHeight(double height) {
+        double nearest = -radius * zenithCosine;
+        double square = halfChordSquared(PLANET + height);
+        if (square > 0) {
+            add(nearest - Math.sqrt(square));
+            add(nearest + Math.sqrt(square));
+        }
     }
 
     /** The shadow is a half cylinder; cuts where the ray meets its other half do no harm. */

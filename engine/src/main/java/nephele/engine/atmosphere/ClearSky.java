@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import nephele.engine.math.GaussLegendre;
 import nephele.engine.math.Vec3;
 
 /**
@@ -47,6 +48,23 @@ public final class ClearSky {
         double between = Math.max(-1, Math.min(1, direction.dot(towardsSun)));
         ray.set(Math.max(0, Math.min(Air.TOP_METRES, heightMetres)), direction.y(), towardsSun.y(), between);
         return radiance(ray);
+    }
+
+    /**
+     * Returns what the air along a part of a ray does to light: it adds its own and lets a share pass. Neither the
+     * planet's ground nor the sky behind the end counts. Below the ground the air is that of height 0.
+     *
+     * @param heightMetres of the beginning; outside 0 to {@link Air#TOP_METRES} that of the nearest of both
+     * @param direction of the ray, unit, +y is the zenith of the beginning
+     * @param towardsSun unit
+     * @param lengthMetres of the part, at least 0
+     */
+    public AirLight along(double heightMetres, Vec3 direction, Vec3 towardsSun, double lengthMetres) {
+        double between = Math.max(-1, Math.min(1, direction.dot(towardsSun)));
+        double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
+        ray.setSegment(height, direction.y(), towardsSun.y(), between, lengthMetres);
+        Vec3 radiance = radiance(ray);
+        return new AirLight(radiance, new Vec3(transmittance[0], transmittance[1], transmittance[2]));
     }
 
     Vec3 radiance(AirRay along) {

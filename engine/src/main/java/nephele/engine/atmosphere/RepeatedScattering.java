@@ -1,5 +1,7 @@
 package nephele.engine.atmosphere;
 
+import nephele.engine.math.GaussLegendre;
+
 /** Light of a field that molecules and aerosols scatter once more, per metre. */
 final class RepeatedScattering implements AirSource {
     private final Air air;

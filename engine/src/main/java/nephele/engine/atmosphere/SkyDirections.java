@@ -1,5 +1,7 @@
 package nephele.engine.atmosphere;
 
+import nephele.engine.math.GaussLegendre;
+
 /**
  * Directions over the sphere at a height with their weights, for integrals of light in the air. They are densest on both
  * sides of the horizon, where the light changes fastest.

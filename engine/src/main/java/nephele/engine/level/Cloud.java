@@ -3,7 +3,13 @@ package nephele.engine.level;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** A cloud: its extent, its density and the technique that draws it. */
+/**
+ * A cloud: its extent, its density and the technique that draws it.
+ *
+ * @param extinctionPerMetre where the density is 1
+ * @param albedo scattering divided by extinction
+ * @param phaseG mean cosine of the scattering angle; positive is forward
+ */
 public record Cloud(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(beside = true) Extent extent,
@@ -11,7 +17,20 @@ public record Cloud(
         @Written(absent = "{\"kind\": \"ellipsoid\"}") Density density,
         @Written(absent = "0.05", min = 0, max = 1e3) double extinctionPerMetre,
         @Written(absent = "1", min = 0, max = 1) double albedo,
-        @Written(min = -0.999, max = 0.999) double phaseG) {
+        @Written(min = -0.999, max = 0.999) double phaseG,
+        @Written(beside = true) Motion motion) {
+
+    /** Creates a cloud that neither drifts nor changes. */
+    public Cloud(
+            String id,
+            Extent extent,
+            CloudTechnique technique,
+            Density density,
+            double extinctionPerMetre,
+            double albedo,
+            double phaseG) {
+        this(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, Motion.STILL);
+    }
 
     /** The region of a cloud. The file has its {@code kind} and members beside the cloud's own. */
     public sealed interface Extent {
@@ -21,7 +40,7 @@ public record Cloud(
                 @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT, prototype = "[40, 16, 40]") Vec3 size)
                 implements Extent {}
 
-        /** {@code "kind": "layer"}. */
+        /** {@code "kind": "layer"}: endless; under a sky of kind atmosphere a shell around the planet. */
         record Layer(
                 @Written(required = true, prototype = "1500") double baseAltitudeMetres,
                 @Written(required = true, min = 1e-3, prototype = "300") double thicknessMetres)
@@ -30,21 +49,47 @@ public record Cloud(
 
     /** The density of a cloud, 0 to 1 inside the extent; multiplied by {@code extinctionPerMetre}. */
     public sealed interface Density {
-        /** {@code "kind": "image"}: a grey picture that gives the density as seen from above. */
+        /**
+         * {@code "kind": "image"}: a picture as seen from above. Its alpha, if it has one, is how much the cloud hides;
+         * otherwise its grey is the density.
+         */
         record Image(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
 
         /** {@code "kind": "ellipsoid"}: 1 inside the inscribed ellipsoid. */
         record Ellipsoid() implements Density {}
 
-        /** {@code "kind": "puffs"}: soft balls. */
-        record Puffs(@Written(required = true) List<Puff> puffs) implements Density {}
+        /**
+         * {@code "kind": "puffs"}: soft balls.
+         *
+         * @param fill makes more of them; {@code null} for none
+         */
+        record Puffs(@Written List<Puff> puffs, @Written PuffFill fill) implements Density {}
 
-        /** {@code "kind": "noise"}. */
+        /**
+         * {@code "kind": "noise"}.
+         *
+         * @param featureMetres size of the largest billows
+         * @param coverage share of the sky that is meant to be covered
+         * @param erosion how far wisps eat into the edges
+         * @param profile {@code null} for noise that fills the extent evenly from base to top
+         * @param coverageMap a grey picture as seen from above that multiplies the coverage; {@code null} for none
+         * @param anvil how far the top spreads
+         */
         record Noise(
                 @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed,
                 @Written(absent = "100", min = 1e-3) double featureMetres,
-                @Written(absent = "0.5", min = 0, max = 1) double coverage)
-                implements Density {}
+                @Written(absent = "0.5", min = 0, max = 1) double coverage,
+                @Written(min = 0, max = 1) double erosion,
+                @Written CloudProfile profile,
+                @Written(text = TextKind.ASSET) String coverageMap,
+                @Written(min = 0, max = 1) double anvil)
+                implements Density {
+
+            /** Creates noise that fills the extent evenly and has round edges. */
+            public Noise(long seed, double featureMetres, double coverage) {
+                this(seed, featureMetres, coverage, 0, null, null, 0);
+            }
+        }
 
         /** {@code "kind": "grid"}: a Mitsuba {@code .vol} version 3 file. */
         record Grid(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
@@ -53,4 +98,31 @@ public record Cloud(
     /** One soft ball; its centre is relative to the extent's centre. */
     public record Puff(
             @Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) double radiusMetres) {}
+
+    /**
+     * Blocks that are filled with puffs.
+     *
+     * @param count of all puffs together
+     */
+    public record PuffFill(
+            @Written(required = true, most = 1000) List<FillBox> boxes,
+            @Written(absent = "200", min = 0, max = 100_000) int count,
+            @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed) {}
+
+    /** One block; its centre is relative to the extent's centre. */
+    public record FillBox(
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-3, prototype = "[20, 10, 20]") Vec3 size) {}
+
+    /**
+     * How a cloud changes with simulated time. The file has the members beside the cloud's own.
+     *
+     * @param windMetresPerSecond a volume moves with it as a whole, a layer's pattern drifts with its x and z
+     * @param evolutionSeconds time in which noise takes another shape; 0 for a shape that stays
+     */
+    public record Motion(
+            @Written(absent = "[0, 0, 0]", min = -200, max = 200) Vec3 windMetresPerSecond,
+            @Written(min = 0, max = 1e9) double evolutionSeconds) {
+        public static final Motion STILL = new Motion(Vec3.ZERO, 0);
+    }
 }

@@ -12,6 +12,7 @@ import nephele.engine.math.Vec3;
  * ambient) instead of sky irradiance × baked visibility; {@code null} for sky and visibility
  * @param exposureStops a number, or auto
  * @param fog {@code null} for none
+ * @param weather clouds that the engine adds to the written ones; {@code null} for none
  */
 public record Environment(
         @Written Sun sun,
@@ -20,20 +21,29 @@ public record Environment(
         @Written(min = -32, max = 32, absent = "0") Exposure exposureStops,
         @Written(absent = "\"clip\"") ToneCurve toneCurve,
         @Written Fog fog,
-        @Written(most = 1000) List<Cloud> clouds) {
+        @Written(most = 1000) List<Cloud> clouds,
+        @Written Weather weather,
+        @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed) {
+
+    /** Creates an environment without weather. */
+    public Environment(
+            Sun sun, Sky sky, Vec3 ambient, Exposure exposureStops, ToneCurve toneCurve, Fog fog, List<Cloud> clouds) {
+        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, null, 0);
+    }
+
     public Environment with(Sun newSun) {
-        return new Environment(newSun, sky, ambient, exposureStops, toneCurve, fog, clouds);
+        return new Environment(newSun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
     }
 
     public Environment with(Sky newSky) {
-        return new Environment(sun, newSky, ambient, exposureStops, toneCurve, fog, clouds);
+        return new Environment(sun, newSky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
     }
 
     public Environment with(Exposure exposure) {
-        return new Environment(sun, sky, ambient, exposure, toneCurve, fog, clouds);
+        return new Environment(sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed);
     }
 
     public Environment withAmbient(Vec3 radiance) {
-        return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds);
+        return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
     }
 }

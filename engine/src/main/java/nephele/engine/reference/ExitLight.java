@@ -25,14 +25,18 @@ final class ExitLight {
         radiancePerDisplay = StrictMath.pow(2, -exposure.stopsOr(Double.NEGATIVE_INFINITY));
     }
 
-    /** Adds the light to the radiance at the end of a path. */
-    void addTo(Vector3d radiance, EyePath path, TracedLevel level) {
+    /**
+     * Adds the light to the radiance at the end of a path.
+     *
+     * @param metres of the path that the eye sees; infinite for all
+     */
+    void addTo(Vector3d radiance, EyePath path, double metres, TracedLevel level) {
         if (exits.isEmpty()) {
             return;
         }
         for (EyePath.Segment segment : path.segments()) {
             for (Exit exit : exits) {
-                add(exit, segment, level, radiance);
+                add(exit, segment.shortened(metres - segment.metresBefore()), level, radiance);
             }
         }
     }

@@ -42,6 +42,7 @@ final class EyePath {
     private Ray ray;
     private int item = -1;
     private double metres;
+    private boolean endsInTheOpen;
     private long pathHash;
 
     /**
@@ -59,7 +60,12 @@ final class EyePath {
      * @param metresBefore length of the path from the eye to the origin
      * @param tint product of the tints of the mirrors before it
      */
-    record Segment(Vec3 origin, Vec3 direction, double metres, double metresBefore, Vector3dc tint) {}
+    record Segment(Vec3 origin, Vec3 direction, double metres, double metresBefore, Vector3dc tint) {
+        /** Returns its part up to a distance from its origin; empty if that is negative. */
+        Segment shortened(double most) {
+            return most < metres ? new Segment(origin, direction, most, metresBefore, tint) : this;
+        }
+    }
 
     EyePath(TracedItems surfaces, Portals portals, ReflectingFaces mirrors) {
         this.surfaces = surfaces;
@@ -81,6 +87,7 @@ final class EyePath {
         int likely = item;
         item = -1;
         metres = Double.POSITIVE_INFINITY;
+        endsInTheOpen = false;
         pathHash = 0;
         reflected.clear();
         segments.clear();
@@ -101,6 +108,7 @@ final class EyePath {
                     item = hit.item();
                     metres = (walked + hit.distance()) * length;
                 }
+                endsInTheOpen = !isMet;
                 return isMet;
             }
             walked += crossing.seconds();
@@ -169,6 +177,11 @@ final class EyePath {
     /** Returns the length of the path through portals and mirrors; infinite if it hits nothing. */
     double metres() {
         return metres;
+    }
+
+    /** Returns true if nothing is on the last segment up to the far limit. */
+    boolean endsInTheOpen() {
+        return endsInTheOpen;
     }
 
     /** Returns a hash of the portals and mirrors on the path, in order; 0 if there are none. */

@@ -2,23 +2,26 @@ package nephele.engine.reference;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
-import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
+import nephele.engine.reference.sky.SkyCover;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The light at a point: one ray to each light, a few of many to the sky. Light does not pass through portals. */
+/**
+ * The light at a point: one ray to each light, a few of many to the sky. Light does not pass through portals. Clouds dim
+ * light that casts shadows; the sky's light is what comes through and from them, times the part of the sky that surfaces
+ * leave visible.
+ */
 final class Illumination {
     /** Bounds radiance as {@code surface-light.glsl} does: a light may be so near that half floats overflow. */
     private static final double MAX_RADIANCE = 65504;
@@ -36,9 +39,9 @@ final class Illumination {
     private final Vector3dc towardsSun;
     private final List<PunctualLight> lights;
     private final Vec3 ambient;
-    private final Optional<SkyLight> skyLight;
+    private final SkyCover cover;
 
-    Illumination(Level level, Optional<SkyRadiance> sky) {
+    Illumination(Level level, SkyCover cover) {
         Environment environment = level.environment();
         sun = Daylight.onGround(environment);
         towardsSun = sun == null ? new Vector3d() : unit(sun.directionTowardsSun());
@@ -46,7 +49,7 @@ final class Illumination {
                 .flatMap(light -> PunctualLight.of(light).stream())
                 .toList();
         ambient = environment.ambient();
-        skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
+        this.cover = cover;
     }
 
     /** Returns for each light but the sky the function from a box to the shaft of its shadow rays. */
@@ -71,15 +74,15 @@ final class Illumination {
         Vector3d sum = new Vector3d();
         Vector3d origin = lifted(surface);
         if (sun != null) {
-            addSun(surface, origin, shadows, sum);
+            addSun(surface, origin, shadows, sample, sum);
         }
         for (int light = 0; light < lights.size(); light++) {
-            addLight(light, surface, origin, shadows, sum);
+            addLight(light, surface, origin, shadows, sample, sum);
         }
         if (ambient != null) {
             Vector3d all = ambient.toVector();
             sum.add(surface.reflected(all, all));
-        } else if (skyLight.isPresent()) {
+        } else if (!cover.isDark()) {
             addSky(surface, origin, shadows, sample, sum);
         }
         Vec3 own = surface.emission();
@@ -93,15 +96,20 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
+    private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
         if (surface.faceNormal().dot(towardsSun) > 0
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
-            sum.add(surface.reflected(towardsSun).mul(sun.irradiance().toVector()));
+            double share =
+                    sun.castsShadow() ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random()) : 1;
+            sum.add(surface.reflected(towardsSun)
+                    .mul(sun.irradiance().toVector())
+                    .mul(share));
         }
     }
 
-    private void addLight(int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
+    private void addLight(
+            int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
         PunctualLight light = lights.get(index);
         Vector3d way = light.position().toVector().sub(origin);
         double distance = way.length();
@@ -112,7 +120,9 @@ final class Illumination {
         boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
         boolean casts = light.source().castsShadow();
         if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, way, 1, surface.item()))) {
-            sum.add(surface.reflected(way.div(distance)).mul(irradiance));
+            way.div(distance);
+            double share = casts ? cover.share(origin, way, distance, sample.random()) : 1;
+            sum.add(surface.reflected(way).mul(irradiance).mul(share));
         }
     }
 
@@ -130,9 +140,10 @@ final class Illumination {
             free += isBlocked ? 0 : 1;
         }
         if (free > 0) {
-            Vector3d onNormal = skyLight.get().ambient(surface.normal());
-            Vector3d mirrored =
-                    surface.gloss() == null ? onNormal : skyLight.get().ambient(surface.mirrorDirection());
+            Vector3d onNormal = cover.skylight(origin, surface.normal(), sample.random());
+            Vector3d mirrored = surface.gloss() == null
+                    ? onNormal
+                    : cover.skylight(origin, surface.mirrorDirection(), sample.random());
             sum.fma((double) free / SKY_RAYS, surface.reflected(onNormal, mirrored));
         }
     }

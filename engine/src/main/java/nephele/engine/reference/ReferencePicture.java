@@ -8,12 +8,21 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
 import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
+import nephele.engine.reference.tile.PixelMean;
+import nephele.engine.reference.tile.PixelTiles;
+import nephele.engine.reference.tile.TilePixels;
+import nephele.engine.reference.tile.TiledPicture;
 import org.joml.Vector3d;
 
-/** Traces a picture, row by row on several threads; the result does not depend on their number. */
+/**
+ * Traces a picture, tile by tile on several threads; the result depends neither on their number nor on which tiles are
+ * traced together.
+ */
 public final class ReferencePicture {
     /** Raise it whenever a picture of any level changes: traced pictures are stored under it. */
     public static final int VERSION = 2;
@@ -23,19 +32,21 @@ public final class ReferencePicture {
     private final TracedLevel level;
     private final Pinhole eye;
     private final TraceSettings settings;
-    private final DoubleConsumer progress;
+    private final PixelTiles division;
+    private final int[] tiles;
+    private final Consumer<TilePixels> finished;
     private final SampleSequence sequence;
-    private final float[] rgb;
-    private final AtomicInteger nextRow = new AtomicInteger();
-    private final AtomicInteger rowsDone = new AtomicInteger();
+    private final AtomicInteger next = new AtomicInteger();
 
-    private ReferencePicture(TracedLevel level, Pinhole eye, TraceSettings settings, DoubleConsumer progress) {
+    private ReferencePicture(
+            TracedLevel level, Pinhole eye, TraceSettings settings, int[] tiles, Consumer<TilePixels> finished) {
         this.level = level;
         this.eye = eye;
         this.settings = settings;
-        this.progress = progress;
+        this.tiles = tiles;
+        this.finished = finished;
+        division = settings.tiles();
         sequence = new SampleSequence(settings.seed());
-        rgb = new float[3 * settings.width() * settings.height()];
     }
 
     /**
@@ -44,9 +55,34 @@ public final class ReferencePicture {
      * @param progress receives the completed fraction, 0–1, from any thread
      */
     public static float[] trace(TracedLevel level, Pinhole eye, TraceSettings settings, DoubleConsumer progress) {
-        ReferencePicture picture = new ReferencePicture(level, eye, settings, progress);
-        picture.run();
-        return picture.rgb;
+        return picture(level, eye, settings, progress).rgb();
+    }
+
+    /**
+     * Returns the picture with its standard error.
+     *
+     * @param progress receives the completed fraction, 0–1, from any thread
+     */
+    public static TiledPicture picture(
+            TracedLevel level, Pinhole eye, TraceSettings settings, DoubleConsumer progress) {
+        TiledPicture picture = new TiledPicture(settings.tiles());
+        int count = settings.tiles().count();
+        AtomicInteger done = new AtomicInteger();
+        tiles(level, eye, settings, IntStream.range(0, count), pixels -> {
+            picture.put(pixels);
+            progress.accept((double) done.incrementAndGet() / count);
+        });
+        return picture;
+    }
+
+    /**
+     * Traces some tiles of a picture.
+     *
+     * @param finished receives each tile, from any thread; what it throws ends the work
+     */
+    public static void tiles(
+            TracedLevel level, Pinhole eye, TraceSettings settings, IntStream tiles, Consumer<TilePixels> finished) {
+        new ReferencePicture(level, eye, settings, tiles.toArray(), finished).run();
     }
 
     private void run() {
@@ -71,28 +107,37 @@ public final class ReferencePicture {
 
     private Void work() {
         Tracer tracer = level.tracer(eye);
-        for (int row = nextRow.getAndIncrement(); row < settings.height(); row = nextRow.getAndIncrement()) {
-            for (int column = 0; column < settings.width(); column++) {
-                pixel(tracer, column, row);
-            }
-            progress.accept((double) rowsDone.incrementAndGet() / settings.height());
+        PixelMean mean = new PixelMean(settings.samples());
+        for (int i = next.getAndIncrement(); i < tiles.length; i = next.getAndIncrement()) {
+            finished.accept(tile(tracer, tiles[i], mean));
         }
         return null;
     }
 
-    /** Computes the mean over the square of the pixel. */
-    private void pixel(Tracer tracer, int column, int row) {
-        Vector3d sum = new Vector3d();
+    private TilePixels tile(Tracer tracer, int tile, PixelMean mean) {
+        float[] rgb = new float[3 * division.pixels(tile)];
+        float[] variance = new float[mean.hasVariance() ? rgb.length : 0];
+        for (int pixel = 0; pixel < division.pixels(tile); pixel++) {
+            int column = division.left(tile) + pixel % division.width(tile);
+            int row = division.bottom(tile) + pixel / division.width(tile);
+            trace(tracer, column, row, mean);
+            mean.putMean(rgb, 3 * pixel);
+            if (mean.hasVariance()) {
+                mean.putVariance(variance, 3 * pixel);
+            }
+        }
+        return new TilePixels(tile, rgb, variance);
+    }
+
+    /** Traces samples over the square of the pixel. */
+    private void trace(Tracer tracer, int column, int row, PixelMean mean) {
+        mean.reset();
         for (int i = 0; i < settings.samples(); i++) {
             PixelSample sample = sequence.sample(column, row, i);
             Point in = settings.samples() == 1 ? MIDDLE : sample.inPixel();
             Vector3d direction =
                     eye.direction((column + in.x()) / settings.width(), (row + in.y()) / settings.height());
-            sum.add(tracer.radiance(direction, sample));
+            mean.add(tracer.radiance(direction, sample));
         }
-        int at = 3 * (row * settings.width() + column);
-        rgb[at] = (float) (sum.x / settings.samples());
-        rgb[at + 1] = (float) (sum.y / settings.samples());
-        rgb[at + 2] = (float) (sum.z / settings.samples());
     }
 }

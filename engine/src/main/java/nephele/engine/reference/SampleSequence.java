@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import java.util.SplittableRandom;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.SeededNoise;
 
@@ -11,6 +12,9 @@ import nephele.engine.math.SeededNoise;
 final class SampleSequence {
     /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions. */
     private static final double STEP_ROOT = 1.32471795724474602596;
+
+    /** Tells the seeds of random streams from that of the points. */
+    private static final long STREAMS = 1;
 
     /** The uses of points. */
     enum Use {
@@ -30,6 +34,7 @@ final class SampleSequence {
         private final int column;
         private final int row;
         private final int index;
+        private SplittableRandom random;
 
         private PixelSample(int column, int row, int index) {
             this.column = column;
@@ -50,11 +55,22 @@ final class SampleSequence {
         Point sky(int ray) {
             return point(Use.SKY, column, row, index * Illumination.SKY_RAYS + ray);
         }
+
+        /** Returns the sample's own random numbers, for random walks through clouds. */
+        SplittableRandom random() {
+            if (random == null) {
+                long pixel = Hash64.combine(Hash64.combine(stream, column), row);
+                random = new SplittableRandom(Hash64.combine(pixel, index));
+            }
+            return random;
+        }
     }
 
     private final SeededNoise noise;
+    private final long stream;
 
     SampleSequence(long seed) {
+        stream = Hash64.combine(STREAMS, seed);
         noise = new SeededNoise((int) Hash64.combine(0, seed));
     }
 

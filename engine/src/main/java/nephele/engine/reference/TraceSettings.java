@@ -1,5 +1,7 @@
 package nephele.engine.reference;
 
+import nephele.engine.reference.tile.PixelTiles;
+
 /**
  * The size and quality of a picture. The picture depends on everything but the number of threads.
  *
@@ -12,5 +14,10 @@ public record TraceSettings(int width, int height, int samples, long seed, int t
         if (width < 1 || height < 1 || samples < 1 || threads < 1) {
             throw new IllegalArgumentException("a picture needs pixels, samples and a thread");
         }
+    }
+
+    /** Returns the division of the picture into tiles. */
+    public PixelTiles tiles() {
+        return new PixelTiles(width, height);
     }
 }

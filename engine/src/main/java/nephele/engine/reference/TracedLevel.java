@@ -11,6 +11,8 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
+import nephele.engine.reference.sky.LevelClouds;
+import nephele.engine.reference.sky.SkyCover;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -21,6 +23,8 @@ public final class TracedLevel {
     private final Illumination light;
     private final Shafts shafts;
     private final Optional<SkyRadiance> sky;
+    private final Optional<LevelClouds> clouds;
+    private final boolean sunCastsShadow;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
@@ -37,7 +41,11 @@ public final class TracedLevel {
         mirrors = ReflectingFaces.of(statics.solids(), textures);
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogTransmittance.of(level.environment());
-        light = new Illumination(level, sky);
+        clouds = LevelClouds.of(level.environment(), assets, sky);
+        sunCastsShadow =
+                level.environment().sun() != null && level.environment().sun().castsShadow();
+        light = new Illumination(
+                level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
     }
@@ -55,6 +63,11 @@ public final class TracedLevel {
 
     Tracer tracer(Pinhole eye) {
         return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, shafts));
+    }
+
+    /** Returns an object for one thread that finds clouds on eye paths; empty without clouds. */
+    Optional<CloudSight> cloudSight() {
+        return clouds.map(all -> new CloudSight(all.media(), new Walls(all.open(), rays, portals, sunCastsShadow)));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */

@@ -2,6 +2,8 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.cloud.shade.CloudShadePass;
+import nephele.engine.render.pass.cloud.volume.VolumePass;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
@@ -29,6 +31,7 @@ public final class RenderFeatures {
             LightShadowPass.FEATURE,
             DynamicShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            CloudShadePass.FEATURE,
             // In each view.
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
@@ -40,6 +43,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
+            VolumePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,
             // After the views.

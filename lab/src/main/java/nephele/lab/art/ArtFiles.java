@@ -16,6 +16,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.lab.art.bench.BenchLevels;
 import nephele.lab.art.bench.BenchPixels;
+import nephele.lab.art.cloud.CloudPictures;
+import nephele.lab.art.cloud.SampleGrid;
 import nephele.lab.art.material.TextureRecipe;
 import nephele.lab.art.material.Textures;
 import nephele.lab.art.paint.Surface;
@@ -25,7 +27,7 @@ import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
 
-/** Regenerates the pictures and meshes below {@code assets/} and the benchmark levels: {@code gradle textures}. */
+/** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {
     private ArtFiles() {}
 
@@ -48,6 +50,9 @@ public final class ArtFiles {
         for (PictureRecipe recipe : ScenePictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
+        for (PictureRecipe recipe : CloudPictures.ALL) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (int face = 0; face < 6; face++) {
             write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
@@ -56,6 +61,9 @@ public final class ArtFiles {
             write(assets.resolve(picture.getKey()), picture.getValue());
         }
         write(assets.resolve(SignPainter.FILE), SignPainter.paint());
+        Path grid = assets.resolve(SampleGrid.FILE);
+        Files.createDirectories(grid.getParent());
+        Files.write(grid, SampleGrid.written());
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
             Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
         }

@@ -55,7 +55,7 @@ class CloudFieldsTest {
         var ellipsoid = field(VOLUME, new Cloud.Density.Ellipsoid(), null);
         assertEquals(0.1, ellipsoid.perMetre(10, 24.9, 30));
         assertEquals(0, ellipsoid.perMetre(10, 25.1, 30));
-        var puffs = field(VOLUME, new Cloud.Density.Puffs(List.of(new Cloud.Puff(new Vec3(1, 0, 0), 4))), null);
+        var puffs = field(VOLUME, new Cloud.Density.Puffs(List.of(new Cloud.Puff(new Vec3(1, 0, 0), 4)), null), null);
         assertEquals(0.1 * Math.exp(-0.5), puffs.perMetre(11, 22, 30), 1e-15);
         var grid = field(VOLUME, new Cloud.Density.Grid("a.vol"), vol(0, 1));
         assertEquals(0.05, grid.perMetre(10, 20, 30), 1e-15);
@@ -69,7 +69,7 @@ class CloudFieldsTest {
         var uniform = field(LAYER, new Cloud.Density.Ellipsoid(), null);
         assertEquals(0.1, uniform.perMetre(1e6, 149, -1e6));
         assertEquals(0, uniform.perMetre(0, 151, 0));
-        var puffs = field(LAYER, new Cloud.Density.Puffs(List.of(new Cloud.Puff(Vec3.ZERO, 4))), null);
+        var puffs = field(LAYER, new Cloud.Density.Puffs(List.of(new Cloud.Puff(Vec3.ZERO, 4)), null), null);
         assertEquals(0.1, puffs.perMetre(0, 125, 0));
         var grid = field(LAYER, new Cloud.Density.Grid("a.vol"), vol(0, 1));
         assertEquals(0.1, grid.perMetre(3, 101, 0), 1e-15);

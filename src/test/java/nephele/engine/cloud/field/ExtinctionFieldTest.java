@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudProfile;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -19,7 +22,9 @@ import org.junit.jupiter.api.Test;
 class ExtinctionFieldTest {
     @Test
     void noPointExceedsItsMajorantAndNoneIsLeftOut() {
-        SampleFields.all().forEach((name, field) -> {
+        var fields = new LinkedHashMap<>(SampleFields.all());
+        fields.putAll(SampleFields.noises());
+        fields.forEach((name, field) -> {
             var random = new SplittableRandom(3);
             for (int n = 0; n < 300; n++) {
                 Ray ray = SampleFields.ray(random);
@@ -136,12 +141,26 @@ class ExtinctionFieldTest {
                 new PuffsField(List.of(), Vec3.ZERO, 1),
                 new UniformField(SampleFields.BOX, 0),
                 new EllipsoidField(SampleFields.BOX, 0),
-                new NoiseField(SampleFields.BOX, 1, 10, 0, 1),
+                noCoverage(null),
+                noCoverage(CloudProfile.CUMULUS),
                 GridField.inBox(new VoxelGrid(1, 1, 1, SampleFields.BOX, new float[1]), SampleFields.BOX, 1))) {
             assertFalse(field.walk(ray, 0, Double.POSITIVE_INFINITY).next());
             assertEquals(0, OpticalDepth.along(field, ray, 0, Double.POSITIVE_INFINITY));
             assertEquals(0, field.perMetre(0, 0, 0));
         }
+    }
+
+    private static ExtinctionField noCoverage(CloudProfile profile) {
+        return CloudFields.of(
+                new Cloud(
+                        "c",
+                        new Cloud.Extent.Layer(-20, 40),
+                        CloudTechnique.AUTO,
+                        new Cloud.Density.Noise(1, 10, 0, 0, profile, null, 0),
+                        1,
+                        1,
+                        0),
+                TestPictures.COVERAGE);
     }
 
     @Test

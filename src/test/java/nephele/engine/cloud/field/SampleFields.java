@@ -1,5 +1,9 @@
 package nephele.engine.cloud.field;
 
+import static nephele.engine.level.CloudProfile.CUMULONIMBUS;
+import static nephele.engine.level.CloudProfile.CUMULUS;
+import static nephele.engine.level.CloudProfile.STRATUS;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,6 +11,8 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density.Noise;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -14,6 +20,10 @@ import nephele.engine.math.Vec3;
 /** One field of each kind around the origin, and rays that meet them. */
 public final class SampleFields {
     public static final Aabb BOX = new Aabb(-30, -20, -40, 30, 20, 40);
+
+    private static final Cloud.Extent BOX_EXTENT = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(60, 40, 80));
+    private static final Cloud.Extent LAYER_EXTENT = new Cloud.Extent.Layer(-20, 40);
+    private static final String MAP = "map.png";
 
     private SampleFields() {}
 
@@ -28,10 +38,29 @@ public final class SampleFields {
         fields.put("grid", GridField.inBox(randomGrid(13, 6, 9), BOX, 0.1));
         fields.put("fine grid", GridField.inBox(randomGrid(2, 64, 1), BOX, 0.1));
         fields.put("repeated grid", GridField.repeated(randomGrid(13, 6, 9), BOX, 0.1));
-        fields.put("noise", new NoiseField(BOX, 7, 11, 0.5, 0.2));
-        fields.put("fine noise", new NoiseField(BOX, 7, 0.01, 0.9, 0.2));
-        fields.put("noise layer", new NoiseField(layer, 8, 11, 0.4, 0.2));
+        fields.put("noise", noise(BOX_EXTENT, new Noise(7, 11, 0.5)));
+        fields.put("fine noise", noise(BOX_EXTENT, new Noise(7, 0.01, 0.9)));
+        fields.put("noise layer", noise(LAYER_EXTENT, new Noise(8, 11, 0.4)));
+        fields.put("anvil", noise(BOX_EXTENT, new Noise(3, 11, 1, 0.6, CUMULONIMBUS, null, 1)));
         return fields;
+    }
+
+    /** Returns more fields of noise, which are all made by the same classes. */
+    static Map<String, ExtinctionField> noises() {
+        var fields = new LinkedHashMap<String, ExtinctionField>();
+        fields.put("mapped noise", noise(BOX_EXTENT, new Noise(8, 11, 1, 0.5, null, MAP, 0)));
+        fields.put("mapped layer", noise(LAYER_EXTENT, new Noise(8, 400, 0.8, 0.5, STRATUS, MAP, 0)));
+        fields.put("cumulus", noise(BOX_EXTENT, new Noise(9, 11, 0.8, 0.6, CUMULUS, null, 0)));
+        fields.put("cumulus layer", noise(LAYER_EXTENT, new Noise(9, 6, 0.4, 0.3, CUMULUS, null, 0)));
+        fields.put("mapped cumulus", noise(BOX_EXTENT, new Noise(9, 20, 1, 0, CUMULUS, MAP, 0)));
+        fields.put("anvils", noise(LAYER_EXTENT, new Noise(3, 11, 0.3, 0.2, CUMULONIMBUS, null, 0.5)));
+        return fields;
+    }
+
+    private static ExtinctionField noise(Cloud.Extent extent, Noise density) {
+        var motion = new Cloud.Motion(Vec3.ZERO, 10);
+        return CloudFields.of(
+                new Cloud("c", extent, CloudTechnique.AUTO, density, 0.2, 1, 0, motion), TestPictures.COVERAGE, 3);
     }
 
     static List<Cloud.Puff> puffs(int count) {

@@ -8,6 +8,9 @@ import nephele.engine.math.Ray;
  * Algorithm for Ray Tracing") and leaves out the cells without extinction.
  */
 final class CellWalk implements MajorantWalk {
+    /** Where the longest walk ends, so that one along an endless layer without cloud ends at all. */
+    private static final double MOST_METRES = 2e7;
+
     private final CellBound bound;
     private final double end;
     private final int stepX;
@@ -29,7 +32,7 @@ final class CellWalk implements MajorantWalk {
     CellWalk(Ray ray, RaySpan span, CellLattice lattice, CellBound bound) {
         this.bound = bound;
         to = span.fromMetres();
-        end = span.isEmpty() ? to : span.toMetres();
+        end = span.isEmpty() ? to : Math.min(span.toMetres(), to + MOST_METRES);
         double x = (ray.originX() - lattice.originX()) / lattice.sizeX();
         double y = (ray.originY() - lattice.originY()) / lattice.sizeY();
         double z = (ray.originZ() - lattice.originZ()) / lattice.sizeZ();

@@ -2,77 +2,80 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.Picture;
-import nephele.engine.asset.PictureDecoder;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /** Makes the extinction field of a cloud of a level. */
 public final class CloudFields {
-    /** Edge of the square that a picture covers in a layer, which repeats it. */
-    private static final double PICTURE_TILE_METRES = 10_000;
-
-    private static final double INFINITE = Double.POSITIVE_INFINITY;
-
     private CloudFields() {}
 
     /**
-     * Returns the field of a cloud. In a layer an ellipsoid fills the layer, a picture repeats every 10 km, a grid
-     * repeats at the width and depth of its own box, and puffs are placed around the layer's middle height at x = z = 0.
+     * Returns the field of a cloud over flat ground at time 0.
      *
-     * @throws AssetException if the picture or grid of the cloud is unusable
+     * @throws AssetException if a picture or grid of the cloud is unusable
      */
     public static ExtinctionField of(Cloud cloud, AssetSource assets) throws AssetException {
+        return of(cloud, assets, 0);
+    }
+
+    /**
+     * Returns the field of a cloud over flat ground.
+     *
+     * @param seconds simulated time
+     * @throws AssetException if a picture or grid of the cloud is unusable
+     */
+    public static ExtinctionField of(Cloud cloud, AssetSource assets, double seconds) throws AssetException {
+        return flat(cloud, CloudFiles.of(cloud, assets, CloudTables::of), seconds, 0);
+    }
+
+    /**
+     * Returns the field of a cloud over flat ground. In a layer an ellipsoid fills the layer, a picture repeats every 10
+     * km, a grid repeats at the width and depth of its own box, and puffs are placed around the layer's middle height.
+     *
+     * @param slackMetres by which points of a layer may be lower or higher than the walked ray
+     */
+    static ExtinctionField flat(Cloud cloud, CloudFiles files, double seconds, double slackMetres) {
+        CloudMoment moment = CloudMoment.of(cloud, seconds);
         Cloud.Density density = cloud.density();
         double extinction = cloud.extinctionPerMetre();
-        Aabb box = box(cloud.extent());
-        boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
         if (density instanceof Cloud.Density.Puffs puffs) {
-            return new PuffsField(puffs.puffs(), centre(cloud.extent()), extinction);
+            return new PuffsField(PuffFilling.all(puffs), moment.centre(), extinction);
         }
         if (density instanceof Cloud.Density.Noise noise) {
-            return new NoiseField(box, noise.seed(), noise.featureMetres(), noise.coverage(), extinction);
+            return noise(cloud, noise, files, seconds, slackMetres);
         }
         if (density instanceof Cloud.Density.Grid grid) {
-            VoxelGrid voxels = VolFile.parse(grid.file(), assets.bytes(grid.file()));
-            return isLayer
-                    ? GridField.repeated(voxels, tile(voxels.box(), box, grid.file()), extinction)
-                    : GridField.inBox(voxels, box, extinction);
+            return grid(moment, files.grid(), grid.file(), extinction, slackMetres);
         }
         if (density instanceof Cloud.Density.Image image) {
-            VoxelGrid voxels = seenFromAbove(PictureDecoder.decode(image.file(), assets.bytes(image.file())));
-            return isLayer
-                    ? GridField.repeated(voxels, tile(voxels.box(), box, image.file()), extinction)
-                    : GridField.inBox(voxels, box, extinction);
+            double perMetre = files.isOpticalDepth() ? 1 / moment.heightMetres() : extinction;
+            return grid(moment, files.grid(), image.file(), perMetre, slackMetres);
         }
-        return isLayer ? new UniformField(box, extinction) : new EllipsoidField(box, extinction);
+        return moment.isLayer()
+                ? new UniformField(moment.bounds(), extinction)
+                : new EllipsoidField(moment.bounds(), extinction);
     }
 
-    private static Aabb box(Cloud.Extent extent) {
-        if (extent instanceof Cloud.Extent.Volume volume) {
-            return Aabb.around(volume.centre(), volume.size());
+    private static ExtinctionField grid(
+            CloudMoment moment, VoxelGrid voxels, String file, double extinction, double slackMetres) {
+        Aabb box = moment.bounds();
+        if (!moment.isLayer()) {
+            return GridField.inBox(voxels, box, extinction);
         }
-        var layer = (Cloud.Extent.Layer) extent;
-        double top = layer.baseAltitudeMetres() + layer.thicknessMetres();
-        return new Aabb(-INFINITE, layer.baseAltitudeMetres(), -INFINITE, INFINITE, top, INFINITE);
-    }
-
-    private static Vec3 centre(Cloud.Extent extent) {
-        if (extent instanceof Cloud.Extent.Volume volume) {
-            return volume.centre();
-        }
-        var layer = (Cloud.Extent.Layer) extent;
-        return new Vec3(0, layer.baseAltitudeMetres() + layer.thicknessMetres() / 2, 0);
+        Aabb tile = tile(voxels.box(), box, file);
+        Vec3 drift = moment.driftWithin(tile.maxX() - tile.minX(), tile.maxZ() - tile.minZ());
+        return GridField.repeated(voxels, tile.moved(drift), extinction, slackMetres);
     }
 
     /** Returns a box with the sides of one and the heights of the other. */
     private static Aabb tile(Aabb sides, Aabb heights, String file) {
         boolean hasArea = sides.maxX() - sides.minX() > 0
-                && sides.maxX() - sides.minX() < INFINITE
+                && sides.maxX() - sides.minX() < Double.POSITIVE_INFINITY
                 && sides.maxZ() - sides.minZ() > 0
-                && sides.maxZ() - sides.minZ() < INFINITE;
+                && sides.maxZ() - sides.minZ() < Double.POSITIVE_INFINITY;
         if (!hasArea) {
             throw new AssetException(
                     file,
@@ -82,19 +85,50 @@ public final class CloudFields {
         return new Aabb(sides.minX(), heights.minY(), sides.minZ(), sides.maxX(), heights.maxY(), sides.maxZ());
     }
 
-    /** Returns the densities of a picture with −z at its top, in one layer of voxels; colours count by their mean. */
-    private static VoxelGrid seenFromAbove(Picture picture) {
-        int colours = picture.channels() < 3 ? 1 : 3;
-        float most = colours * (picture.bitsPerChannel() == 8 ? 255f : 65535f);
-        float[] values = new float[picture.width() * picture.height()];
-        for (int pixel = 0; pixel < values.length; pixel++) {
-            int sum = 0;
-            for (int channel = 0; channel < colours; channel++) {
-                sum += picture.sample(pixel % picture.width(), pixel / picture.width(), channel);
-            }
-            values[pixel] = sum / most;
+    private static ExtinctionField noise(
+            Cloud cloud, Cloud.Density.Noise noise, CloudFiles files, double seconds, double slackMetres) {
+        CloudMoment moment = CloudMoment.of(cloud, seconds);
+        double period = NoiseLayouts.PERIOD_FEATURES * noise.featureMetres();
+        Vec3 drift = moment.driftWithin(period, period);
+        Vec3 origin = moment.isLayer()
+                ? new Vec3(drift.x(), moment.bounds().minY(), drift.z())
+                : new Vec3(
+                        moment.centre().x(),
+                        moment.bounds().minY(),
+                        moment.centre().z());
+        NoiseLayouts noises =
+                NoiseLayouts.of(noise, files.tables(), cloud.motion().evolutionSeconds(), seconds);
+        PlanMap map = coverageMap(moment, files, drift);
+        NoiseDensity density = noise.profile() == null
+                ? new EvenNoise(noises, noise.coverage(), map, noise.erosion())
+                : profiled(noise, moment, noises, new Coverage(noise.coverage(), map));
+        return new NoiseField(
+                moment.bounds(), origin, density, noise.featureMetres(), cloud.extinctionPerMetre(), slackMetres);
+    }
+
+    private static ProfiledNoise profiled(
+            Cloud.Density.Noise noise, CloudMoment moment, NoiseLayouts noises, Coverage coverage) {
+        HeightProfile profile = HeightProfile.of(noise.profile(), noise.anvil());
+        Aabb box = moment.bounds();
+        SideWalls walls = moment.isLayer()
+                ? null
+                : new SideWalls((box.maxX() - box.minX()) / 2, (box.maxZ() - box.minZ()) / 2, profile.spread());
+        var bodies = new CloudBodies(noises, coverage, profile, walls);
+        return new ProfiledNoise(profile, bodies, noises, noise.erosion(), moment.heightMetres());
+    }
+
+    /** Returns the coverage map relative to the origin of the noise; {@code null} if there is none. */
+    private static PlanMap coverageMap(CloudMoment moment, CloudFiles files, Vec3 noiseDrift) {
+        if (files.coverage() == null) {
+            return null;
         }
-        double half = PICTURE_TILE_METRES / 2;
-        return new VoxelGrid(picture.width(), 1, picture.height(), new Aabb(-half, 0, -half, half, 1, half), values);
+        if (moment.isLayer()) {
+            double tile = CloudPicture.TILE_METRES;
+            Vec3 by = moment.driftWithin(tile, tile).minus(noiseDrift);
+            return new PlanMap(files.coverage().movedTo(files.coverage().box().moved(by)), GridAxis.Edge.REPEATED);
+        }
+        Aabb box = moment.bounds();
+        var size = new Vec3(box.maxX() - box.minX(), 1, box.maxZ() - box.minZ());
+        return new PlanMap(files.coverage().movedTo(Aabb.around(Vec3.ZERO, size)), GridAxis.Edge.CLAMPED);
     }
 }

@@ -20,11 +20,16 @@ public record CloudMedium(ExtinctionField field, double albedo, PhaseFunction ph
     }
 
     /**
-     * Returns the medium of a cloud of a level.
+     * Returns the medium of a cloud of a level over flat ground at time 0.
      *
      * @throws AssetException if the picture or grid of the cloud is unusable
      */
     public static CloudMedium of(Cloud cloud, AssetSource assets) throws AssetException {
-        return new CloudMedium(CloudFields.of(cloud, assets), cloud.albedo(), new HenyeyGreenstein(cloud.phaseG()));
+        return of(cloud, CloudFields.of(cloud, assets));
+    }
+
+    /** Returns the medium of a cloud of a level with its field at some time. */
+    static CloudMedium of(Cloud cloud, ExtinctionField field) {
+        return new CloudMedium(field, cloud.albedo(), new HenyeyGreenstein(cloud.phaseG()));
     }
 }

@@ -19,7 +19,7 @@ public final class GridField implements ExtinctionField {
     private final VoxelMaxima maxima;
     private final CellLattice lattice;
 
-    private GridField(VoxelGrid grid, Aabb tile, double extinctionPerMetre, GridAxis.Edge sides) {
+    private GridField(VoxelGrid grid, Aabb tile, double extinctionPerMetre, GridAxis.Edge sides, double slackMetres) {
         this.grid = grid;
         this.extinctionPerMetre = extinctionPerMetre;
         alongX = new GridAxis(tile.minX(), tile.maxX(), grid.nx(), sides);
@@ -28,18 +28,24 @@ public final class GridField implements ExtinctionField {
         boolean ends = sides == GridAxis.Edge.CLAMPED;
         double infinite = Double.POSITIVE_INFINITY;
         bounds = ends ? tile : new Aabb(-infinite, tile.minY(), -infinite, infinite, tile.maxY(), infinite);
-        maxima = VoxelMaxima.of(grid, extinctionPerMetre, sides);
+        double slackVoxels = slackMetres * grid.ny() / (tile.maxY() - tile.minY());
+        maxima = VoxelMaxima.of(grid, extinctionPerMetre, sides, slackVoxels);
         lattice = maxima.lattice(tile);
     }
 
     /** Returns the grid stretched to a box. */
     public static GridField inBox(VoxelGrid grid, Aabb box, double extinctionPerMetre) {
-        return new GridField(grid, box, extinctionPerMetre, GridAxis.Edge.CLAMPED);
+        return new GridField(grid, box, extinctionPerMetre, GridAxis.Edge.CLAMPED, 0);
     }
 
     /** Returns the grid stretched to a box that is repeated without end in x and z. */
     public static GridField repeated(VoxelGrid grid, Aabb tile, double extinctionPerMetre) {
-        return new GridField(grid, tile, extinctionPerMetre, GridAxis.Edge.REPEATED);
+        return repeated(grid, tile, extinctionPerMetre, 0);
+    }
+
+    /** @param slackMetres by which points may be lower or higher than the walked ray */
+    static GridField repeated(VoxelGrid grid, Aabb tile, double extinctionPerMetre, double slackMetres) {
+        return new GridField(grid, tile, extinctionPerMetre, GridAxis.Edge.REPEATED, slackMetres);
     }
 
     @Override

@@ -3,99 +3,101 @@ package nephele.engine.cloud.field;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Hash64;
 import nephele.engine.math.Ray;
-import nephele.engine.math.SeededNoise;
+import nephele.engine.math.Vec3;
 
-/**
- * A medium of four octaves of value noise. With n their sum, weighted by ½ for each next octave and scaled to 0 to 1,
- * the density is (n − (1 − coverage)) / coverage where that is positive. Hard faces at the bounds.
- */
+/** A medium of noise, bounded in cells of a quarter of a feature. */
 public final class NoiseField implements ExtinctionField {
-    private static final int OCTAVES = 4;
+    /** Cells of a walk in a feature: as many as there are blocks of the shape table's maxima. */
+    private static final double CELLS_PER_FEATURE = 4;
 
-    /** Octaves that bounds are computed of; each has eight times the lattice points of the one before. */
-    private static final int BOUNDED_OCTAVES = 2;
+    /** Least and greatest number of cells across the shortest edge; finer noise has one bound for all. */
+    private static final double FEWEST_CELLS = 8;
 
-    /** Most cells of a walk across the shortest edge; noise finer than that has one bound for all. */
-    private static final double MOST_CELLS = 256;
+    private static final double MOST_CELLS = 64;
+
+    /** Shortest cell of a layer, whose rays may be as long as the world. */
+    private static final double LAYER_CELL_METRES = 10;
 
     private final Aabb bounds;
-    private final double featureMetres;
-    private final double coverage;
+    private final Vec3 origin;
+    private final NoiseDensity density;
     private final double extinctionPerMetre;
-    private final SeededNoise[] octaves = new SeededNoise[OCTAVES];
+    private final double slackMetres;
     private final CellLattice lattice;
-    private final boolean bounded;
 
     /**
      * @param bounds may be infinite in x and z
-     * @param featureMetres cell of the coarsest octave
-     * @param coverage 0 to 1: 0 gives no cloud
+     * @param origin of the noise's pattern
+     * @param slackMetres by which points may be lower or higher than the walked ray
      */
-    public NoiseField(Aabb bounds, long seed, double featureMetres, double coverage, double extinctionPerMetre) {
+    NoiseField(
+            Aabb bounds,
+            Vec3 origin,
+            NoiseDensity density,
+            double featureMetres,
+            double extinctionPerMetre,
+            double slackMetres) {
         this.bounds = bounds;
-        this.featureMetres = featureMetres;
-        this.coverage = coverage;
+        this.origin = origin;
+        this.density = density;
         this.extinctionPerMetre = extinctionPerMetre;
-        for (int octave = 0; octave < OCTAVES; octave++) {
-            octaves[octave] = new SeededNoise((int) Hash64.combine(seed, octave));
-        }
-        double shortest = Math.min(
-                bounds.maxY() - bounds.minY(), Math.min(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ()));
-        bounded = shortest / featureMetres <= MOST_CELLS;
-        double cell = bounded ? featureMetres : shortest / MOST_CELLS;
-        lattice = new CellLattice(0, 0, 0, cell, cell, cell);
+        this.slackMetres = slackMetres;
+        double height = bounds.maxY() - bounds.minY();
+        double width = Math.min(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ());
+        double shortest = Math.min(height, width);
+        double cell = Math.max(featureMetres / CELLS_PER_FEATURE, shortest / MOST_CELLS);
+        double across = width < Double.POSITIVE_INFINITY
+                ? Math.min(cell, width / FEWEST_CELLS)
+                : Math.max(cell, LAYER_CELL_METRES);
+        lattice = new CellLattice(
+                origin.x(), origin.y(), origin.z(), across, Math.min(cell, height / FEWEST_CELLS), across);
+    }
+
+    public NoiseDensity density() {
+        return density;
+    }
+
+    /** Returns the origin of the noise's pattern, in world metres. */
+    public Vec3 origin() {
+        return origin;
+    }
+
+    public double extinctionPerMetre() {
+        return extinctionPerMetre;
+    }
+
+    /** Returns an upper bound of the extinction in a box. */
+    public double greatestPerMetre(Aabb box) {
+        return extinctionPerMetre
+                * density.greatest(
+                        (box.minX() + box.maxX()) / 2 - origin.x(),
+                        (box.minY() + box.maxY()) / 2 - origin.y(),
+                        (box.minZ() + box.maxZ()) / 2 - origin.z(),
+                        (box.maxX() - box.minX()) / 2,
+                        (box.maxY() - box.minY()) / 2,
+                        (box.maxZ() - box.minZ()) / 2);
     }
 
     @Override
     public double perMetre(double x, double y, double z) {
-        if (!bounds.contains(x, y, z)) {
-            return 0;
-        }
-        double sum = 0;
-        double weights = 0;
-        for (int octave = 0; octave < OCTAVES; octave++) {
-            double scale = (1 << octave) / featureMetres;
-            double weight = weight(octave);
-            sum += weight * octaves[octave].at(x * scale, y * scale, z * scale);
-            weights += weight;
-        }
-        return extinction(sum / weights);
+        return bounds.contains(x, y, z)
+                ? extinctionPerMetre * density.at(x - origin.x(), y - origin.y(), z - origin.z())
+                : 0;
     }
 
-    private static double weight(int octave) {
-        return 1.0 / (1 << octave);
-    }
-
-    private double extinction(double noise) {
-        return coverage > 0 ? extinctionPerMetre * Math.max(0, (noise - (1 - coverage)) / coverage) : 0;
-    }
-
-    /** Bounds the first octaves by their lattice points and takes the others as 1. */
     private double bound(long i, long j, long k) {
-        double sum = 0;
-        double weights = 0;
-        for (int octave = 0; octave < OCTAVES; octave++) {
-            sum += weight(octave) * (bounded && octave < BOUNDED_OCTAVES ? greatest(octave, i, j, k) : 1);
-            weights += weight(octave);
-        }
-        return extinction(sum / weights);
-    }
-
-    private double greatest(int octave, long i, long j, long k) {
-        int points = 1 << octave;
-        double greatest = 0;
-        for (int c = 0; c <= points; c++) {
-            for (int b = 0; b <= points; b++) {
-                for (int a = 0; a <= points; a++) {
-                    double value = octaves[octave].unit(
-                            (int) (i * points + a), (int) (j * points + b), (int) (k * points + c));
-                    greatest = Math.max(greatest, value);
-                }
-            }
-        }
-        return greatest;
+        double halfX = lattice.sizeX() / 2;
+        double halfY = lattice.sizeY() / 2;
+        double halfZ = lattice.sizeZ() / 2;
+        return extinctionPerMetre
+                * density.greatest(
+                        (2 * i + 1) * halfX,
+                        (2 * j + 1) * halfY,
+                        (2 * k + 1) * halfZ,
+                        halfX,
+                        halfY + slackMetres,
+                        halfZ);
     }
 
     @Override

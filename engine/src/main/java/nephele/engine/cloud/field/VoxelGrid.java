@@ -7,7 +7,7 @@ import nephele.engine.math.Aabb;
  *
  * @param nx voxels along x, at least 1; {@code ny} and {@code nz} likewise
  * @param box the region in metres that the grid's own file gives it
- * @param values densities of 0 to 1, x fastest, then y, then z
+ * @param values densities, 0 to 1 in a file, x fastest, then y, then z
  */
 public record VoxelGrid(int nx, int ny, int nz, Aabb box, float[] values) {
     public VoxelGrid {
@@ -15,6 +15,11 @@ public record VoxelGrid(int nx, int ny, int nz, Aabb box, float[] values) {
             throw new IllegalArgumentException(
                     values.length + " values do not fill " + nx + " x " + ny + " x " + nz + " voxels");
         }
+    }
+
+    /** Returns the same densities with another region. */
+    VoxelGrid movedTo(Aabb region) {
+        return new VoxelGrid(nx, ny, nz, region, values);
     }
 
     /** Returns the density of a voxel. */

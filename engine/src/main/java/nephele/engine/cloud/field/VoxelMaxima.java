@@ -22,15 +22,29 @@ final class VoxelMaxima implements CellBound {
     }
 
     static VoxelMaxima of(VoxelGrid grid, double extinctionPerMetre, GridAxis.Edge sides) {
+        return of(grid, extinctionPerMetre, sides, 0);
+    }
+
+    /** @param slackVoxels by which points may be below or above the cell that bounds them */
+    static VoxelMaxima of(VoxelGrid grid, double extinctionPerMetre, GridAxis.Edge sides, double slackVoxels) {
         var result = new VoxelMaxima(grid, sides);
         for (int k = 0; k < result.rows; k++) {
             for (int j = 0; j < result.layers; j++) {
                 for (int i = 0; i < result.columns; i++) {
-                    result.maxima[result.index(i, j, k)] = extinctionPerMetre * result.maximum(grid, i, j, k);
+                    result.maxima[result.index(i, j, k)] =
+                            extinctionPerMetre * result.maximum(grid, i, j, k, slackVoxels);
                 }
             }
         }
         return result;
+    }
+
+    int columns() {
+        return columns;
+    }
+
+    int rows() {
+        return rows;
     }
 
     CellLattice lattice(Aabb box) {
@@ -45,14 +59,14 @@ final class VoxelMaxima implements CellBound {
         return (k * layers + j) * columns + i;
     }
 
-    private double maximum(VoxelGrid grid, int i, int j, int k) {
+    private double maximum(VoxelGrid grid, int i, int j, int k, double slack) {
         var x = new GridAxis(0, 1, grid.nx(), sides);
         var y = new GridAxis(0, 1, grid.ny(), GridAxis.Edge.CLAMPED);
         var z = new GridAxis(0, 1, grid.nz(), sides);
         float greatest = 0;
-        for (int c = first(k, grid.nz(), rows); c <= last(k, grid.nz(), rows); c++) {
-            for (int b = first(j, grid.ny(), layers); b <= last(j, grid.ny(), layers); b++) {
-                for (int a = first(i, grid.nx(), columns); a <= last(i, grid.nx(), columns); a++) {
+        for (int c = first(k, grid.nz(), rows, 0); c <= last(k, grid.nz(), rows, 0); c++) {
+            for (int b = first(j, grid.ny(), layers, slack); b <= last(j, grid.ny(), layers, slack); b++) {
+                for (int a = first(i, grid.nx(), columns, 0); a <= last(i, grid.nx(), columns, 0); a++) {
                     greatest = Math.max(greatest, grid.value(voxel(x, a), voxel(y, b), voxel(z, c)));
                 }
             }
@@ -65,12 +79,12 @@ final class VoxelMaxima implements CellBound {
     }
 
     /** Returns the first voxel that influences a cell; −1 stands for the one before the grid. */
-    private static int first(int cell, int voxels, int cells) {
-        return (int) Math.floor((double) cell * voxels / cells - 0.5);
+    private static int first(int cell, int voxels, int cells, double slack) {
+        return (int) Math.max(-1, Math.floor((double) cell * voxels / cells - 0.5 - slack));
     }
 
-    private static int last(int cell, int voxels, int cells) {
-        return (int) Math.floor((cell + 1.0) * voxels / cells - 0.5) + 1;
+    private static int last(int cell, int voxels, int cells, double slack) {
+        return (int) Math.min(voxels, Math.floor((cell + 1.0) * voxels / cells - 0.5 + slack) + 1);
     }
 
     @Override

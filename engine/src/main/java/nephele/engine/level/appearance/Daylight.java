@@ -71,7 +71,7 @@ public final class Daylight {
     }
 
     /** Returns the share of the sun's disc above the horizon. */
-    static double shareAboveHorizon(double elevationRadians) {
+    public static double shareAboveHorizon(double elevationRadians) {
         double d = Math.max(-1, Math.min(1, elevationRadians / SUN_RADIUS_RADIANS));
         return 0.5 + (d * Math.sqrt(1 - d * d) + Math.asin(d)) / Math.PI;
     }

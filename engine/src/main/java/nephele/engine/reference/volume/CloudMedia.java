@@ -4,13 +4,16 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.math.Ray;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /**
  * Media that may overlap. Their collisions are independent, so the first collision of all is the nearest of their first
- * ones, and transmittances multiply.
+ * ones, and transmittances multiply. Immutable.
  */
 public final class CloudMedia {
     private final List<CloudMedium> media;
+    private final SpatialIndex index;
 
     /**
      * A collision with a medium.
@@ -21,6 +24,12 @@ public final class CloudMedia {
 
     public CloudMedia(List<CloudMedium> media) {
         this.media = List.copyOf(media);
+        index = SpatialIndex.of(
+                this.media.stream().map(medium -> medium.field().bounds()).toList());
+    }
+
+    public boolean isEmpty() {
+        return media.isEmpty();
     }
 
     /**
@@ -30,16 +39,13 @@ public final class CloudMedia {
      * @param toMetres may be infinite
      */
     public Collision collision(Ray ray, double fromMetres, double toMetres, SplittableRandom random) {
-        CloudMedium met = null;
-        double nearest = toMetres;
-        for (CloudMedium medium : media) {
-            double metres = DeltaTracking.collision(medium.field(), ray, fromMetres, nearest, random);
-            if (metres < nearest) {
-                nearest = metres;
-                met = medium;
-            }
-        }
-        return met == null ? null : new Collision(met, nearest);
+        var hit = new RayHit();
+        boolean isMet = index.nearest(
+                ray,
+                toMetres,
+                (r, item, limit) -> DeltaTracking.collision(media.get(item).field(), r, fromMetres, limit, random),
+                hit);
+        return isMet ? new Collision(media.get(hit.item()), hit.distance()) : null;
     }
 
     /**
@@ -49,12 +55,11 @@ public final class CloudMedia {
      * @param toMetres may be infinite
      */
     public double transmittance(Ray ray, double fromMetres, double toMetres, SplittableRandom random) {
-        double transmittance = 1;
-        for (CloudMedium medium : media) {
-            if (transmittance > 0) {
-                transmittance *= RatioTracking.transmittance(medium.field(), ray, fromMetres, toMetres, random);
-            }
-        }
-        return transmittance;
+        double[] product = {1};
+        boolean isOpaque = index.anyHit(ray, toMetres, (r, item, limit) -> {
+            product[0] *= RatioTracking.transmittance(media.get(item).field(), r, fromMetres, limit, random);
+            return product[0] > 0 ? Double.POSITIVE_INFINITY : 0;
+        });
+        return isOpaque ? 0 : product[0];
     }
 }

@@ -7,7 +7,8 @@ import nephele.engine.math.Vec3;
 
 /**
  * Estimates the radiance that a ray receives through media, by random walks from the eye with next-event estimation
- * towards the sun. Unbiased: paths have no greatest length, weak ones end by Russian roulette. Immutable.
+ * towards the sun. Walls are black. Unbiased: paths have no greatest length, weak ones end by Russian roulette. As many
+ * threads may use it as may use its {@link Surroundings}.
  */
 public final class VolumeTracer {
     /** Weight below which roulette begins, and the one with which a survivor goes on. */
@@ -15,12 +16,14 @@ public final class VolumeTracer {
 
     private static final double SURVIVOR = 0.5;
 
-    private final CloudMedia media;
-    private final OutsideLight light;
+    private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-    public VolumeTracer(CloudMedia media, OutsideLight light) {
+    private final CloudMedia media;
+    private final Surroundings around;
+
+    public VolumeTracer(CloudMedia media, Surroundings around) {
         this.media = media;
-        this.light = light;
+        this.around = around;
     }
 
     /**
@@ -29,58 +32,89 @@ public final class VolumeTracer {
      * @param ray of unit direction
      */
     public Vec3 radiance(Ray ray, SplittableRandom random) {
-        CloudMedia.Collision met = media.collision(ray, 0, Double.POSITIVE_INFINITY, random);
-        return met == null ? light.skyRadiance() : radianceAt(met, ray, random);
+        CloudMedia.Collision met = media.collision(ray, 0, INFINITE, random);
+        if (around.isPathBlocked(ray, met == null ? INFINITE : met.metres())) {
+            return Vec3.ZERO;
+        }
+        return met == null ? around.skylight(ray.at(0), direction(ray)) : radianceAt(met, ray, random);
     }
 
     /**
-     * Returns a random RGB radiance whose mean is what the ray receives if its first collision is {@code first}.
+     * Returns a random RGB radiance whose mean is what the ray receives if its first collision is {@code first} and no
+     * wall is before it.
      *
      * @param ray of unit direction
      */
     public Vec3 radianceAt(CloudMedia.Collision first, Ray ray, SplittableRandom random) {
-        var part = Ray.reusable();
-        CloudMedia.Collision met = first;
-        Vec3 at = ray.at(met.metres());
-        var direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
-        double weight = 1;
-        double sun = 0;
-        while (true) {
-            weight = surviving(weight * met.medium().albedo(), random);
-            if (weight == 0) {
-                return light.irradiance().scaled(sun);
+        return new Walk(ray, random).from(first);
+    }
+
+    private static Vec3 direction(Ray ray) {
+        return new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
+    }
+
+    /** One path against the light, from its first collision to its end. */
+    private final class Walk {
+        private final SplittableRandom random;
+        private final Ray ray;
+        private final Ray towardsSun = Ray.reusable();
+        private Vec3 direction;
+        private double weight = 1;
+        private Vec3 sum = Vec3.ZERO;
+
+        Walk(Ray first, SplittableRandom random) {
+            this.random = random;
+            direction = direction(first);
+            ray = Ray.of(first.at(0), direction);
+        }
+
+        Vec3 from(CloudMedia.Collision first) {
+            CloudMedia.Collision met = first;
+            while (true) {
+                Vec3 at = ray.at(met.metres());
+                if (!survives(met.medium().albedo())) {
+                    return sum;
+                }
+                PhaseFunction phase = met.medium().phase();
+                addSunlight(at, phase);
+                direction = Deflection.of(direction, phase.sampleSeparation(random), random);
+                aim(ray, at, direction);
+                met = media.collision(ray, 0, INFINITE, random);
+                if (around.isPathBlocked(ray, met == null ? INFINITE : met.metres())) {
+                    return sum;
+                }
+                if (met == null) {
+                    return sum.addScaled(weight, around.skylight(at, direction));
+                }
             }
-            PhaseFunction phase = met.medium().phase();
-            sun += weight * sunlight(at, direction, phase, part, random);
-            direction = Deflection.of(direction, phase.sampleSeparation(random), random);
-            aim(part, at, direction);
-            met = media.collision(part, 0, Double.POSITIVE_INFINITY, random);
-            if (met == null) {
-                return light.irradiance().scaled(sun).addScaled(weight, light.skyRadiance());
+        }
+
+        /** Weakens the path by an albedo; returns false if it ends. */
+        private boolean survives(double albedo) {
+            weight *= albedo;
+            if (weight < ROULETTE_BELOW) {
+                weight = random.nextDouble() * SURVIVOR < weight ? SURVIVOR : 0;
             }
-            at = part.at(met.metres());
+            return weight > 0;
         }
-    }
 
-    /** Returns 0 for a path that ends. */
-    private static double surviving(double weight, SplittableRandom random) {
-        if (weight >= ROULETTE_BELOW) {
-            return weight;
+        /** Adds the sunlight that a scattering turns towards the eye. */
+        private void addSunlight(Vec3 at, PhaseFunction phase) {
+            Vec3 irradiance = around.sunlight(at);
+            if (irradiance.x() + irradiance.y() + irradiance.z() == 0) {
+                return;
+            }
+            Vec3 sun = around.towardsSun();
+            aim(towardsSun, at, sun);
+            if (!around.isSunBlocked(towardsSun)) {
+                double scattered = phase.perSteradian(Deflection.separation(direction, sun));
+                double share = media.transmittance(towardsSun, 0, INFINITE, random);
+                sum = sum.addScaled(weight * scattered * share, irradiance);
+            }
         }
-        return random.nextDouble() * SURVIVOR < weight ? SURVIVOR : 0;
-    }
 
-    /** Returns the sunlight that one scattering turns towards the eye, divided by the sun's irradiance. */
-    private double sunlight(Vec3 at, Vec3 direction, PhaseFunction phase, Ray part, SplittableRandom random) {
-        if (!light.hasSun()) {
-            return 0;
+        private static void aim(Ray ray, Vec3 origin, Vec3 direction) {
+            ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
         }
-        aim(part, at, light.directionTowardsSun());
-        double scattered = phase.perSteradian(Deflection.separation(direction, light.directionTowardsSun()));
-        return scattered * media.transmittance(part, 0, Double.POSITIVE_INFINITY, random);
-    }
-
-    private static void aim(Ray ray, Vec3 origin, Vec3 direction) {
-        ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 }

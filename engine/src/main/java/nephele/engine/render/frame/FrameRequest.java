@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.dynamic.CharacterPresence;
@@ -41,6 +42,7 @@ public record FrameRequest(
                 || hasBodies()
                 || mayShowCharacter()
                 || !level.exits().isEmpty()
+                || !WeatherClouds.all(level.environment()).isEmpty()
                 || sky instanceof Sky.Gradient
                 || sky instanceof Sky.Skybox;
     }

@@ -3,6 +3,7 @@ package nephele.engine.render.frame;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
@@ -27,6 +28,11 @@ public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
                 Target.DYNAMIC_SUN_SHADOW,
                 shadows);
         addIf(moving && lights, Target.DYNAMIC_LIGHT_SHADOW, shadows);
+        addIf(
+                LightRequirements.sun(level)
+                        && !WeatherClouds.all(level.environment()).isEmpty(),
+                Target.CLOUD_SHADE,
+                shadows);
         List<Target> all = new ArrayList<>(shadows);
         addIf(LightRequirements.skyVisibility(level), Target.SKY_VISIBILITY, all);
         return new LightMaps(new TargetReads(all), new TargetReads(shadows));

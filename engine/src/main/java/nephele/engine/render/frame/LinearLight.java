@@ -4,6 +4,7 @@ import java.util.Optional;
 import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.WeatherClouds;
 
 /**
  * Decides whether a level's light is accumulated in a linear target before tone mapping, because a pass adds light to
@@ -16,6 +17,9 @@ public final class LinearLight {
     public static Optional<String> because(Level level) {
         if (level.environment().exposureStops().isAuto()) {
             return Optional.of("environment.exposureStops: auto meters linear light");
+        }
+        if (!WeatherClouds.all(level.environment()).isEmpty()) {
+            return Optional.of("environment.clouds: they are blended with what is behind them");
         }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()

@@ -15,6 +15,8 @@ import java.util.function.Consumer;
  * @param lightShadows greatest number of punctual lights that cast shadows, the most powerful ones
  * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
  * @param edgeFilter filter of the displayed picture that smooths edges
+ * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
+ * @param cloudStep length of a step through a cloud, in its cells
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -30,6 +32,8 @@ public record Quality(
         int lightShadows,
         int samples,
         EdgeFilter edgeFilter,
+        double cloudResolution,
+        double cloudStep,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -47,13 +51,18 @@ public record Quality(
             ALL_LIGHTS,
             1,
             EdgeFilter.NONE,
+            0.5,
+            1,
             PortalTechnique.STENCIL,
             12,
             1);
-    public static final Quality LOW =
-            HIGH.withPictureResolution(0.5).withShadowTexels(2048).withViewBudget(6);
+    public static final Quality LOW = HIGH.withPictureResolution(0.5)
+            .withShadowTexels(2048)
+            .withCloudStep(2)
+            .withViewBudget(6);
     public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
-    public static final Quality ULTRA = HIGH.withAnisotropy(8).withSamples(4).withViewBudget(32);
+    public static final Quality ULTRA =
+            HIGH.withAnisotropy(8).withSamples(4).withCloudResolution(1).withViewBudget(32);
 
     /** The filter that smooths edges of the displayed picture. */
     public enum EdgeFilter {
@@ -151,6 +160,14 @@ public record Quality(
         return with(draft -> draft.edgeFilter = filter);
     }
 
+    public Quality withCloudResolution(double share) {
+        return with(draft -> draft.cloudResolution = share);
+    }
+
+    public Quality withCloudStep(double cells) {
+        return with(draft -> draft.cloudStep = cells);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -180,6 +197,8 @@ public record Quality(
         private int lightShadows;
         private int samples;
         private EdgeFilter edgeFilter;
+        private double cloudResolution;
+        private double cloudStep;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -195,6 +214,8 @@ public record Quality(
             lightShadows = from.lightShadows;
             samples = from.samples;
             edgeFilter = from.edgeFilter;
+            cloudResolution = from.cloudResolution;
+            cloudStep = from.cloudStep;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -212,6 +233,8 @@ public record Quality(
                     lightShadows,
                     samples,
                     edgeFilter,
+                    cloudResolution,
+                    cloudStep,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

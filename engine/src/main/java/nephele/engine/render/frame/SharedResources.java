@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.cloud.drawn.DrawnClouds;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
@@ -46,6 +48,7 @@ public final class SharedResources implements GlObject {
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
+    private DrawnClouds clouds;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
         this.gl = gl;
@@ -128,6 +131,19 @@ public final class SharedResources implements GlObject {
             solids = share(SolidMesh.class, new Same(scene.solids()), () -> new SolidMesh(gl, scene.solids()));
         }
         return solids;
+    }
+
+    /** Returns the level's static shapes. */
+    public StaticShapes statics() {
+        return scene.statics();
+    }
+
+    /** Returns the level's clouds; all techniques draw these. */
+    public DrawnClouds clouds() {
+        if (clouds == null) {
+            clouds = DrawnClouds.of(scene.level().environment(), scene.assets());
+        }
+        return clouds;
     }
 
     /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */

@@ -37,11 +37,18 @@ final class SunLight {
         return request.lightMaps().has(Target.SUN_SHADOW);
     }
 
+    boolean hasCloudShade() {
+        return request.lightMaps().has(Target.CLOUD_SHADE);
+    }
+
     void put(Sun sun, LightBlock block) {
         if (!shines()) {
             return;
         }
         block.sun(sun);
+        if (hasCloudShade()) {
+            block.cloudShade(CloudShadeRegion.of(statics).moved(anchor.negated()));
+        }
         if (hasShadow()) {
             if (!sun.directionTowardsSun().equals(towardsSun)) {
                 towardsSun = sun.directionTowardsSun();
@@ -66,12 +73,15 @@ final class SunLight {
     }
 
     Defines addTo(Defines defines) {
-        return defines.withIf(shines(), "SUN").withIf(hasShadow(), "SUN_SHADOW");
+        return defines.withIf(shines(), "SUN").withIf(hasShadow(), "SUN_SHADOW").withIf(hasCloudShade(), "CLOUD_SHADE");
     }
 
     void tie(Uniforms uniforms) {
         if (hasShadow()) {
             uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
+        }
+        if (hasCloudShade()) {
+            uniforms.sampler("cloudShade", TextureUnit.CLOUD_SHADE);
         }
     }
 }

@@ -89,7 +89,15 @@ public final class SurfaceLight implements GlObject {
         }
     }
 
-    private SkyIrradiance irradiance(Environment now) {
+    /** Returns the sky's light on surfaces in an environment. */
+    public SkyIrradiance irradiance(Environment now) {
+        return shared.clouds().all().isEmpty()
+                ? clearIrradiance(now)
+                : CloudedIrradiance.of(shared, now, clearIrradiance(now));
+    }
+
+    /** Returns the light of the sky without clouds. */
+    public SkyIrradiance clearIrradiance(Environment now) {
         if (now.sky() instanceof Sky.Atmosphere sky) {
             return now.sun() == null ? SkyIrradiance.black() : irradiance(sky, now.sun());
         }
@@ -144,7 +152,7 @@ public final class SurfaceLight implements GlObject {
 
     /** Returns true if shaders need positions in the level. */
     public boolean needsPositions() {
-        return sun.hasShadow() || lights.table() != null || dynamicShadows.sun();
+        return sun.hasShadow() || sun.hasCloudShade() || lights.table() != null || dynamicShadows.sun();
     }
 
     public Defines addTo(Defines defines) {

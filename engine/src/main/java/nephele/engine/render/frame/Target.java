@@ -17,6 +17,8 @@ public enum Target {
     DYNAMIC_LIGHT_SHADOW(TextureUnit.DYNAMIC_LIGHT_SHADOW),
     /** Light map of the static faces. */
     SKY_VISIBILITY(TextureUnit.SKY_VISIBILITY),
+    /** The share of the sun's light that clouds leave, in a region around the level. */
+    CLOUD_SHADE(TextureUnit.CLOUD_SHADE),
     /**
      * Window depth 0–1 of the current view after its opaque surfaces, at the same pixels; only for passes of {@link
      * Stage#IN_VIEWS_AFTER_OPAQUE}.

@@ -233,6 +233,34 @@ public final class DrawState {
         scissor.off();
     }
 
+    /**
+     * What limits drawing in a view, kept while a layer of fewer pixels is drawn. One object can serve all frames.
+     */
+    public static final class Limits {
+        private Stencil stencil;
+        private int reference;
+        private Scissor scissor;
+    }
+
+    /**
+     * Begins a layer of a view that has a target of its own: no stencil, the scissor divided.
+     *
+     * @param before receives what {@link #endLayer} restores
+     */
+    public void beginLayer(int divisor, Limits before) {
+        before.stencil = stencil;
+        before.reference = stencilReference;
+        before.scissor = scissor.copy();
+        stencil(Stencil.OFF, 0);
+        scissor.divide(divisor);
+    }
+
+    /** Ends a layer. */
+    public void endLayer(Limits before) {
+        stencil(before.stencil, before.reference);
+        scissor.restore(before.scissor);
+    }
+
     private void setDepth(Depth newDepth) {
         toggle(GL_DEPTH_TEST, newDepth != Depth.OFF);
         glDepthMask(newDepth.depthWritten);

@@ -233,6 +233,11 @@ public final class RenderTarget implements GlObject {
         clearWithinScissor(red, green, blue, 1);
     }
 
+    /** Clears as {@link #clearTransparent} does, within the scissor. */
+    public void clearTransparentWithinScissor() {
+        clearWithinScissor(0, 0, 0, 0);
+    }
+
     private void clearWithinScissor(float red, float green, float blue, float alpha) {
         bind();
         gl.state().allowDepthClear();

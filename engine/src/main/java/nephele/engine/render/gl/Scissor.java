@@ -33,6 +33,34 @@ final class Scissor {
         }
     }
 
+    /** Divides the rectangle, if the test is on, for a layer of fewer pixels; one more on each side. */
+    void divide(int divisor) {
+        if (on == Boolean.TRUE) {
+            int left = Math.max(0, x / divisor - 1);
+            int low = Math.max(0, y / divisor - 1);
+            keepTo(left, low, (x + width) / divisor + 2 - left, (y + height) / divisor + 2 - low);
+        }
+    }
+
+    /** Returns a copy to which {@link #restore} goes back. */
+    Scissor copy() {
+        Scissor copy = new Scissor();
+        copy.on = on;
+        copy.x = x;
+        copy.y = y;
+        copy.width = width;
+        copy.height = height;
+        return copy;
+    }
+
+    void restore(Scissor before) {
+        if (before.on == Boolean.TRUE) {
+            keepTo(before.x, before.y, before.width, before.height);
+        } else {
+            off();
+        }
+    }
+
     void assumeNothing() {
         on = null;
         width = -1;

@@ -1,6 +1,7 @@
 package nephele.engine.render.resource;
 
 import nephele.engine.level.Sun;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -17,7 +18,8 @@ public final class LightBlock implements GlObject {
     private static final int AMBIENT = 8;
     private static final int SUN_MAP = 12;
     private static final int LIGHT_GRID = 36;
-    private static final int SKY = 48;
+    private static final int CLOUD_SHADE = 48;
+    private static final int SKY = 56;
     private static final int FLOATS = SKY + 4 * SkyIrradiance.TERMS;
 
     private final UniformBuffer buffer;
@@ -50,6 +52,16 @@ public final class LightBlock implements GlObject {
         grid.min().minus(anchor).put(values, LIGHT_GRID, 0);
         new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()).put(values, LIGHT_GRID + 4, 0);
         new Vec3(grid.columns(), grid.floors(), grid.rows()).put(values, LIGHT_GRID + 8, 0);
+    }
+
+    /** @param region of the clouds' shade, relative to the anchor */
+    public void cloudShade(Aabb region) {
+        new Vec3(region.minX(), region.minY(), region.minZ()).put(values, CLOUD_SHADE, 0);
+        new Vec3(
+                        1 / (region.maxX() - region.minX()),
+                        1 / (region.maxY() - region.minY()),
+                        1 / (region.maxZ() - region.minZ()))
+                .put(values, CLOUD_SHADE + 4, 0);
     }
 
     public void sky(SkyIrradiance sky) {

@@ -87,4 +87,18 @@ public record SkyIrradiance(double[] coefficients) {
         }
         return sum.max(new Vector3d());
     }
+
+    /** Returns the radiance up to the second band, never negative: all of it that irradiance depends on. */
+    public Vector3d radiance(double x, double y, double z) {
+        double[] shape = shape(x, y, z);
+        Vector3d sum = new Vector3d();
+        for (int i = 0; i < TERMS; i++) {
+            double unfolded = shape[i] / COSINE_LOBE[i == 0 ? 0 : i < 4 ? 1 : 2];
+            sum.add(
+                    coefficients[3 * i] * unfolded,
+                    coefficients[3 * i + 1] * unfolded,
+                    coefficients[3 * i + 2] * unfolded);
+        }
+        return sum.max(new Vector3d());
+    }
 }

@@ -9,5 +9,7 @@ layout(std140) uniform Light {
     vec3 lightGridMin; // metres from the anchor
     vec3 lightGridCellsPerMetre;
     vec3 lightGridSize;
+    vec3 cloudShadeMin; // metres from the anchor
+    vec3 cloudShadePerMetre; // 1 / size of the region of cloudShade
     vec3 skyCoefficients[9]; // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
 };

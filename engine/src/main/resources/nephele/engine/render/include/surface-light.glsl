@@ -1,8 +1,8 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
-// DYNAMIC_LIGHT_SHADOW, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static
+// DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static
 // faces. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
-// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
+// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
 
 struct Surface {
     vec3 baseColour;
@@ -43,6 +43,9 @@ const float PI = 3.14159265;
 #endif
 #ifdef SUN_SHADOW
 #include "sun-shadow.glsl"
+#endif
+#ifdef CLOUD_SHADE
+#include "cloud-shade.glsl"
 #endif
 #ifdef PUNCTUAL_LIGHTS
 #include "light-falloff.glsl"
@@ -114,6 +117,9 @@ vec3 sunLight(REFLECTANCE r, Surface s) {
 #endif
 #ifdef SUN_SHADOW
     lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
+#endif
+#ifdef CLOUD_SHADE
+    lit *= cloudLitShare(s.anchorPosition);
 #endif
 #ifdef DYNAMIC_SUN_SHADOW
     if (lit > 0.0) {

@@ -1,16 +1,16 @@
-package nephele.engine.atmosphere;
+package nephele.engine.math;
 
 /**
  * Gauss–Legendre quadrature on [0, 1], with the integrals from 0 to each node of the polynomial through the values at the
  * nodes.
  */
-final class GaussLegendre {
-    final double[] nodes;
-    final double[] weights;
+public final class GaussLegendre {
+    public final double[] nodes;
+    public final double[] weights;
     /** Row j has the weights of the values for the integral from 0 to node j. */
-    final double[][] upTo;
+    public final double[][] upTo;
 
-    GaussLegendre(int count) {
+    public GaussLegendre(int count) {
         nodes = new double[count];
         weights = new double[count];
         for (int i = 0; i < count; i++) {

@@ -1,4 +1,4 @@
-package nephele.engine.reference;
+package nephele.engine.reference.sky;
 
 import java.util.stream.IntStream;
 import nephele.engine.level.appearance.SkyRadiance;
@@ -10,14 +10,14 @@ import org.joml.Vector3dc;
  * {@value #SKY_CELLS}² cells a face, tabulated for a cube of normals and interpolated. The engine uses nine
  * coefficients instead.
  */
-final class SkyLight {
+public final class SkyLight {
     private static final int SKY_CELLS = 48;
     private static final int NORMAL_STEPS = 32;
     private static final int NODES = NORMAL_STEPS + 1;
 
     private final double[] table = new double[6 * NODES * NODES * 3];
 
-    SkyLight(SkyRadiance sky) {
+    public SkyLight(SkyRadiance sky) {
         double[] cells = cells(sky);
         IntStream.range(0, 6 * NODES * NODES).parallel().forEach(node -> {
             double s = 2.0 * (node % NODES) / NORMAL_STEPS - 1;
@@ -70,7 +70,7 @@ final class SkyLight {
     }
 
     /** Returns irradiance / π on a surface with the given normal; a constant sky results in its own radiance. */
-    Vector3d ambient(Vector3dc normal) {
+    public Vector3d ambient(Vector3dc normal) {
         int axis = normal.maxComponent();
         double along = normal.get(axis);
         double s = normal.get(axis == 0 ? 1 : 0) / Math.abs(along);

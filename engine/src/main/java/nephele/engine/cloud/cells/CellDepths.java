@@ -1,0 +1,100 @@
+package nephele.engine.cloud.cells;
+
+import nephele.engine.cloud.light.AxisDepths;
+import nephele.engine.math.Ray;
+
+/** Optical depths from the centres of coarse cells to the outside: sums along the axes, and walks in any direction. */
+final class CellDepths {
+    private final DensityCells density;
+    private final CellBox cells;
+    private final DepthBeyond beyond;
+    /** Depth towards −x, −y, −z of each centre, three values a cell. */
+    private final float[] minus;
+
+    private final float[] plus;
+
+    CellDepths(DensityCells density, CellBox cells, DepthBeyond beyond) {
+        this.density = density;
+        this.cells = cells;
+        this.beyond = beyond;
+        float[] perMetre = means();
+        minus = new float[3 * cells.count()];
+        plus = new float[3 * cells.count()];
+        for (int axis = 0; axis < 3; axis++) {
+            sum(perMetre, axis);
+        }
+    }
+
+    private float[] means() {
+        float[] perMetre = new float[cells.count()];
+        var place = new CellPlace(density.cells());
+        for (int at = 0; at < perMetre.length; at++) {
+            int i = at % cells.nx();
+            int j = at / cells.nx() % cells.ny();
+            int k = at / cells.nx() / cells.ny();
+            double sum = 0;
+            for (int n = 0; n < 8; n++) {
+                place.at(
+                        cells.centreX(i) + ((n & 1) - 0.5) / 2 * cells.sizeX(),
+                        cells.centreY(j) + ((n >> 1 & 1) - 0.5) / 2 * cells.sizeY(),
+                        cells.centreZ(k) + ((n >> 2) - 0.5) / 2 * cells.sizeZ());
+                sum += place.of(density.densities(), 1, 0);
+            }
+            perMetre[at] = (float) (sum / 8 * density.greatestPerMetre());
+        }
+        return perMetre;
+    }
+
+    /** Sums along the lines of one axis. */
+    private void sum(float[] perMetre, int axis) {
+        int count = axis == 0 ? cells.nx() : axis == 1 ? cells.ny() : cells.nz();
+        int stride = axis == 0 ? 1 : axis == 1 ? cells.nx() : cells.nx() * cells.ny();
+        double half = (axis == 0 ? cells.sizeX() : axis == 1 ? cells.sizeY() : cells.sizeZ()) / 2;
+        for (int at = 0; at < perMetre.length; at++) {
+            if (at / stride % count == 0) {
+                double sum = 0;
+                for (int n = 0; n < count; n++) {
+                    int cell = at + n * stride;
+                    sum += half * perMetre[cell];
+                    minus[3 * cell + axis] = (float) sum;
+                    sum += half * perMetre[cell];
+                }
+                for (int n = 0; n < count; n++) {
+                    int cell = at + n * stride;
+                    plus[3 * cell + axis] = (float) (sum - minus[3 * cell + axis]);
+                }
+            }
+        }
+    }
+
+    AxisDepths axes(int i, int j, int k) {
+        int at = 3 * cells.index(i, j, k);
+        return new AxisDepths(plus[at], minus[at], plus[at + 1], minus[at + 1], plus[at + 2], minus[at + 2]);
+    }
+
+    Walk walk() {
+        return new Walk();
+    }
+
+    /** Finds depths along rays. For one thread. */
+    final class Walk {
+        private final CellSums sums = new CellSums(density);
+
+        /** Returns the optical depth from the centre of a cell to the outside, in a unit direction. */
+        double from(int i, int j, int k, double dx, double dy, double dz) {
+            double x = cells.centreX(i);
+            double y = cells.centreY(j);
+            double z = cells.centreZ(k);
+            var box = cells.box();
+            double length = Math.min(
+                    exit(x, dx, box.minX(), box.maxX()),
+                    Math.min(exit(y, dy, box.minY(), box.maxY()), exit(z, dz, box.minZ(), box.maxZ())));
+            return sums.along(new Ray(x, y, z, dx, dy, dz), length)
+                    + beyond.depth(x + length * dx, y + length * dy, z + length * dz, dx, dy, dz);
+        }
+
+        private double exit(double from, double direction, double min, double max) {
+            return direction == 0 ? Double.POSITIVE_INFINITY : ((direction > 0 ? max : min) - from) / direction;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package nephele.engine.cloud.field;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.noise.CloudTables;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.WeatherClouds;
+
+/**
+ * All clouds of an environment, those of its weather included, with their pictures, grids and tables; clouds with the
+ * same seed share their tables. Immutable.
+ */
+public final class LoadedClouds {
+    private final List<Cloud> clouds;
+    private final List<CloudFiles> files;
+    private final boolean isRound;
+
+    private LoadedClouds(List<Cloud> clouds, List<CloudFiles> files, boolean isRound) {
+        this.clouds = clouds;
+        this.files = files;
+        this.isRound = isRound;
+    }
+
+    /**
+     * Loads the clouds of an environment. Under a sky of kind atmosphere, layers are shells around the planet.
+     *
+     * @throws AssetException if a picture or grid is unusable
+     */
+    public static LoadedClouds of(Environment environment, AssetSource assets) throws AssetException {
+        List<Cloud> clouds = WeatherClouds.all(environment);
+        Map<Long, CloudTables> tables = new HashMap<>();
+        List<CloudFiles> files = new ArrayList<>();
+        for (Cloud cloud : clouds) {
+            files.add(CloudFiles.of(cloud, assets, seed -> tables.computeIfAbsent(seed, CloudTables::of)));
+        }
+        return new LoadedClouds(clouds, List.copyOf(files), environment.sky() instanceof Sky.Atmosphere);
+    }
+
+    /** Returns the clouds, those of the weather last. */
+    public List<Cloud> clouds() {
+        return clouds;
+    }
+
+    /**
+     * Returns the clouds' media in their order.
+     *
+     * @param seconds simulated time
+     */
+    public List<CloudMedium> at(double seconds) {
+        List<CloudMedium> media = new ArrayList<>();
+        for (int i = 0; i < clouds.size(); i++) {
+            media.add(CloudMedium.of(clouds.get(i), field(clouds.get(i), files.get(i), seconds)));
+        }
+        return List.copyOf(media);
+    }
+
+    private ExtinctionField field(Cloud cloud, CloudFiles loaded, double seconds) {
+        boolean isShell = isRound
+                && cloud.extent() instanceof Cloud.Extent.Layer
+                && !(cloud.density() instanceof Cloud.Density.Puffs);
+        return isShell
+                ? new ShellField(CloudFields.flat(cloud, loaded, seconds, ShellField.SLACK_METRES))
+                : CloudFields.flat(cloud, loaded, seconds, 0);
+    }
+}

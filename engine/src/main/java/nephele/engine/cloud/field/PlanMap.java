@@ -1,0 +1,62 @@
+package nephele.engine.cloud.field;
+
+import nephele.engine.math.Aabb;
+
+/**
+ * Values on a rectangle as seen from above, interpolated bilinearly between pixel centres; the picture's top is at −z.
+ */
+final class PlanMap {
+    private final VoxelGrid pixels;
+    private final GridAxis alongX;
+    private final GridAxis alongZ;
+    private final GridAxis.Edge edge;
+    private final VoxelMaxima maxima;
+    private final CellLattice blocks;
+
+    /** @param pixels one layer of voxels, which covers the sides of its box */
+    PlanMap(VoxelGrid pixels, GridAxis.Edge edge) {
+        this.pixels = pixels;
+        this.edge = edge;
+        Aabb box = pixels.box();
+        alongX = new GridAxis(box.minX(), box.maxX(), pixels.nx(), edge);
+        alongZ = new GridAxis(box.minZ(), box.maxZ(), pixels.nz(), edge);
+        maxima = VoxelMaxima.of(pixels, 1, edge);
+        blocks = maxima.lattice(box);
+    }
+
+    double at(double x, double z) {
+        double u = alongX.at(x);
+        double w = alongZ.at(z);
+        int floorU = (int) Math.floor(u);
+        int floorW = (int) Math.floor(w);
+        double near = row(alongZ.lower(floorW), floorU, u - floorU);
+        return near + (row(alongZ.upper(floorW), floorU, u - floorU) - near) * (w - floorW);
+    }
+
+    private double row(int k, int floorU, double share) {
+        double left = pixels.value(alongX.lower(floorU), 0, k);
+        return left + (pixels.value(alongX.upper(floorU), 0, k) - left) * share;
+    }
+
+    /** Returns an upper bound of the values in a rectangle. */
+    double greatest(double fromX, double fromZ, double toX, double toZ) {
+        long firstI = block((fromX - blocks.originX()) / blocks.sizeX(), maxima.columns());
+        long firstK = block((fromZ - blocks.originZ()) / blocks.sizeZ(), maxima.rows());
+        long lastI = Math.min(
+                firstI + maxima.columns() - 1, block((toX - blocks.originX()) / blocks.sizeX(), maxima.columns()));
+        long lastK =
+                Math.min(firstK + maxima.rows() - 1, block((toZ - blocks.originZ()) / blocks.sizeZ(), maxima.rows()));
+        double greatest = 0;
+        for (long k = firstK; k <= lastK; k++) {
+            for (long i = firstI; i <= lastI; i++) {
+                greatest = Math.max(greatest, maxima.perMetre(i, 0, k));
+            }
+        }
+        return greatest;
+    }
+
+    private long block(double at, int count) {
+        long block = (long) Math.floor(at);
+        return edge == GridAxis.Edge.REPEATED ? block : Math.max(0, Math.min(block, count - 1));
+    }
+}

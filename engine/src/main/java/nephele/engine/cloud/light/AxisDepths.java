@@ -1,0 +1,31 @@
+package nephele.engine.cloud.light;
+
+/**
+ * Optical depths from a point to the outside of a cloud along both directions of the axes.
+ *
+ * @param x towards +x, {@code minusX} towards −x; the others likewise; +y is up
+ */
+public record AxisDepths(double x, double minusX, double y, double minusY, double z, double minusZ) {
+    /**
+     * Returns the thickness of the slab that the cloud resembles at the point: Σ 1/τ² over the axes is that of a slab in
+     * any orientation, and a ball's is less than its diameter since light leaks from all its sides.
+     */
+    double slabThickness() {
+        double sum = inverseSquare(x + minusX) + inverseSquare(y + minusY) + inverseSquare(z + minusZ);
+        return 1 / Math.sqrt(sum);
+    }
+
+    /** Returns how much the cloud resembles a slab that is parallel to two axes: 0 for a ball, 1 for a layer. */
+    double flatness() {
+        double a = x + minusX;
+        double b = y + minusY;
+        double c = z + minusZ;
+        double least = Math.min(a, Math.min(b, c));
+        double middle = Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
+        return middle > 0 ? Math.max(0, 1 - 2 * least / middle) : 0;
+    }
+
+    private static double inverseSquare(double depth) {
+        return 1 / Math.max(depth * depth, 1e-20);
+    }
+}

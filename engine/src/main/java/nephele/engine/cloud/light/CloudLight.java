@@ -1,0 +1,106 @@
+package nephele.engine.cloud.light;
+
+/**
+ * The light inside a cloud in closed form, from optical depths alone: diffuse sunlight as in the slab that the cloud
+ * resembles at a point, and the share of the sky's light from above and below that reaches it. Immutable.
+ */
+public final class CloudLight {
+    /** The slab of the two-stream solution is lit at least at this angle. */
+    private static final double LEAST_COSINE = 0.05;
+
+    private final CloudOptics optics;
+    private final SmallAngleScattering smallAngles;
+    private final SlabCorrection correction;
+
+    public CloudLight(CloudOptics optics) {
+        this.optics = optics;
+        smallAngles = new SmallAngleScattering(optics);
+        correction = new SlabCorrection(optics, smallAngles);
+    }
+
+    /**
+     * Light at a point.
+     *
+     * @param sunDepth optical depth towards the sun
+     * @param diffuseMean mean radiance of diffuse sunlight per unit irradiance, I₀
+     * @param diffuseSlope what is added to it along the beam and subtracted against it, I₁
+     * @param fromAbove share of the upper sky's mean radiance that reaches the point
+     * @param fromBelow share of the lower one's
+     */
+    public record AtPoint(
+            double sunDepth, double diffuseMean, double diffuseSlope, double fromAbove, double fromBelow) {}
+
+    public CloudOptics optics() {
+        return optics;
+    }
+
+    public SmallAngleScattering smallAngles() {
+        return smallAngles;
+    }
+
+    /**
+     * Returns the light at a point.
+     *
+     * @param sunDepth optical depth from the point towards the sun
+     * @param shadeDepth optical depth from the point away from the sun
+     */
+    public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth) {
+        double thickness = depths.slabThickness();
+        double through = sunDepth + shadeDepth;
+        double cosine = through > thickness ? Math.max(LEAST_COSINE, thickness / through) : 1;
+        double depth = Math.min(thickness, sunDepth * cosine);
+        double scale = optics.depthScale();
+        var source = new SlabSource(optics);
+        source.find(scale * depth, scale * thickness, cosine);
+        double factor = 1 + depths.flatness() * (correction.factor(depth, thickness, cosine) - 1);
+        double above = openness(depths.y()) + sides(depths) / 2;
+        double below = openness(depths.minusY()) + sides(depths) / 2;
+        double left = remaining(depths, thickness) / (above + below);
+        return new AtPoint(
+                sunDepth, Math.max(0, factor * source.mean()), factor * source.slope(), above * left, below * left);
+    }
+
+    private double sides(AxisDepths depths) {
+        return openness(depths.x()) + openness(depths.minusX()) + openness(depths.z()) + openness(depths.minusZ());
+    }
+
+    /**
+     * Returns a weight of light from a side. In a slab without absorption the diffuse light between two sides is the
+     * mean of theirs with these weights, exactly in Eddington's approximation.
+     */
+    private double openness(double depth) {
+        return 1 / (1 + 0.75 * (1 - optics.scaledCosine()) * optics.depthScale() * depth);
+    }
+
+    /** Returns the share of even light from outside that absorption leaves. */
+    private double remaining(AxisDepths depths, double slabThickness) {
+        double absorbed = 1 - optics.scaledAlbedo();
+        if (absorbed < 1e-6) {
+            return 1;
+        }
+        double straightened = 1 - optics.scaledAlbedo() * optics.scaledCosine();
+        double k = Math.sqrt(3 * absorbed * straightened);
+        double thickness = optics.depthScale() * slabThickness;
+        double depth = Math.min(thickness / 2, optics.depthScale() * nearestSide(depths));
+        double out = 2.0 / 3 * k / straightened;
+        // cosh(k (T/2 − t)) / (cosh(k T/2) + out sinh(k T/2)), written with falling exponentials.
+        double rise = Math.exp(-k * depth);
+        double fall = Math.exp(-k * (thickness - depth));
+        double whole = Math.exp(-k * thickness);
+        return (rise + fall) / (1 + whole + out * (1 - whole));
+    }
+
+    private static double nearestSide(AxisDepths d) {
+        double sum = inverseSquare(d.x())
+                + inverseSquare(d.minusX())
+                + inverseSquare(d.y())
+                + inverseSquare(d.minusY())
+                + inverseSquare(d.z())
+                + inverseSquare(d.minusZ());
+        return 1 / Math.sqrt(sum);
+    }
+
+    private static double inverseSquare(double depth) {
+        return 1 / Math.max(depth * depth, 1e-20);
+    }
+}

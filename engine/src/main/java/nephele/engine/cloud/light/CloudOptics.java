@@ -1,0 +1,79 @@
+package nephele.engine.cloud.light;
+
+import nephele.engine.cloud.HenyeyGreenstein;
+
+/**
+ * How a cloud scatters light: its albedo and a phase function of two lobes after Henyey and Greenstein. The scaled
+ * quantities are those of delta-Eddington (Joseph, Wiscombe and Weinman 1976): light in the forward peak counts as not
+ * scattered.
+ *
+ * @param albedo scattering divided by extinction, 0 to 1
+ * @param g asymmetry of the forward lobe
+ * @param backG asymmetry of the other lobe
+ * @param backShare share of light that the other lobe scatters, 0 to 1
+ */
+public record CloudOptics(double albedo, double g, double backG, double backShare) {
+    private static final int MOST_MIXED = 40;
+
+    /** Returns optics with one lobe. */
+    public static CloudOptics of(double albedo, double g) {
+        return new CloudOptics(albedo, g, 0, 0);
+    }
+
+    /** Returns the Legendre moment of the phase function, 1 for degree 0. */
+    private double moment(int degree) {
+        return (1 - backShare) * Math.pow(g, degree) + backShare * Math.pow(backG, degree);
+    }
+
+    /** Returns the mean cosine of the scattering angle. */
+    public double meanCosine() {
+        return moment(1);
+    }
+
+    /** Returns the share of scattered light that counts as forward; never so much that the rest turns backwards. */
+    public double forwardShare() {
+        return Math.min(moment(2), Math.max(0, moment(1)));
+    }
+
+    /** Returns scaled divided by true extinction. */
+    public double depthScale() {
+        return 1 - albedo * forwardShare();
+    }
+
+    /** Returns the albedo of the scaled medium. */
+    public double scaledAlbedo() {
+        return albedo >= 1 ? 1 : albedo * (1 - forwardShare()) / depthScale();
+    }
+
+    /** Returns the mean cosine of the scaled medium. */
+    public double scaledCosine() {
+        double forward = forwardShare();
+        return forward >= 1 ? 0 : (meanCosine() - forward) / (1 - forward);
+    }
+
+    /** Returns the phase function at a separation |d − l|² of the directions, per steradian. */
+    public double perSteradian(double separation) {
+        return afterScatterings(1, separation);
+    }
+
+    /**
+     * Returns the distribution of directions after a number of scatterings, per steradian. Lobes of Henyey and Greenstein
+     * remain such lobes: their asymmetries multiply. After many scatterings nothing is left of two different lobes.
+     */
+    double afterScatterings(int count, double separation) {
+        if (backShare == 0 || count > MOST_MIXED) {
+            return new HenyeyGreenstein(Math.pow(meanCosine(), count)).perSteradian(separation);
+        }
+        double sum = 0;
+        double choose = 1;
+        for (int back = 0; back <= count; back++) {
+            double share = choose * Math.pow(1 - backShare, count - back) * Math.pow(backShare, back);
+            if (share > 0) {
+                double asymmetry = Math.pow(g, count - back) * Math.pow(backG, back);
+                sum += share * new HenyeyGreenstein(asymmetry).perSteradian(separation);
+            }
+            choose *= (count - back) / (back + 1.0);
+        }
+        return sum;
+    }
+}

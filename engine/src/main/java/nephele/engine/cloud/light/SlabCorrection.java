@@ -1,0 +1,162 @@
+package nephele.engine.cloud.light;
+
+import java.util.stream.IntStream;
+import nephele.engine.math.GaussLegendre;
+
+/**
+ * The factor on the diffuse light of {@link SlabSource} with which the radiance that leaves a slab carries the fluxes
+ * that Eddington's approximation gives it. Light inside is too weak near the lit side, so that the formal solution of
+ * the transport equation would lose up to a tenth of the energy. The factor is linear in the depth; two unknowns meet
+ * two fluxes, except for thin slabs, where one factor keeps the energy.
+ */
+final class SlabCorrection {
+    private static final int THICKNESSES = 20;
+    private static final int COSINES = 12;
+    /** Ratio of successive thicknesses, the first of which is 1. */
+    private static final double RATIO = Math.sqrt(2);
+
+    private static final double GREATEST = 4;
+    /** So that no error of the quadrature makes light. */
+    private static final double KEPT = 0.998;
+
+    private static final GaussLegendre ZENITH = new GaussLegendre(32);
+    private static final int AZIMUTHS = 24;
+    private static final int STEPS = 40;
+
+    private final CloudOptics optics;
+    private final SmallAngleScattering smallAngles;
+    private final double[] atTop = new double[THICKNESSES * COSINES];
+    private final double[] slope = new double[THICKNESSES * COSINES];
+
+    SlabCorrection(CloudOptics optics, SmallAngleScattering smallAngles) {
+        this.optics = optics;
+        this.smallAngles = smallAngles;
+        IntStream.range(0, atTop.length).parallel().forEach(this::fit);
+    }
+
+    /** Fluxes out of the lit and the far side: without diffuse light, with that of the source, and with it × depth. */
+    private static final class Fluxes {
+        private final double[] direct = new double[2];
+        private final double[] even = new double[2];
+        private final double[] growing = new double[2];
+    }
+
+    private void fit(int index) {
+        double thickness = Math.pow(RATIO, index / COSINES);
+        double cosine = (index % COSINES + 1.0) / COSINES;
+        double scale = optics.depthScale();
+        var source = new SlabSource(optics);
+        double reflected = KEPT * source.reflected(scale * thickness, cosine);
+        double transmitted = KEPT * source.transmitted(scale * thickness, cosine)
+                + Math.exp(-scale * thickness / cosine)
+                - Math.exp(-thickness / cosine);
+        Fluxes fluxes = fluxes(source, thickness, cosine);
+        double missingAbove = reflected - fluxes.direct[0];
+        double missingBelow = transmitted - fluxes.direct[1];
+        double one = (missingAbove + missingBelow) / (fluxes.even[0] + fluxes.even[1]);
+        double determinant = fluxes.even[0] * fluxes.growing[1] - fluxes.growing[0] * fluxes.even[1];
+        double top = (missingAbove * fluxes.growing[1] - fluxes.growing[0] * missingBelow) / determinant;
+        double rise = (fluxes.even[0] * missingBelow - missingAbove * fluxes.even[1]) / determinant;
+        double thick = clamped(Math.log(thickness) / Math.log(2) - 1, 0, 1);
+        atTop[index] = clamped(one + thick * (clamped(top, -1, GREATEST) - one), 0, GREATEST);
+        slope[index] = thick * clamped(rise, -GREATEST, GREATEST);
+    }
+
+    private Fluxes fluxes(SlabSource source, double thickness, double cosine) {
+        var fluxes = new Fluxes();
+        for (int node = 0; node < ZENITH.nodes.length; node++) {
+            double mu = ZENITH.nodes[node];
+            double weight = 2 * Math.PI * mu * ZENITH.weights[node] / cosine;
+            addDiffuse(fluxes, source, new Exit(0, mu, -mu * cosine, weight), thickness, cosine);
+            addDiffuse(fluxes, source, new Exit(1, mu, mu * cosine, weight), thickness, cosine);
+            double sines = Math.sqrt((1 - mu * mu) * (1 - cosine * cosine));
+            for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
+                double level = sines * Math.cos((azimuth + 0.5) * Math.PI / AZIMUTHS);
+                double share = weight / AZIMUTHS;
+                addNarrow(fluxes, new Exit(0, mu, level - mu * cosine, share), thickness, cosine);
+                addNarrow(fluxes, new Exit(1, mu, level + mu * cosine, share), thickness, cosine);
+            }
+        }
+        return fluxes;
+    }
+
+    /**
+     * A direction in which light leaves the slab.
+     *
+     * @param side 0 for the lit one
+     * @param mu its cosine with the normal of the side
+     * @param turned cosine of the angle to the beam, or its mean over azimuths
+     */
+    private record Exit(int side, double mu, double turned, double weight) {
+        /** Returns where a step ends; steps grow with the distance from the side. */
+        double inside(double reach, int step) {
+            return reach * step * step / (STEPS * STEPS);
+        }
+
+        double depth(double inside, double thickness) {
+            return side == 0 ? inside : thickness - inside;
+        }
+    }
+
+    /** Adds the flux of light that is linear in the cosine of the angle to the beam. */
+    private void addDiffuse(Fluxes fluxes, SlabSource source, Exit exit, double thickness, double cosine) {
+        double scale = optics.depthScale();
+        double turned = optics.scaledCosine() * exit.turned;
+        double reach = Math.min(thickness, 24 * exit.mu / scale);
+        for (int step = 0; step < STEPS; step++) {
+            double from = exit.inside(reach, step);
+            double to = exit.inside(reach, step + 1);
+            double depth = exit.depth((from + to) / 2, thickness);
+            double taken = Math.exp(-scale * from / exit.mu) * -Math.expm1(-scale * (to - from) / exit.mu);
+            double emitted = exit.weight * taken * optics.scaledAlbedo();
+            source.find(scale * depth, scale * thickness, cosine);
+            double diffuse = Math.max(0, source.mean() + turned * source.slope());
+            double once = (1 + 3 * turned) / (4 * Math.PI) * Math.exp(-scale * depth / cosine);
+            fluxes.direct[exit.side] += emitted * once;
+            fluxes.even[exit.side] += emitted * diffuse;
+            fluxes.growing[exit.side] += emitted * diffuse * depth / thickness;
+        }
+    }
+
+    private void addNarrow(Fluxes fluxes, Exit exit, double thickness, double cosine) {
+        double reach = Math.min(thickness, smallAngles.deepest() * exit.mu);
+        for (int step = 0; step < STEPS; step++) {
+            double from = exit.inside(reach, step);
+            double to = exit.inside(reach, step + 1);
+            double inside = (from + to) / 2;
+            double path = exit.depth(inside, thickness) / cosine + inside / exit.mu;
+            fluxes.direct[exit.side] += exit.weight * (to - from) / exit.mu * smallAngles.at(2 - 2 * exit.turned, path);
+        }
+    }
+
+    private static double clamped(double x, double least, double most) {
+        return Math.max(least, Math.min(most, x));
+    }
+
+    /**
+     * Returns the factor.
+     *
+     * @param depth below the lit side, along the normal, not scaled
+     */
+    double factor(double depth, double thickness, double cosine) {
+        if (!(thickness > 0)) {
+            return 1;
+        }
+        double x = clamped(Math.log(thickness) / Math.log(RATIO), 0, THICKNESSES - 1.001);
+        double y = clamped(cosine * COSINES - 1, 0, COSINES - 1.001);
+        int row = (int) x;
+        int column = (int) y;
+        double share = Math.min(1, depth / thickness);
+        return Math.max(
+                0,
+                mixed(atTop, row, column, x - row, y - column)
+                        + share * mixed(slope, row, column, x - row, y - column));
+    }
+
+    private static double mixed(double[] table, int row, int column, double u, double v) {
+        int at = row * COSINES + column;
+        double thin = table[at] + v * (table[at + 1] - table[at]);
+        double thick = table[at + COSINES] + v * (table[at + COSINES + 1] - table[at + COSINES]);
+        return thin + u * (thick - thin);
+    }
+}

@@ -1,0 +1,99 @@
+package nephele.engine.cloud.light;
+
+/**
+ * Sunlight that a cloud scatters by small angles, any number of times, and by one angle of any size. For a path of
+ * optical depth τ that turns once by the angle θ in all, it is Σ ωⁿ e^−τ τⁿ⁻¹ / n! p_n(θ), p_n being the phase function
+ * convolved n times with itself. On a straight path the sum over its points is the small-angle solution of the
+ * transport equation (Goudsmit and Saunderson 1940): each of the n scatterings may be the one that is summed over,
+ * hence 1/n! instead of 1/(n − 1)!. The term n = 1 is exact single scattering.
+ *
+ * <p>What the {@link SlabSource} counts as diffuse is left out, so that nothing counts twice: the moments of degree 0 and
+ * 1 are those of the forward peak of delta-Eddington. Values can be negative.
+ *
+ * <p>The values are tabulated by separation and depth; a shader reads the same table with linear filtering.
+ */
+public final class SmallAngleScattering {
+    public static final int SEPARATIONS = 64;
+    public static final int DEPTHS = 64;
+
+    private static final double MOST_DEPTH = 400;
+    /** The forward peak is gone at this scaled depth. */
+    private static final double SCALED_DEPTH = 25;
+
+    private final double deepest;
+    private final float[] values = new float[SEPARATIONS * DEPTHS];
+
+    public SmallAngleScattering(CloudOptics optics) {
+        deepest = Math.min(MOST_DEPTH, SCALED_DEPTH / optics.depthScale());
+        int orders = (int) (deepest + 10 * Math.sqrt(deepest) + 20);
+        for (int column = 0; column < SEPARATIONS; column++) {
+            double[] terms = terms(optics, separation(column), orders);
+            for (int row = 0; row < DEPTHS; row++) {
+                values[row * SEPARATIONS + column] = (float) sum(terms, depth(row));
+            }
+        }
+    }
+
+    private static double separation(int column) {
+        double u = column / (SEPARATIONS - 1.0);
+        return 4 * u * u * u * u;
+    }
+
+    private double depth(int row) {
+        double v = row / (DEPTHS - 1.0);
+        return deepest * v * v;
+    }
+
+    /** Returns ωⁿ times the phase function of each order without its diffuse part; index 0 is order 1. */
+    private static double[] terms(CloudOptics optics, double separation, int orders) {
+        double cosine = 1 - separation / 2;
+        double[] terms = new double[orders];
+        for (int n = 1; n <= orders; n++) {
+            double forward = Math.pow(optics.forwardShare(), n);
+            double mean = Math.pow(optics.meanCosine(), n);
+            double diffuse = (1 - forward + 3 * (mean - forward) * cosine) / (4 * Math.PI);
+            terms[n - 1] = Math.pow(optics.albedo(), n) * (optics.afterScatterings(n, separation) - diffuse);
+        }
+        return terms;
+    }
+
+    /** Sums with the weights e^−τ τⁿ⁻¹ / n!, which grow to n ≈ τ. */
+    private static double sum(double[] terms, double depth) {
+        double weight = Math.exp(-depth);
+        double sum = 0;
+        for (int n = 1; n <= terms.length; n++) {
+            sum += weight * terms[n - 1];
+            weight *= depth / (n + 1);
+        }
+        return sum;
+    }
+
+    /** Returns the optical depth beyond which the table has no light. */
+    public double deepest() {
+        return deepest;
+    }
+
+    /** Returns the table, depth by depth. */
+    public float[] values() {
+        return values.clone();
+    }
+
+    /**
+     * Returns the light that one optical depth scatters, per unit irradiance and steradian.
+     *
+     * @param separation |d − l|² of the directions before and after
+     * @param depth of the whole path, from outside to the point and from there to the eye
+     */
+    public double at(double separation, double depth) {
+        double x = Math.sqrt(Math.sqrt(separation / 4)) * (SEPARATIONS - 1);
+        double y = Math.sqrt(Math.min(1, depth / deepest)) * (DEPTHS - 1);
+        int column = Math.min(SEPARATIONS - 2, (int) x);
+        int row = Math.min(DEPTHS - 2, (int) y);
+        double u = x - column;
+        double v = y - row;
+        int at = row * SEPARATIONS + column;
+        double near = values[at] + u * (values[at + 1] - values[at]);
+        double far = values[at + SEPARATIONS] + u * (values[at + SEPARATIONS + 1] - values[at + SEPARATIONS]);
+        return near + v * (far - near);
+    }
+}

@@ -1,0 +1,44 @@
+package nephele.engine.level.appearance;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Weather;
+
+/** The clouds that an environment has altogether, and those that its weather means. */
+public final class WeatherClouds {
+    /** What the ids of a weather's clouds begin with. */
+    public static final String ID_PREFIX = "weather-";
+
+    private WeatherClouds() {}
+
+    /** Returns the written clouds, followed by those of the weather. */
+    public static List<Cloud> all(Environment environment) {
+        if (environment.weather() == null) {
+            return environment.clouds();
+        }
+        List<Cloud> all = new ArrayList<>(environment.clouds());
+        all.addAll(of(environment.weather(), environment.weatherSeed()));
+        return List.copyOf(all);
+    }
+
+    /**
+     * Returns the clouds of a weather, from low to high. Covers follow the eighths of the sky that weather reports mean
+     * by these words, altitudes the World Meteorological Organization's International Cloud Atlas for temperate
+     * latitudes, extinctions of water clouds Hess, Koepke and Schult 1998, "Optical Properties of Aerosols and Clouds",
+     * table 4.
+     */
+    public static List<Cloud> of(Weather weather, long seed) {
+        var makers = new WeatherLayers(seed);
+        return switch (weather) {
+            case CLEAR -> List.of();
+            case FEW -> List.of(makers.humilis());
+            case SCATTERED -> List.of(makers.mediocris(), makers.thinCirrus());
+            case BROKEN -> List.of(makers.stratocumulus(), makers.altocumulus());
+            case OVERCAST -> List.of(makers.scud(0.35), makers.stratus());
+            case STORM -> List.of(makers.scud(0.25), makers.cumulonimbus());
+            case CIRRUS -> List.of(makers.cirrus());
+        };
+    }
+}

@@ -1,0 +1,35 @@
+package nephele.engine.reference.volume;
+
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+
+/** What is around media: the light that comes from outside, and the walls that stop it. May belong to one thread. */
+public interface Surroundings {
+    /** Returns the unit direction towards the sun; any direction if there is none. */
+    Vec3 towardsSun();
+
+    /**
+     * Returns the sun's RGB irradiance at a place, on a plane perpendicular to its beam, before media and walls dim it;
+     * zero without a sun.
+     */
+    Vec3 sunlight(Vec3 place);
+
+    /**
+     * Returns the RGB radiance that a path receives which leaves the media and meets no wall.
+     *
+     * @param from the last place of the path
+     * @param direction of the path there, unit
+     */
+    Vec3 skylight(Vec3 from, Vec3 direction);
+
+    /** Returns true if a wall casts the sun's shadow on the origin of a ray towards the sun. */
+    boolean isSunBlocked(Ray ray);
+
+    /**
+     * Returns true if a wall ends a path.
+     *
+     * @param ray of unit direction
+     * @param toMetres may be infinite
+     */
+    boolean isPathBlocked(Ray ray, double toMetres);
+}

@@ -1,0 +1,92 @@
+package nephele.engine.render.pass.cloud;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.cells.CellStack;
+import nephele.engine.cloud.cells.CellTexels;
+import nephele.engine.cloud.light.SmallAngleScattering;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.shader.TextureUnit;
+import org.lwjgl.system.MemoryUtil;
+
+/** The cells of a cloud on the GPU, as {@code cloud-march.glsl} reads them. */
+public final class CloudTextures {
+    private final Texture density;
+    private final Texture light;
+    private final Texture smallAngles;
+
+    public CloudTextures(LoadContext context, CellStack cloud) {
+        density = volume(context, "cloud density", PixelFormat.RGBA8, cloud.narrowest(), cloud.levels());
+        light = volume(
+                context,
+                "cloud light",
+                PixelFormat.RGBA16F,
+                cloud.light().get(0).cells(),
+                cloud.levels());
+        smallAngles = context.own(new Texture(
+                context.gl(),
+                "small-angle scattering",
+                Texture.Shape.FLAT,
+                PixelFormat.R32F,
+                Texture.Extent.flat(SmallAngleScattering.SEPARATIONS, SmallAngleScattering.DEPTHS),
+                Sampling.LINEAR_CLAMP));
+        uploadSmallAngles(cloud.physics().smallAngles().values());
+        uploadDensity(cloud);
+        uploadLight(cloud);
+    }
+
+    private static Texture volume(LoadContext context, String name, PixelFormat format, CellBox cells, int boxes) {
+        return context.own(new Texture(
+                context.gl(),
+                name,
+                Texture.Shape.VOLUME,
+                format,
+                new Texture.Extent(cells.nx(), cells.ny() * boxes, cells.nz()),
+                Sampling.LINEAR_CLAMP));
+    }
+
+    private void uploadSmallAngles(float[] values) {
+        FloatBuffer texels = MemoryUtil.memAllocFloat(values.length);
+        texels.put(values).flip();
+        smallAngles.upload(0, MemoryUtil.memByteBuffer(texels));
+        MemoryUtil.memFree(texels);
+    }
+
+    /** Replaces the cells, after their place or the cloud has changed; their number is the same. */
+    public void uploadDensity(CellStack cloud) {
+        CellBox cells = cloud.narrowest();
+        ByteBuffer texels = MemoryUtil.memAlloc(4 * cells.nx() * cells.ny());
+        for (int box = 0; box < cloud.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                CellTexels.putDensity(cloud.density().get(box), cloud.light().get(box), k, texels.clear());
+                density.upload(k, rows, texels.flip());
+            }
+        }
+        MemoryUtil.memFree(texels);
+    }
+
+    /** Replaces the light, after the sun has moved. */
+    public void uploadLight(CellStack cloud) {
+        CellBox cells = cloud.light().get(0).cells();
+        ByteBuffer texels = MemoryUtil.memAlloc(4 * Float.BYTES * cells.nx() * cells.ny());
+        for (int box = 0; box < cloud.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                CellTexels.putLight(cloud.light().get(box), k, texels.clear().asFloatBuffer());
+                light.upload(k, rows, texels.clear());
+            }
+        }
+        MemoryUtil.memFree(texels);
+    }
+
+    public void bind() {
+        density.bind(TextureUnit.CLOUD_DENSITY);
+        light.bind(TextureUnit.CLOUD_LIGHT);
+        smallAngles.bind(TextureUnit.SMALL_ANGLES);
+    }
+}

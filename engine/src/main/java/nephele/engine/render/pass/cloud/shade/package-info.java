@@ -1,0 +1,2 @@
+/** The shade of clouds on surfaces. */
+package nephele.engine.render.pass.cloud.shade;

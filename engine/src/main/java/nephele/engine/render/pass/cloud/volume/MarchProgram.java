@@ -1,0 +1,121 @@
+package nephele.engine.render.pass.cloud.volume;
+
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
+
+/** {@code volume.frag} with the places of its numbers. */
+final class MarchProgram {
+    private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
+
+    private final GlProgram<Places> program;
+
+    /** The numbers of a cloud and of the light around it. */
+    record Places(
+            Uniforms.Vector4 cells,
+            Uniforms.Vector3 cloudBase,
+            Uniforms.Vector3 cloudHalf,
+            Uniforms.Vector4 medium,
+            Uniforms.Vector3 phase,
+            Uniforms.Vector3 cloudSun,
+            Uniforms.Vector3 stepping,
+            Uniforms.Vector3 irradiance,
+            Uniforms.Vector3 skyAbove,
+            Uniforms.Vector3 skyBelow) {
+        static Places of(Uniforms uniforms) {
+            return new Places(
+                    uniforms.vector4("cells"),
+                    uniforms.vector3("cloudBase"),
+                    uniforms.vector3("cloudHalf"),
+                    uniforms.vector4("medium"),
+                    uniforms.vector3("phase"),
+                    uniforms.vector3("cloudSun"),
+                    uniforms.vector3("stepping"),
+                    uniforms.vector3("irradiance"),
+                    uniforms.vector3("skyAbove"),
+                    uniforms.vector3("skyBelow"));
+        }
+    }
+
+    /** Which pixels a program draws. */
+    enum Pixels {
+        /** All, as far as surfaces let them see. */
+        ALL,
+        /** All of a layer, as if there were no surfaces. */
+        WHOLE,
+        /** Those whose surface is among the clouds. */
+        MIXED
+    }
+
+    /** Where the density comes from. */
+    enum Noise {
+        /** From cells. */
+        NONE,
+        STILL,
+        EVOLVING
+    }
+
+    private final CloudRanges.Places ranges;
+    private final NoiseTextures.Places noisePlaces;
+    private final Uniforms.Vector2 layerReach;
+
+    MarchProgram(LoadContext context, Pixels pixels, Noise noise, int clouds) {
+        Defines choices = Defines.of(context)
+                .withIf(pixels == Pixels.WHOLE, "WHOLE")
+                .withIf(pixels == Pixels.MIXED, "MIXED")
+                .withIf(noise != Noise.NONE, "NOISE")
+                .withIf(noise == Noise.EVOLVING, "EVOLVING")
+                .with("CLOUDS", clouds);
+        var defines = choices.values();
+        var found = new CloudRanges.Places[1];
+        var reach = new Uniforms.Vector2[1];
+        var tables = new NoiseTextures.Places[1];
+        program = new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "volume.vert", defines),
+                ShaderSource.load(FOLDER + "volume.frag", defines),
+                uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    if (pixels != Pixels.WHOLE) {
+                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    }
+                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
+                    uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
+                    uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
+                    found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
+                    reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
+                    tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
+                    return Places.of(uniforms);
+                });
+        noisePlaces = tables[0];
+        ranges = found[0];
+        layerReach = reach[0];
+    }
+
+    /** Returns where the ranges of clouds go; {@code null} unless for {@link Pixels#MIXED}. */
+    CloudRanges.Places ranges() {
+        return ranges;
+    }
+
+    /** Returns {@code null} if the density comes from cells. */
+    NoiseTextures.Places noisePlaces() {
+        return noisePlaces;
+    }
+
+    /** Returns where a layer's reach goes; {@code null} unless for {@link Pixels#WHOLE}. */
+    Uniforms.Vector2 layerReach() {
+        return layerReach;
+    }
+
+    void use() {
+        program.use();
+    }
+
+    Places places() {
+        return program.uniforms();
+    }
+}

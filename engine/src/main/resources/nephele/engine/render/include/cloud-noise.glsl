@@ -1,0 +1,44 @@
+// The density of noise with a profile. Twin: nephele.engine.cloud.field.ProfiledNoise.
+uniform sampler3D shapeTable;
+uniform sampler3D detailTable;
+uniform sampler2D profileTable; // by height: rise, billows, sharpness, body
+uniform sampler2DArray planTable; // depth of columns inside of bodies, from -1 to 1; a layer for each box
+uniform vec4 shapePlace; // xyz: the eye's place in periods, for the generation that fades; w: periods a metre
+uniform vec4 detailPlace;
+uniform vec3 shapeComing; // the same for the generation that comes
+uniform vec3 detailComing;
+uniform vec4 generations; // weights of the fading and the coming generation, of shape and of detail
+uniform float eroding;
+
+const float KNOTS = 33.0;
+const float WISPS_TO = 1.0 / 6.0;
+
+float evolved(sampler3D table, vec3 metres, vec4 fading, vec3 coming, vec2 weights) {
+    float first = textureLod(table, fading.xyz + metres * fading.w, 0.0).r;
+#ifdef EVOLVING
+    float second = textureLod(table, coming + metres * fading.w, 0.0).r;
+    return clamp(0.5 + weights.x * (first - 0.5) + weights.y * (second - 0.5), 0.0, 1.0);
+#else
+    return first;
+#endif
+}
+
+// place: relative to the eye; rise: what the planet's curvature adds to its height
+float noiseDensity(vec3 place, float rise) {
+    vec3 bent = place + vec3(0.0, rise, 0.0);
+    float box = boxOf(place);
+    vec2 across = (place.xz - cloudBase.xz) / (2.0 * cloudHalf.xz) * exp2(-2.0 * box) + 0.5;
+    float height = clamp((bent.y - cloudBase.y) / cloudHalf.y, 0.0, 1.0);
+    vec4 profile = textureLod(profileTable, vec2((height * (KNOTS - 1.0) + 0.5) / KNOTS, 0.5), 0.0);
+    float inside = 2.0 * textureLod(planTable, vec3(across, box), 0.0).r - 1.0 - profile.r;
+    if (inside <= 0.0) {
+        return 0.0;
+    }
+    inside -= profile.g * (1.0 - evolved(shapeTable, bent, shapePlace, shapeComing, generations.xy));
+    if (inside <= 0.0) {
+        return 0.0;
+    }
+    float detail = evolved(detailTable, bent, detailPlace, detailComing, generations.zw);
+    inside -= eroding * (1.0 - detail + min(1.0, height / WISPS_TO) * (2.0 * detail - 1.0));
+    return profile.a * clamp(profile.b * inside, 0.0, 1.0);
+}

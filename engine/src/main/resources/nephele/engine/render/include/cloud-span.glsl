@@ -1,0 +1,40 @@
+// The part of a ray in the bounds of a cloud. Twin: nephele.engine.cloud.cells.StackSpan.
+const float NEVER = 1e30;
+
+// The greater root of a t² + b t + c for c ≤ 0: where a ray rises through a height.
+float later(float a, float b, float c) {
+    float root = sqrt(max(0.0, b * b - 4.0 * a * c));
+    float q = b + (b < 0.0 ? -root : root);
+    float t = b < 0.0 ? (a > 0.0 ? -q / (2.0 * a) : NEVER) : q > 0.0 ? -2.0 * c / q : NEVER;
+    return max(0.0, t);
+}
+
+// The smaller positive root for c ≥ 0: where a ray falls through a height.
+float sooner(float a, float b, float c) {
+    float square = b * b - 4.0 * a * c;
+    return b < 0.0 && square >= 0.0 ? 2.0 * c / (-b + sqrt(square)) : NEVER;
+}
+
+// The first part of a ray between two heights. bend: half the second derivative of the ray's height.
+vec2 betweenHeights(float bend, float slope, float overBase, float overTop) {
+    if (overBase < 0.0) {
+        return vec2(later(bend, slope, overBase), later(bend, slope, overTop));
+    }
+    float down = sooner(bend, slope, overBase);
+    float enter = overTop <= 0.0 ? 0.0 : sooner(bend, slope, overTop);
+    // Above the top the greater root is where the ray leaves it again.
+    float leave = overTop <= 0.0 ? later(bend, slope, overTop)
+        : bend > 0.0 ? (-slope + sqrt(max(0.0, slope * slope - 4.0 * bend * overTop))) / (2.0 * bend) : NEVER;
+    return enter == NEVER ? vec2(NEVER, 0.0) : vec2(enter, min(down, leave));
+}
+
+// base: middle of the lower side; extent: half of the sides x and z, and the height y; halfCurvature: 1 / twice the radius
+// around which the cloud bends
+vec2 spanInside(vec3 ray, vec3 base, vec3 extent, float halfCurvature) {
+    vec2 inside = betweenHeights(dot(ray.xz, ray.xz) * halfCurvature, ray.y, -base.y, -base.y - extent.y);
+    vec2 a = (base.xz - extent.xz) / ray.xz;
+    vec2 b = (base.xz + extent.xz) / ray.xz;
+    vec2 near = min(a, b);
+    vec2 far = max(a, b);
+    return vec2(max(inside.x, max(near.x, near.y)), min(inside.y, min(far.x, far.y)));
+}

@@ -1,0 +1,71 @@
+// Marches the ray of a pixel through one cloud. WHOLE: the cloud as if there were no surfaces, at low resolution; MIXED:
+// only pixels whose surface is among the clouds.
+#include "output.glsl"
+#include "cloud-march.glsl"
+#ifndef WHOLE
+#include "view-distance.glsl"
+#endif
+#ifdef MIXED
+#include "cloud-ranges.glsl"
+#endif
+
+in vec3 direction;
+
+#ifndef WHOLE
+uniform sampler2D viewDepth;
+#endif
+uniform vec3 irradiance; // of the sun at the cloud
+uniform vec3 skyAbove; // mean radiance of the upper half of the sky
+uniform vec3 skyBelow;
+
+// The part of the ray in front of the pixel's surface and, in a view through an opening, behind that.
+vec2 visiblePart(vec3 ray, float unit) {
+    vec2 visible = vec2(0.0, NEVER);
+#ifndef WHOLE
+    float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
+    if (windowDepth < 1.0) {
+        visible.y = axisMetres(windowDepth) * unit;
+    }
+#endif
+#ifdef PORTALS
+    float towardsClip = dot(viewClip.xyz, ray);
+    if (towardsClip > 0.0) {
+        visible.x = -viewClip.w / towardsClip;
+    }
+#endif
+    return visible;
+}
+
+// Spreads the first samples of neighbouring rays over a step (Jimenez 2014, "Next Generation Post Processing in Call of
+// Duty: Advanced Warfare", interleaved gradient noise).
+float stepOffset(vec2 pixelPlace) {
+    return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
+}
+
+void main() {
+    float unit = length(direction);
+    vec3 ray = direction / unit;
+    vec2 visible = visiblePart(ray, unit);
+#ifdef MIXED
+    vec2 range = rangeOfClouds(ray);
+    if (visible.y <= range.x || visible.y >= range.y) {
+        discard;
+    }
+#endif
+    vec2 inside = insideCloud(ray);
+    visible = vec2(max(visible.x, inside.x), min(visible.y, inside.y));
+    if (!(visible.x < visible.y)) {
+        discard;
+    }
+    CloudRay cloud = marchedCloud(ray, visible, stepOffset(gl_FragCoord.xy));
+    vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
+    float covered = 1.0 - cloud.transmittance;
+#ifdef FOG
+    float clear = exp(-fog.a * cloud.metres);
+    radiance = radiance * clear + fog.rgb * covered * (1.0 - clear);
+#endif
+#ifdef MIRRORS
+    radiance *= mirrorTint.rgb;
+#endif
+    pixel = vec4(min(radiance, 65504.0), covered);
+}
