@@ -5,6 +5,7 @@ import static nephele.editor.draw.TestFrames.HEIGHT;
 import static nephele.editor.draw.TestFrames.WIDTH;
 import static nephele.editor.draw.TestFrames.box;
 import static nephele.editor.draw.TestFrames.level;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -28,10 +29,12 @@ import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.EditorNotes;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
@@ -142,6 +145,21 @@ class ViewportDrawingGlTest {
                 at(picture(models, new PerspectiveCamera(new Vec3(0, 0, 5), 0, 0, 60), ViewMode.COLLISION), 100, 75);
         assertNotEquals(solid, other);
         assertNotEquals(BACKGROUND, other);
+    }
+
+    /** Exposure auto shows each view as it calls for, at once; to and from a number of stops the picture follows. */
+    @Test
+    void exposureAutoIsMeteredInTheEditorToo() {
+        Level dim = level(WALL);
+        dim = dim.with(dim.environment().with(new Sky.Constant(new Vec3(4e-4, 4e-4, 4e-4))), List.of());
+        Level auto = dim.with(dim.environment().with(Exposure.AUTO), List.of());
+        PerspectiveCamera away = new PerspectiveCamera(new Vec3(0, 1, 5), 180, 0, 60);
+        int[] first = picture(auto, AHEAD, ViewMode.LIT);
+        int sky = brightness(at(first, 190, 10));
+        assertTrue(sky > 150, "sky " + sky);
+        assertTrue(brightness(at(picture(dim, AHEAD, ViewMode.LIT), 190, 10)) < 10);
+        picture(auto, away, ViewMode.LIT);
+        assertArrayEquals(first, picture(auto, AHEAD, ViewMode.LIT));
     }
 
     private static Mark.Line across(double z, Visibility visibility) {

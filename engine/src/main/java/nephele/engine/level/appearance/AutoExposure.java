@@ -23,12 +23,12 @@ public final class AutoExposure {
     /** Adaption to light, which is faster in the eye too. */
     public static final double DARKENING_PER_SECOND = 3;
 
-    /** Displayed linear value of the metered luminance, relative to the key: 0.18, middle grey, in daylight. */
+    /** Displayed linear value of the metered luminance, relative to the key: 0.27 in daylight, as lit things are metered. */
     public static final double DISPLAYED_PER_KEY = 0.4;
 
     /**
-     * The luminance in cd/m² that radiance 1 stands for. Sunlight of the irradiance 4 means 30 000, lamps in rooms mean
-     * less than 100; this is between them.
+     * The luminance in cd/m² that radiance 1 stands for in the key. A sun of irradiance 4 would mean 30 000; less than
+     * that is right for the levels' nights, which are brighter than nature's.
      */
     public static final double CANDELAS_PER_SQUARE_METRE = 10_000;
 

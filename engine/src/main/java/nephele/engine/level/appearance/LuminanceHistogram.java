@@ -28,10 +28,10 @@ public final class LuminanceHistogram {
     public static final int STEPS = 256;
 
     /** Share of the cells, the darkest ones, that is left out: what is lit decides, not the shadows beside it. */
-    public static final double LOW_SHARE = 0.4;
+    public static final double LOW_SHARE = 0.5;
 
     /** Share of the cells up to the brightest ones, which are left out: the sun's disc, lamps, glints. */
-    public static final double HIGH_SHARE = 0.95;
+    public static final double HIGH_SHARE = 0.97;
 
     private static final float LARGEST_HALF = 65504;
     private static final double LOG_2 = Math.log(2);

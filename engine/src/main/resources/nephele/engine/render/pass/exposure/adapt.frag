@@ -11,7 +11,7 @@ vec2 cellsOf(int bin) {
     return texelFetch(histogram, ivec2(bin, 0), 0).xy;
 }
 
-// Krawczyk, Myszkowski and Seidel 2005, equation 11.
+// G. Krawczyk, K. Myszkowski and H.-P. Seidel, "Perceptual Effects in Real-time Tone Mapping", 2005: automatic key.
 float key(float log2Luminance) {
     float candelas = CANDELAS_PER_SQUARE_METRE * exp2(log2Luminance);
     return 1.03 - 2.0 / (2.0 + 0.30103 * log2(candelas + 1.0));

@@ -4,7 +4,7 @@ uniform sampler2D linearPicture; // alpha: the share of the pixel that is metere
 
 layout(location = 0) out vec4 cell; // x: log2 luminance
 
-// Less than one is hidden: display values that were drawn into the scene. The slack is two steps of a half float.
+// Less than one is hidden: display values that were drawn into the scene. The slack is three steps of a half float.
 const float LEAST_SHARE = 0.9985;
 const float LARGEST_HALF = 65504.0;
 
