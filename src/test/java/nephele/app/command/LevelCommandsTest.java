@@ -14,6 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.render.RenderFeatures;
 import nephele.engine.terminal.CrashReport;
@@ -55,6 +57,25 @@ class LevelCommandsTest {
         assertTrue(
                 lines.stream().allMatch(line -> line.matches("[a-z.-]+: (not required|required by [^:]+: .+)")),
                 lines.toString());
+    }
+
+    @Test
+    void explainPrintsTheCloudsOfAWeatherAsLinesToPaste() throws IOException {
+        String environment = ", \"environment\": {\"weather\": \"overcast\", \"weatherSeed\": 5";
+        var lines = Captured.run("explain", level("{" + HEAD + environment + "}}"))
+                .out()
+                .lines()
+                .skip(RenderFeatures.ALL.size())
+                .toList();
+        assertEquals("clouds: not drawn by this version yet (2); render --reference shows them", lines.get(0));
+        assertEquals("environment.weather: overcast with weatherSeed 5 means these environment.clouds:", lines.get(1));
+        assertEquals(4, lines.size());
+        var pasted = level("{" + HEAD + ", \"player\": {\"feet\": [0, 0, 0]}, \"environment\": {\"clouds\": ["
+                + lines.get(2) + "," + lines.get(3) + "]}}");
+        var meant = LevelJson.read("pasted", Files.readAllBytes(Path.of(pasted)));
+        assertEquals(WeatherClouds.of(Weather.OVERCAST, 5), meant.environment().clouds());
+        var checked = Captured.run("check", pasted);
+        assertEquals(0, checked.exitCode(), checked.out());
     }
 
     @Test

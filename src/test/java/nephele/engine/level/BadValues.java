@@ -98,6 +98,27 @@ final class BadValues {
                     cloud("{\"kind\": \"noise\", \"seed\": 9007199254740993}")),
             level("environment.clouds[0].density.kind", "no kind", cloud("{\"kind\": \"fluff\"}")),
             level(
+                    "environment.clouds[0].density.erosion",
+                    "must be from",
+                    cloud("{\"kind\": \"noise\", \"erosion\": 2}")),
+            level(
+                    "environment.clouds[0].density.profile",
+                    "one of",
+                    cloud("{\"kind\": \"noise\", \"profile\": \"fog\"}")),
+            level(
+                    "environment.clouds[0].density.anvil",
+                    "unknown key",
+                    cloud("{\"kind\": \"ellipsoid\", \"anvil\": 1}")),
+            level(
+                    "environment.clouds[0].density.fill.count",
+                    "must be from",
+                    cloud("{\"kind\": \"puffs\", \"fill\": {\"boxes\": [], \"count\": 1000000}}")),
+            level(
+                    "environment.clouds[0].density.fill.boxes",
+                    "is missing",
+                    cloud("{\"kind\": \"puffs\", \"fill\": {}}")),
+            level("environment.weather", "one of", "\"environment\": {\"weather\": \"rain\"}"),
+            level(
                     "environment.clouds[0].size",
                     "unknown key",
                     "\"environment\": {\"clouds\": [{\"id\": \"c\", \"kind\": \"layer\", \"baseAltitudeMetres\": 1,"

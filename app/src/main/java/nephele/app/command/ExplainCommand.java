@@ -1,6 +1,7 @@
 package nephele.app.command;
 
 import nephele.engine.draw.Outputs;
+import nephele.engine.level.appearance.CloudExplanation;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
@@ -8,7 +9,7 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
-/** Prints which features a level requires, and why. */
+/** Prints which features a level requires, and why, and which clouds its weather means. */
 @picocli.CommandLine.Command
 final class ExplainCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
@@ -20,6 +21,7 @@ final class ExplainCommand implements Command {
         FramePlan.of(FrameRequest.of(opened.placed(), Outputs.defaultFor(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
+        CloudExplanation.lines(opened.level().environment()).forEach(terminal.out()::println);
         return ExitCode.DONE;
     }
 }

@@ -17,7 +17,7 @@ final class NoiseField implements ExtinctionField {
     private static final double MOST_CELLS = 64;
 
     /** Shortest cell of a layer, whose rays may be as long as the world. */
-    private static final double LAYER_CELL_METRES = 10;
+    private static final double LAYER_CELL_METRES = 25;
 
     private final Aabb bounds;
     private final Vec3 origin;

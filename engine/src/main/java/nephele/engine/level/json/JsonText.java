@@ -1,15 +1,31 @@
 package nephele.engine.level.json;
 
-/** Formats a tree as text: two spaces of indentation, arrays of numbers on one line, a line feed at the end. */
+/** Formats a tree as text: two spaces of indentation and arrays of numbers on one line, or everything on one line. */
 final class JsonText {
+    private enum Layout {
+        INDENTED,
+        ONE_LINE
+    }
+
     private final StringBuilder text = new StringBuilder(1 << 12);
+    private final Layout layout;
 
-    private JsonText() {}
+    private JsonText(Layout layout) {
+        this.layout = layout;
+    }
 
+    /** Returns indented text with a line feed at the end. */
     static String of(JsonValue value) {
-        JsonText json = new JsonText();
+        JsonText json = new JsonText(Layout.INDENTED);
         json.value(value, 0);
         return json.text.append('\n').toString();
+    }
+
+    /** Returns one line, without a line feed. */
+    static String line(JsonValue value) {
+        JsonText json = new JsonText(Layout.ONE_LINE);
+        json.value(value, 0);
+        return json.text.toString();
     }
 
     private void value(JsonValue value, int indent) {
@@ -30,7 +46,7 @@ final class JsonText {
         boolean numbers = array.values().stream().allMatch(JsonValue.Number.class::isInstance);
         text.append('[');
         for (int i = 0; i < array.values().size(); i++) {
-            text.append(i == 0 ? "" : numbers ? ", " : ",");
+            text.append(i == 0 ? "" : numbers ? ", " : between());
             if (!numbers) {
                 newLine(indent + 1);
             }
@@ -45,7 +61,7 @@ final class JsonText {
     private void object(JsonValue.Members members, int indent) {
         text.append('{');
         for (int i = 0; i < members.size(); i++) {
-            text.append(i == 0 ? "" : ",");
+            text.append(i == 0 ? "" : between());
             newLine(indent + 1);
             quoted(members.name(i));
             text.append(": ");
@@ -57,7 +73,14 @@ final class JsonText {
         text.append('}');
     }
 
+    private String between() {
+        return layout == Layout.ONE_LINE ? ", " : ",";
+    }
+
     private void newLine(int indent) {
+        if (layout == Layout.ONE_LINE) {
+            return;
+        }
         text.append('\n');
         for (int i = 0; i < indent; i++) {
             text.append("  ");

@@ -53,6 +53,11 @@ public final class LevelJson {
         return JsonText.of(members);
     }
 
+    /** Returns a record of a level as canonical text on one line, such as a cloud to paste into a file. */
+    public static String line(Record part) {
+        return JsonText.line(FormatBuilder.record(part.getClass()).write(part));
+    }
+
     /**
      * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits; the editor's notes do not change it.
      */

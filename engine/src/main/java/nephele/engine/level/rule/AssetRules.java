@@ -28,7 +28,7 @@ final class AssetRules {
         LevelRule.each(
                 "environment.clouds",
                 level.environment().clouds(),
-                (path, cloud) -> check.density(path + ".density.file", cloud.density()));
+                (path, cloud) -> check.density(path + ".density", cloud.density()));
     };
 
     private AssetRules() {}
@@ -83,9 +83,11 @@ final class AssetRules {
 
         void density(String path, Cloud.Density density) {
             if (density instanceof Cloud.Density.Image image) {
-                picture(path, image.file());
+                picture(path + ".file", image.file());
             } else if (density instanceof Cloud.Density.Grid grid) {
-                file(path, grid.file());
+                file(path + ".file", grid.file());
+            } else if (density instanceof Cloud.Density.Noise noise) {
+                picture(path + ".coverageMap", noise.coverageMap());
             }
         }
 

@@ -5,6 +5,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Weather;
 
 /** Rules for skies that cannot be shown. */
 final class EnvironmentRules {
@@ -19,9 +20,14 @@ final class EnvironmentRules {
     static final LevelRule NOT_YET = (level, assets, report) -> {
         Environment environment = level.environment();
         tell(!environment.clouds().isEmpty(), "environment.clouds", report);
+        tell(hasClouds(environment.weather()), "environment.weather", report);
     };
 
     private EnvironmentRules() {}
+
+    private static boolean hasClouds(Weather weather) {
+        return weather != null && weather != Weather.CLEAR;
+    }
 
     private static void tell(boolean present, String path, Consumer<Problem> report) {
         if (present) {

@@ -19,6 +19,8 @@ public final class LevelRules {
             LightRules.CONES,
             LightRules.SHADOWS,
             EnvironmentRules.SKY_FILES,
+            CloudRules.MEANT,
+            CloudRules.WEATHER,
             PortalRules.LINKS,
             PortalRules.COUNT,
             PortalRules.ON_SURFACE,

@@ -1,0 +1,127 @@
+package nephele.engine.cloud;
+
+/**
+ * Light in a plane slab in the delta-Eddington approximation, in closed form (Joseph, Wiscombe and Weinman 1976; Meador
+ * and Weaver 1980, "Two-Stream Approximations to Radiative Transfer in Planetary Atmospheres", whose γ1 + γ2 is a and γ1
+ * − γ2 is b here). With S the sum of the fluxes up and down, N their net flux down, t the scaled optical depth and m =
+ * 1/μ₀:
+ *
+ * <pre>
+ * S' = −a N + 3/2 ωg e^(−mt),   N' = −b S + ωm e^(−mt),   a = 3/2 (1 − ωg),   b = 2 (1 − ω),   k² = ab
+ * S = A e^(−kt) + B v(t) + p(t),   v = e^(−kτ) sinh(kt)/k,   p = c/(m + k) · (e^(−kt) − e^(−mt))/(m − k)
+ * </pre>
+ *
+ * <p>In this basis nothing overflows in a deep slab, and nothing is divided by 0 where the albedo is 1 (k = 0) or where
+ * kμ₀ = 1. Fluxes are in units of the incident flux through the slab's plane.
+ */
+public final class TwoStreamSlab {
+    /** Lower bound of the cosine of the incident beam. */
+    private static final double LEAST_COSINE = 1e-6;
+
+    private final DeltaScaling medium;
+    private final double depth;
+    private final double a;
+    private final double k;
+    /** Of the beam: m, c/(m + k) and 3/2 ωg; 0 for diffuse light. */
+    private final double m;
+
+    private final double source;
+    private final double forward;
+    private final double fromTop;
+    private final double fromBottom;
+
+    private TwoStreamSlab(DeltaScaling medium, double opticalDepth, double cosine) {
+        this.medium = medium;
+        depth = medium.depthFactor() * opticalDepth;
+        double albedo = medium.albedo();
+        a = 1.5 * (1 - albedo * medium.g());
+        k = Math.sqrt(2 * (1 - albedo) * a);
+        boolean isBeam = cosine > 0;
+        m = isBeam ? 1 / Math.max(LEAST_COSINE, cosine) : 0;
+        forward = isBeam ? 1.5 * albedo * medium.g() : 0;
+        source = isBeam ? 1.5 * albedo * m * (1 - albedo * medium.g() + medium.g()) / (m + k) : 0;
+        double atTop = isBeam ? source - forward : 2 * a;
+        double atBottom = isBeam ? forward * Math.exp(-m * depth) - a * particular(depth) - particularSlope(depth) : 0;
+        double through = Math.exp(-k * depth);
+        double deep = a * rising(depth) + risingSlope(depth);
+        double determinant = (a + k) * deep + (a - k) * through * through;
+        fromTop = (atTop * deep + through * atBottom) / determinant;
+        fromBottom = ((a + k) * atBottom - (a - k) * through * atTop) / determinant;
+    }
+
+    /**
+     * Returns a slab under a parallel beam.
+     *
+     * @param opticalDepth of the slab along its normal, not scaled
+     * @param cosine of the angle between beam and normal, 0 to 1; less than 1e-6 counts as that
+     */
+    public static TwoStreamSlab underBeam(double albedo, double g, double opticalDepth, double cosine) {
+        return new TwoStreamSlab(DeltaScaling.of(albedo, g), opticalDepth, Math.max(LEAST_COSINE, cosine));
+    }
+
+    /** Returns a slab under light that is equal from all directions above it. */
+    public static TwoStreamSlab underDiffuseLight(double albedo, double g, double opticalDepth) {
+        return new TwoStreamSlab(DeltaScaling.of(albedo, g), opticalDepth, 0);
+    }
+
+    /**
+     * Returns the share that leaves the slab at its top; not below 0, where the approximation gets to under diffuse
+     * light if little is scattered.
+     */
+    public double reflectance() {
+        return Math.max(0, m > 0 ? fromTop : fromTop - 1);
+    }
+
+    /** Returns the share that leaves the slab below, unscattered light included. */
+    public double transmittance() {
+        return Math.max(0, sum(depth)) + beam(depth);
+    }
+
+    /**
+     * Returns the diffuse fluence at a depth: the radiance integrated over all directions, without the part of the beam
+     * that is unscattered or in the forward peak.
+     *
+     * @param opticalDepth below the top, along the normal, not scaled
+     */
+    public double diffuseFluence(double opticalDepth) {
+        return 2 * sum(Math.min(depth, medium.depthFactor() * opticalDepth));
+    }
+
+    /** Returns the flux down of diffuse light at a depth below the top, not scaled. */
+    public double diffuseDownward(double opticalDepth) {
+        double at = Math.min(depth, medium.depthFactor() * opticalDepth);
+        double slope = -k * fromTop * Math.exp(-k * at) + fromBottom * risingSlope(at) + particularSlope(at);
+        return (sum(at) + (forward * Math.exp(-m * at) - slope) / a) / 2;
+    }
+
+    private double beam(double at) {
+        return m > 0 ? Math.exp(-m * at) : 0;
+    }
+
+    private double sum(double at) {
+        return fromTop * Math.exp(-k * at) + fromBottom * rising(at) + particular(at);
+    }
+
+    /** Returns e^(−kτ) sinh(kt)/k. */
+    private double rising(double at) {
+        return Math.exp(-k * (depth - at)) * at * ExponentialMean.of(2 * k * at);
+    }
+
+    private double risingSlope(double at) {
+        return (Math.exp(-k * (depth - at)) + Math.exp(-k * (depth + at))) / 2;
+    }
+
+    private double particular(double at) {
+        return source * difference(at);
+    }
+
+    private double particularSlope(double at) {
+        return m > 0 ? source * (Math.exp(-m * at) - k * difference(at)) : 0;
+    }
+
+    /** Returns (e^(−kt) − e^(−mt))/(m − k). */
+    private double difference(double at) {
+        double slower = Math.min(k, m);
+        return Math.exp(-slower * at) * at * ExponentialMean.of(Math.abs(m - k) * at);
+    }
+}

@@ -1,0 +1,30 @@
+package nephele.engine.level.appearance;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Environment;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.json.WordFormats;
+
+/** What {@code explain} tells of clouds: that nothing draws them yet, and which ones a weather means. */
+public final class CloudExplanation {
+    private CloudExplanation() {}
+
+    /** Returns no lines for a level without clouds and weather; each cloud of a weather is one line of JSON. */
+    public static List<String> lines(Environment environment) {
+        List<String> lines = new ArrayList<>();
+        int count = WeatherClouds.all(environment).size();
+        if (count > 0) {
+            lines.add("clouds: not drawn by this version yet (" + count + "); render --reference shows them");
+        }
+        if (environment.weather() != null) {
+            List<Cloud> meant = WeatherClouds.of(environment.weather(), environment.weatherSeed());
+            lines.add("environment.weather: " + WordFormats.Choice.word(environment.weather()) + " with weatherSeed "
+                    + environment.weatherSeed() + " means "
+                    + (meant.isEmpty() ? "no clouds" : "these environment.clouds:"));
+            meant.forEach(cloud -> lines.add(LevelJson.line(cloud)));
+        }
+        return lines;
+    }
+}

@@ -1,0 +1,117 @@
+package nephele.engine.level.rule;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density.Noise;
+import nephele.engine.level.CloudProfile;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
+import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.WeatherClouds;
+
+/** Rules for clouds that show nothing, or other than what their author means. */
+final class CloudRules {
+    /** Every cloud has something to show, and its keys have an effect on it. */
+    static final LevelRule MEANT = (level, assets, report) -> {
+        Check check = new Check(level.environment(), report);
+        LevelRule.each("environment.clouds", level.environment().clouds(), check::cloud);
+    };
+
+    /** A weather's clouds and the written ones have different ids. */
+    static final LevelRule WEATHER = (level, assets, report) -> {
+        Environment environment = level.environment();
+        if (environment.weather() == null) {
+            if (environment.weatherSeed() != 0) {
+                report.accept(Problem.warning(
+                        "environment.weatherSeed", "has no effect without weather: give one, or leave it out"));
+            }
+            return;
+        }
+        List<Cloud> meant = WeatherClouds.of(environment.weather(), environment.weatherSeed());
+        Set<String> taken = meant.stream().map(Cloud::id).collect(Collectors.toSet());
+        LevelRule.each("environment.clouds", environment.clouds(), (path, cloud) -> {
+            if (taken.contains(cloud.id())) {
+                report.accept(Problem.error(
+                                path + ".id",
+                                "'" + cloud.id() + "' is the id of a cloud of the weather: give it another, or leave"
+                                        + " environment.weather out")
+                        .about(Topic.DUPLICATE_ID));
+            }
+        });
+    };
+
+    /** Puffs of a fill from which on random walks through them are slow. */
+    private static final int MANY_PUFFS = 20_000;
+
+    /** A shape that changes faster than this flickers. */
+    private static final double FASTEST_EVOLUTION_SECONDS = 1;
+
+    private CloudRules() {}
+
+    private record Check(Environment environment, Consumer<Problem> report) {
+        void cloud(String path, Cloud cloud) {
+            motion(path, cloud);
+            if (cloud.extent() instanceof Cloud.Extent.Layer layer) {
+                layer(path, layer);
+            }
+            if (cloud.density() instanceof Cloud.Density.Puffs puffs) {
+                puffs(path + ".density", puffs);
+            } else if (cloud.density() instanceof Noise noise
+                    && noise.anvil() > 0
+                    && noise.profile() != CloudProfile.CUMULONIMBUS) {
+                warn(
+                        path + ".density.anvil",
+                        "only the profile cumulonimbus has an anvil: choose it, or leave this out");
+            }
+        }
+
+        private void motion(String path, Cloud cloud) {
+            Cloud.Motion motion = cloud.motion();
+            boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
+            if (isLayer && motion.windMetresPerSecond().y() != 0) {
+                refuse(path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle");
+            }
+            double evolution = motion.evolutionSeconds();
+            if (evolution > 0 && evolution < FASTEST_EVOLUTION_SECONDS) {
+                refuse(path + ".evolutionSeconds", "must be 0 for a shape that stays, or at least 1");
+            }
+            if (evolution > 0 && !(cloud.density() instanceof Noise)) {
+                warn(path + ".evolutionSeconds", "only noise takes other shapes: leave this out");
+            }
+        }
+
+        private void layer(String path, Cloud.Extent.Layer layer) {
+            boolean isRound = environment.sky() instanceof Sky.Atmosphere;
+            if (isRound && layer.baseAltitudeMetres() + layer.thicknessMetres() <= 0) {
+                warn(path + ".baseAltitudeMetres", "the layer is below the planet's ground at y = 0: raise it");
+            }
+        }
+
+        private void puffs(String path, Cloud.Density.Puffs puffs) {
+            Cloud.PuffFill fill = puffs.fill();
+            if (fill == null) {
+                if (puffs.puffs().isEmpty()) {
+                    warn(path, "shows nothing: list puffs, or give a fill of boxes");
+                }
+            } else if (fill.boxes().isEmpty()) {
+                refuse(path + ".fill.boxes", "has no box to fill: give one with centre and size");
+            } else if (fill.count() == 0) {
+                warn(path + ".fill.count", "makes no puff: give some hundred");
+            } else if (fill.count() > MANY_PUFFS) {
+                warn(path + ".fill.count", "so many puffs are slow: some thousand fill any cloud");
+            }
+        }
+
+        private void warn(String path, String message) {
+            report.accept(Problem.warning(path, message));
+        }
+
+        private void refuse(String path, String message) {
+            report.accept(Problem.error(path, message));
+        }
+    }
+}

@@ -1,0 +1,117 @@
+package nephele.engine.level.rule;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.List;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+import nephele.engine.level.json.LevelJsonTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CloudRulesTest {
+    private static List<String> lines(String environment) {
+        Level level = LevelJsonTest.sections("\"environment\": {" + environment + "}");
+        return LevelRules.check(level, LevelAssets.beside(Path.of("x.json"))).stream()
+                .filter(problem -> problem.subject().topic() != Problem.Topic.NOT_DRAWN_YET)
+                .filter(problem -> problem.path().startsWith("environment"))
+                .map(problem -> problem.line("f").replace("f: environment.", ""))
+                .toList();
+    }
+
+    private static String clouds(String... clouds) {
+        return "\"clouds\": [" + String.join(", ", clouds) + "]";
+    }
+
+    private static String layer(String id, String rest) {
+        return "{\"id\": \"" + id + "\", \"kind\": \"layer\", \"baseAltitudeMetres\": 900, \"thicknessMetres\": 300"
+                + rest.replace("'", "\"") + "}";
+    }
+
+    private static String puffs(String rest) {
+        return layer("c", ", 'density': {'kind': 'puffs'" + rest + "}");
+    }
+
+    private static String noise(String rest) {
+        return layer("c", ", 'density': {'kind': 'noise'" + rest);
+    }
+
+    @Test
+    void whatIsMeantIsGood() {
+        assertEquals(List.of(), lines(clouds(layer("c", ""))));
+        assertEquals(List.of(), lines(clouds(puffs(", 'puffs': [{'centre': [0, 0, 0], 'radiusMetres': 9}]"))));
+        assertEquals(
+                List.of(),
+                lines(clouds(puffs(", 'fill': {'boxes': [{'centre': [0, 0, 0], 'size': [9, 9, 9]}], 'count': 9}"))));
+        assertEquals(
+                List.of(),
+                lines(clouds(noise(", 'profile': 'cumulonimbus', 'anvil': 1}, 'evolutionSeconds': 1,"
+                        + " 'windMetresPerSecond': [5, 0, -5]"))));
+        assertEquals(List.of(), lines("\"weather\": \"storm\", \"weatherSeed\": 7, " + clouds(layer("c", ""))));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '~',
+            value = {
+                "| warning: shows nothing | .density",
+                ", 'fill': {'boxes': []} | has no box | .density.fill.boxes",
+                ", 'fill': {'boxes': [{'centre': [0, 0, 0], 'size': [9, 9, 9]}], 'count': 0} | warning: makes no puff |"
+                        + " .density.fill.count",
+                ", 'fill': {'boxes': [{'centre': [0, 0, 0], 'size': [9, 9, 9]}], 'count': 99999} | warning: so many |"
+                        + " .density.fill.count"
+            })
+    void puffsThatShowNothingOrTooMuchAreTold(String rest, String words, String path) {
+        require(clouds(puffs(rest == null ? "" : rest)), "clouds[0]" + path, words);
+    }
+
+    @Test
+    void keysWithoutEffectAreTold() {
+        require(clouds(noise(", 'anvil': 1, 'profile': 'cumulus'}")), "clouds[0].density.anvil", "warning: only");
+        require(clouds(noise(", 'anvil': 1}")), "clouds[0].density.anvil", "warning: only the profile cumulonimbus");
+        require(clouds(layer("c", ", 'evolutionSeconds': 9")), "clouds[0].evolutionSeconds", "warning: only noise");
+        require(
+                clouds(noise("}, 'evolutionSeconds': 0.5")),
+                "clouds[0].evolutionSeconds",
+                "must be 0 for a shape that stays, or at least 1");
+        require(
+                clouds(layer("c", ", 'windMetresPerSecond': [1, 2, 3]")),
+                "clouds[0].windMetresPerSecond[1]",
+                "keeps its altitude");
+        require("\"weatherSeed\": 3", "weatherSeed", "warning: has no effect without weather");
+    }
+
+    @Test
+    void aLayerUnderTheGroundOfARoundPlanetIsTold() {
+        String low = layer("c", "").replace("900", "-900");
+        assertEquals(List.of(), lines(clouds(low)));
+        require(
+                "\"sky\": {\"kind\": \"atmosphere\"}, " + clouds(low),
+                "clouds[0].baseAltitudeMetres",
+                "below the planet");
+    }
+
+    @Test
+    void aMissingCoverageMapIsAnError() {
+        require(clouds(noise(", 'coverageMap': 'no.png'}")), "clouds[0].density.coverageMap", "no such file");
+    }
+
+    @Test
+    void anIdOfTheWeatherIsTaken() {
+        String written = clouds(layer("weather-scud", ""), layer("b", ""));
+        require("\"weather\": \"overcast\", " + written, "clouds[0].id", "is the id of a cloud of the weather");
+        assertEquals(List.of(), lines("\"weather\": \"few\", " + written));
+    }
+
+    private static void require(String environment, String path, String words) {
+        List<String> lines = lines(environment);
+        assertEquals(1, lines.size(), lines.toString());
+        String line = lines.get(0);
+        assertEquals(path, line.substring(0, line.indexOf(": ")), line);
+        assertEquals(true, line.contains(words), line);
+    }
+}
