@@ -9,77 +9,98 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.GZIPInputStream;
-import nephele.engine.cloud.HenyeyGreenstein;
-import nephele.engine.cloud.field.CloudMedium;
-import nephele.engine.cloud.field.GridField;
-import nephele.engine.cloud.field.VolFile;
-import nephele.engine.math.Aabb;
-import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
-import nephele.engine.math.Ray;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.reference.volume.OutsideLight;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.TracedLevel;
+import nephele.lab.oracle.PinholeViews;
 
 /**
- * A cloud with its picture by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path length).
+ * A level of one cloud with its picture by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path length).
+ * It is read and traced as {@code render --reference} does it.
  *
- * @param halfWidth half the picture's width at depth 1
+ * @param sky its radiance, which is all that a pixel without cloud has
  * @param radiance rows from the bottom, as {@code error}
  * @param error standard error of each value of {@code radiance}
  */
 record ReferenceCase(
-        String name,
-        CloudMedium medium,
-        OutsideLight light,
-        Vec3 eye,
-        Basis basis,
-        double halfWidth,
-        LinearPicture radiance,
-        LinearPicture error) {
+        String name, TracedLevel level, Pinhole eye, Vec3 sky, LinearPicture radiance, LinearPicture error) {
 
     /** Reads a case from the resources of this package: "sphere", "puff" or "cumulus". */
     static ReferenceCase named(String name) {
         JsonObject scene = JsonParser.parseString(new String(bytes(name + ".json"), StandardCharsets.UTF_8))
                 .getAsJsonObject();
-        JsonObject camera = scene.getAsJsonObject("camera");
-        JsonObject sun = scene.getAsJsonObject("sun");
-        Vec3 eye = vector(camera, "position");
-        var field = GridField.inBox(
-                VolFile.parse(name + ".vol", bytes(name + ".vol.gz")),
-                Aabb.around(vector(scene, "boxCentre"), vector(scene, "boxSize")),
-                scene.get("extinctionMax_per_m").getAsDouble());
+        Level level = LevelJson.read(name, level(name, scene).toString().getBytes(StandardCharsets.UTF_8));
+        LinearPicture radiance = picture(name + ".pfm.gz");
+        double aspect = (double) radiance.width() / radiance.height();
+        JsonArray sky = scene.getAsJsonArray("skyRadiance");
         return new ReferenceCase(
                 name,
-                new CloudMedium(
-                        field,
-                        scene.get("albedo").getAsDouble(),
-                        new HenyeyGreenstein(scene.get("phaseG").getAsDouble())),
-                new OutsideLight(
-                        vector(sun, "directionTowardsSun"), vector(sun, "irradiance"), vector(scene, "skyRadiance")),
-                eye,
-                Basis.lookAt(eye, vector(camera, "target"), vector(camera, "up"), Basis.WORLD),
-                Math.tan(Math.toRadians(camera.get("horizontalFovDegrees").getAsDouble()) / 2),
-                picture(name + ".pfm.gz"),
+                TracedLevel.of(PlacedLevel.of(level, new Grid(name)), ColourDecoding.SRGB),
+                PinholeViews.of(Viewpoints.standard(level, name, aspect).view(0)),
+                new Vec3(
+                        sky.get(0).getAsDouble(),
+                        sky.get(1).getAsDouble(),
+                        sky.get(2).getAsDouble()),
+                radiance,
                 picture(name + "-se.pfm.gz"));
     }
 
-    /**
-     * Returns the ray of unit direction through a point of the picture.
-     *
-     * @param column pixels from the left border
-     * @param row pixels from the lower border
-     */
-    Ray ray(double column, double row) {
-        double right = (2 * column / radiance.width() - 1) * halfWidth;
-        double up = (2 * row - radiance.height()) / radiance.width() * halfWidth;
-        Vec3 ahead = basis.back().negated();
-        return Ray.of(eye, Directions.unit(ahead.addScaled(right, basis.right()).addScaled(up, basis.up())));
+    private static JsonObject level(String name, JsonObject scene) {
+        var cloud = new JsonObject();
+        cloud.addProperty("id", name);
+        cloud.addProperty("kind", "volume");
+        cloud.add("centre", scene.get("boxCentre"));
+        cloud.add("size", scene.get("boxSize"));
+        var density = new JsonObject();
+        density.addProperty("kind", "grid");
+        density.addProperty("file", name + ".vol");
+        cloud.add("density", density);
+        cloud.add("extinctionPerMetre", scene.get("extinctionMax_per_m"));
+        cloud.add("albedo", scene.get("albedo"));
+        cloud.add("phaseG", scene.get("phaseG"));
+        var sky = new JsonObject();
+        sky.addProperty("kind", "constant");
+        sky.add("radiance", scene.get("skyRadiance"));
+        var environment = new JsonObject();
+        environment.add("sun", scene.get("sun"));
+        environment.add("sky", sky);
+        environment.add("clouds", list(cloud));
+        JsonObject camera = scene.getAsJsonObject("camera");
+        camera.remove("width");
+        camera.remove("height");
+        camera.addProperty("id", "main");
+        var level = new JsonObject();
+        level.addProperty("format", "nephele-level");
+        level.addProperty("version", 1);
+        level.add("environment", environment);
+        level.add("cameras", list(camera));
+        return level;
     }
 
-    private static Vec3 vector(JsonObject object, String member) {
-        JsonArray v = object.getAsJsonArray(member);
-        return new Vec3(v.get(0).getAsDouble(), v.get(1).getAsDouble(), v.get(2).getAsDouble());
+    private static JsonArray list(JsonObject only) {
+        var list = new JsonArray();
+        list.add(only);
+        return list;
+    }
+
+    /** The grid of a case as the level's only asset. */
+    private record Grid(String name) implements AssetSource {
+        @Override
+        public byte[] bytes(String assetId) {
+            return ReferenceCase.bytes(assetId + ".gz");
+        }
+
+        @Override
+        public boolean exists(String assetId) {
+            return assetId.equals(name + ".vol");
+        }
     }
 
     private static byte[] bytes(String resource) {
