@@ -33,6 +33,13 @@ public final class Uniforms {
         }
     }
 
+    /** A {@code vec2} of one program. */
+    public record Vector2(int program, int location) {
+        public void set(float x, float y) {
+            glProgramUniform2f(program, location, x, y);
+        }
+    }
+
     /** A {@code vec3} of one program. */
     public record Vector3(int program, int location) {
         public void set(float x, float y, float z) {
@@ -60,6 +67,10 @@ public final class Uniforms {
 
     public Whole whole(String name) {
         return new Whole(program, location(name));
+    }
+
+    public Vector2 vector2(String name) {
+        return new Vector2(program, location(name));
     }
 
     public Vector3 vector3(String name) {
