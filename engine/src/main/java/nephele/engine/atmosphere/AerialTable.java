@@ -49,7 +49,7 @@ public final class AerialTable {
     public AerialTable(AirTables tables, double heightMetres, double sunSine) {
         this.sunSine = sunSine;
         this.heightMetres = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
-        horizon = horizon(this.heightMetres);
+        horizon = SkyTable.horizon(this.heightMetres);
         double[] distances =
                 IntStream.range(1, SLICES).mapToDouble(AerialTable::metres).toArray();
         IntStream.range(0, ROWS).parallel().forEach(row -> fillRow(tables, row, distances));
@@ -95,11 +95,6 @@ public final class AerialTable {
         }
         double depth = -Math.log(Math.max(1e-30, light[from + CHANNELS]));
         values[at + CHANNELS] = (float) (EXTINCTION_SCALE * depth / metres);
-    }
-
-    /** Returns tan(e / 2) of the horizon's elevation e. */
-    private static double horizon(double heightMetres) {
-        return Math.tan(SkyTable.horizonRadians(heightMetres) / 2);
     }
 
     /** Returns tan(e / 2) of the horizon's elevation e, at most 0: where the rows are densest. */

@@ -8,25 +8,31 @@ import nephele.engine.math.Vec3;
  * The light of a clear sky around an eye, tabulated by elevation and azimuth from the sun: what a shader or the oracle
  * looks up. The rows are densest at the horizon, as in S. Hillaire, "A Scalable and Production Ready Sky and Atmosphere
  * Rendering Technique", 2020, section 5.3, but sky and ground have rows of their own and nothing is interpolated across
- * the horizon. Light scattered once is without its phase functions, which are evaluated for each direction. Per unit
- * solar irradiance. The square roots are stored and interpolated, since the light falls exponentially. Immutable.
+ * the horizon. Light scattered once by aerosols is without its phase function, which is evaluated for each direction. Per
+ * unit solar irradiance. The square roots are stored and interpolated, since the light falls exponentially. Immutable.
  */
 public final class SkyTable {
-    public static final int SKY_ROWS = 96;
+    public static final int SKY_ROWS = 128;
     public static final int GROUND_ROWS = 40;
-    public static final int AZIMUTHS = 48;
-    /** Elevation up to which half of the rows are. */
-    private static final double BAND_RADIANS = Math.toRadians(8);
+    public static final int AZIMUTHS = 80;
+    /** Tangent of half the elevation up to which half of the sky's rows are. */
+    private static final double BAND = Math.tan(Math.toRadians(4));
+    /** From above this height most of the sky's rows lie in the limb, which may be far brighter than the rest. */
+    private static final double LIMB_METRES = 30_000;
 
-    private static final double LEAST_RADIANS = 1e-7;
+    private static final double LEAST = 5e-8;
     public static final int ROWS = SKY_ROWS + GROUND_ROWS;
-    /** Light scattered once by molecules, once by aerosols, and all other light. */
-    public static final int PARTS = ClearSky.PARTS;
+    /** Light scattered once by aerosols, and all other light. */
+    public static final int PARTS = 2;
 
     private static final int CHANNELS = Air.CHANNELS;
 
     private final Air air;
-    private final double horizonRadians;
+    /** Elevations e are measured by tan(e / 2). */
+    private final double horizon;
+
+    private final double bandEnd;
+    private final double bandShare;
     /** Part by part, row by row. */
     private final float[] values = new float[PARTS * ROWS * AZIMUTHS * CHANNELS];
 
@@ -39,55 +45,61 @@ public final class SkyTable {
     public SkyTable(AirTables tables, double heightMetres, double sunCosine) {
         air = tables.air();
         double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
-        horizonRadians = horizonRadians(height);
+        horizon = horizon(height);
+        bandEnd = bandEnd(height);
+        bandShare = bandShare(height);
         IntStream.range(0, ROWS).parallel().forEach(row -> fillRow(tables, height, sunCosine, row));
     }
 
     private void fillRow(AirTables tables, double height, double sunCosine, int row) {
         ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE);
         AirRay ray = new AirRay();
-        double[] parts = new double[PARTS * CHANNELS];
-        double elevation = elevationRadians(row);
-        double sines = Math.cos(elevation) * Math.sqrt(Math.max(0, 1 - sunCosine * sunCosine));
+        double[] parts = new double[ClearSky.PARTS * CHANNELS];
+        double t = elevation(row);
+        double sine = 2 * t / (1 + t * t);
+        double sines = (1 - t * t) / (1 + t * t) * Math.sqrt(Math.max(0, 1 - sunCosine * sunCosine));
         for (int column = 0; column < AZIMUTHS; column++) {
-            double azimuth = Math.PI * column / (AZIMUTHS - 1);
-            double between = Math.sin(elevation) * sunCosine + sines * Math.cos(azimuth);
-            ray.set(height, Math.sin(elevation), sunCosine, between);
+            double half = column / (AZIMUTHS - 1.0);
+            double between = Math.max(-1, Math.min(1, sine * sunCosine + sines * (1 - 2 * half * half)));
+            ray.set(height, sine, sunCosine, between);
             sky.put(ray, parts);
-            for (int k = 0; k < parts.length; k++) {
-                values[index(k / CHANNELS, row, column) + k % CHANNELS] = (float) Math.sqrt(Math.max(0, parts[k]));
+            double rayleigh = Air.rayleighPhase(between);
+            for (int c = 0; c < CHANNELS; c++) {
+                put(0, row, column, c, parts[CHANNELS + c]);
+                put(1, row, column, c, rayleigh * parts[c] + parts[2 * CHANNELS + c]);
             }
         }
     }
 
-    private double elevationRadians(int row) {
+    private void put(int part, int row, int column, int channel, double light) {
+        values[index(part, row, column) + channel] = (float) Math.sqrt(Math.max(0, light));
+    }
+
+    /** Returns tan(e / 2) of the elevation e of a row. */
+    private double elevation(int row) {
         // The first rows are just above and below the horizon.
         if (row >= SKY_ROWS) {
             double share = (row - SKY_ROWS) / (GROUND_ROWS - 1.0);
-            return horizonRadians - Math.max(LEAST_RADIANS, groundRadians() * Math.pow(share, 4));
+            return Math.max(-1, horizon - Math.max(LEAST, (horizon + 1) * Math.pow(share, 4)));
         }
-        double twice = 2 * row / (SKY_ROWS - 1.0);
-        double band = BAND_RADIANS - horizonRadians;
-        double above =
-                twice <= 1 ? band * twice * twice : band + (Math.PI / 2 - BAND_RADIANS) * (twice - 1) * (twice - 1);
-        return horizonRadians + Math.max(LEAST_RADIANS, above);
+        double y = row / (SKY_ROWS - 1.0);
+        double band = bandEnd - horizon;
+        double inBand = y / bandShare;
+        double besides = (y - bandShare) / (1 - bandShare);
+        double above = inBand <= 1 ? band * inBand * inBand : band + (1 - bandEnd) * besides * besides;
+        return Math.min(1, horizon + Math.max(LEAST, above));
     }
 
     /** Returns the row of an elevation, which lies between the rows of the sky or those of the ground. */
     private double row(double elevation) {
-        double above = elevation - horizonRadians;
+        double above = elevation - horizon;
         if (above < 0) {
-            return SKY_ROWS + Math.pow(Math.min(1, -above / groundRadians()), 0.25) * (GROUND_ROWS - 1);
+            return SKY_ROWS + Math.pow(Math.min(1, -above / (horizon + 1)), 0.25) * (GROUND_ROWS - 1);
         }
-        double band = BAND_RADIANS - horizonRadians;
-        double twice = above <= band
-                ? Math.sqrt(above / band)
-                : 1 + Math.sqrt(Math.min(1, (above - band) / (Math.PI / 2 - BAND_RADIANS)));
-        return twice / 2 * (SKY_ROWS - 1);
-    }
-
-    private double groundRadians() {
-        return horizonRadians + Math.PI / 2;
+        double band = bandEnd - horizon;
+        double besides = Math.sqrt(Math.max(0, Math.min(1, (above - band) / (1 - bandEnd))));
+        double y = above <= band ? bandShare * Math.sqrt(above / band) : bandShare + (1 - bandShare) * besides;
+        return y * (SKY_ROWS - 1);
     }
 
     private static int index(int layer, int row, int column) {
@@ -101,9 +113,19 @@ public final class SkyTable {
         return -Math.atan2(Math.sqrt(square), Air.PLANET_RADIUS_METRES);
     }
 
-    /** Returns the elevation of the horizon, at most 0. */
-    public double horizonRadians() {
-        return horizonRadians;
+    /** Returns tan(e / 2) of the elevation e of the horizon as seen from a height. */
+    public static double horizon(double heightMetres) {
+        return Math.tan(horizonRadians(heightMetres) / 2);
+    }
+
+    /** Returns tan(e / 2) of the elevation e at which the rows begin to be dense a second time. */
+    public static double bandEnd(double heightMetres) {
+        return heightMetres < LIMB_METRES ? BAND : 0;
+    }
+
+    /** Returns the share of the sky's rows up to {@link #bandEnd}. */
+    public static double bandShare(double heightMetres) {
+        return heightMetres < LIMB_METRES ? 0.5 : 0.85;
     }
 
     /** Puts the square roots of a part for a texture of RGBA, row by row, those of the sky first. */
@@ -122,18 +144,15 @@ public final class SkyTable {
      */
     public Vec3 radiance(Vec3 direction, Vec3 towardsSun) {
         double level = Math.hypot(direction.x(), direction.z());
-        double elevation = Math.atan2(direction.y(), level);
-        double along = direction.x() * towardsSun.x() + direction.z() * towardsSun.z();
-        double across = direction.x() * towardsSun.z() - direction.z() * towardsSun.x();
-        double azimuth = Math.abs(Math.atan2(across, along));
+        double levels = Math.max(1e-12, level * Math.hypot(towardsSun.x(), towardsSun.z()));
+        double azimuth = (direction.x() * towardsSun.x() + direction.z() * towardsSun.z()) / levels;
         double between = Math.max(-1, Math.min(1, direction.dot(towardsSun)));
-        double y = row(elevation);
-        double x = azimuth / Math.PI * (AZIMUTHS - 1);
-        double rayleigh = Air.rayleighPhase(between);
+        double y = row(direction.y() / (1 + level));
+        double x = Math.sqrt(Math.max(0, Math.min(1, (1 - azimuth) / 2))) * (AZIMUTHS - 1);
         double mie = air.miePhase(between);
         double[] sum = new double[CHANNELS];
         for (int c = 0; c < CHANNELS; c++) {
-            sum[c] = rayleigh * value(0, y, x, c) + mie * value(1, y, x, c) + value(2, y, x, c);
+            sum[c] = mie * value(0, y, x, c) + value(1, y, x, c);
         }
         return new Vec3(sum[0], sum[1], sum[2]);
     }

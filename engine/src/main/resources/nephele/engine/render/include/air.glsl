@@ -24,7 +24,7 @@ struct Air {
 // metres.
 float meanAirDensity(float rise) {
     float end = airPlace.x + rise;
-    float column = end < 0.0 ? end : AIR_RAYLEIGH_HEIGHT * (1.0 - exp(-end / AIR_RAYLEIGH_HEIGHT));
+    float column = end < 0.0 ? end : AIR_RAYLEIGH_HEIGHT * (1.0 - exp(end * (-1.0 / AIR_RAYLEIGH_HEIGHT)));
     return abs(rise) < AIR_LEVEL ? airPlace.w : (column - airPlace.z) / rise;
 }
 
@@ -41,9 +41,9 @@ Air airAlong(vec3 relativePosition) {
     vec3 place = vec3(
         sqrt(max(0.5 - 0.5 * azimuth, 0.0)),
         fromHorizon < 0.0 ? 0.5 - 0.5 * share : 0.5 + 0.5 * share,
-        sqrt(range / AIR_FARTHEST));
-    vec4 four = texture(airTable, (place * (AIR_SIZE - 1.0) + 0.5) / AIR_SIZE);
-    float density = meanAirDensity(relativePosition.y + flatSquare / (2.0 * AIR_PLANET_RADIUS));
+        sqrt(range * (1.0 / AIR_FARTHEST)));
+    vec4 four = texture(airTable, place * (1.0 - 1.0 / AIR_SIZE) + 0.5 / AIR_SIZE);
+    float density = meanAirDensity(relativePosition.y + flatSquare * (0.5 / AIR_PLANET_RADIUS));
     vec3 extinction = max(vec3(four.a * 1e-4) + AIR_MORE_THAN_RED * density, 0.0);
     return Air(airIrradiance.rgb * min(range, AIR_FARTHEST) * four.rgb * four.rgb, exp(-metres * extinction));
 }

@@ -15,6 +15,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.resource.FrameUniforms;
 
@@ -31,7 +32,8 @@ final class SkyProgram {
     private double heightShown = Double.NaN;
     private Sky.Atmosphere skyShown;
 
-    private record SunNumbers(Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Scalar mieG) {}
+    private record SunNumbers(
+            Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Vector2 band, Scalar mieG) {}
 
     private record NightNumbers(
             Vector3 towardsMoon,
@@ -53,6 +55,7 @@ final class SkyProgram {
                             uniforms.vector3("irradiance"),
                             uniforms.vector3("disc"),
                             uniforms.scalar("horizon"),
+                            uniforms.vector2("band"),
                             uniforms.scalar("mieG"));
                     nightNumbers = !isNight
                             ? null
@@ -81,7 +84,8 @@ final class SkyProgram {
         set(sunNumbers.towards, towardsSun);
         set(sunNumbers.irradiance, sun.irradiance());
         set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
-        sunNumbers.horizon.set((float) SkyTable.horizonRadians(heightMetres));
+        sunNumbers.horizon.set((float) SkyTable.horizon(heightMetres));
+        sunNumbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
         sunNumbers.mieG.set((float) air.mieG());
         if (nightNumbers != null) {
             Vec3 zenith = air.transmittance(0, 1);

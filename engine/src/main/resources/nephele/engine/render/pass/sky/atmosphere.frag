@@ -2,14 +2,14 @@
 
 in vec3 direction;
 
-// Light around the eye by azimuth from the sun and elevation, square roots: scattered once by molecules and once by
-// aerosols, without phase functions, then all other light. Per unit irradiance; three layers of sunlight, three of
-// moonlight.
+// Light around the eye by azimuth from the sun and elevation, square roots: scattered once by aerosols, without phase
+// function, then all other light. Per unit irradiance; two layers of sunlight, two of moonlight.
 uniform sampler2DArray skyTable;
 uniform vec3 towardsSun;
 uniform vec3 irradiance; // of the sun outside the air
 uniform vec3 disc; // radiance of the sun's middle
-uniform float horizon; // its elevation
+uniform float horizon; // tan(e / 2) of its elevation e
+uniform vec2 band; // x: its end as tan(e / 2), y: the share of the sky's rows that are in it
 uniform float mieG;
 #ifdef NIGHT
 uniform vec3 towardsMoon;
@@ -22,29 +22,24 @@ uniform vec3 zenithDepth; // optical depth of the air towards the zenith
 #endif
 
 const float PI = 3.14159265;
-const float SKY_ROWS = 96.0;
+const float SKY_ROWS = 128.0;
 const float GROUND_ROWS = 40.0;
-const float AZIMUTHS = 48.0;
-const float BAND = 0.13962634; // the elevation up to which half of the sky's rows are
+const float AZIMUTHS = 81.0;
 const float SUN_SINE = 0.0046530; // of its angular radius
 
 float rowOf(float elevation) {
     float above = elevation - horizon;
     if (above < 0.0) {
-        return SKY_ROWS + sqrt(sqrt(min(1.0, -above / (horizon + 0.5 * PI)))) * (GROUND_ROWS - 1.0);
+        return SKY_ROWS + sqrt(sqrt(min(1.0, -above / (horizon + 1.0)))) * (GROUND_ROWS - 1.0);
     }
-    float band = BAND - horizon;
-    float twice = above <= band ? sqrt(above / band) : 1.0 + sqrt(min(1.0, (above - band) / (0.5 * PI - BAND)));
-    return 0.5 * twice * (SKY_ROWS - 1.0);
+    float beyond = elevation - band.x;
+    float root = sqrt(beyond <= 0.0 ? above / (band.x - horizon) : beyond / (1.0 - band.x));
+    return (beyond <= 0.0 ? band.y * root : band.y + (1.0 - band.y) * min(1.0, root)) * (SKY_ROWS - 1.0);
 }
 
 vec3 part(vec2 place, float layer) {
     vec3 root = texture(skyTable, vec3(place, layer)).rgb;
     return root * root;
-}
-
-float rayleighPhase(float cosine) {
-    return 3.0 / (16.0 * PI) * (1.0 + cosine * cosine);
 }
 
 // Cornette and Shanks 1992, equation 11; from is 1 + g² − 2g cosine without its cancellation.
@@ -219,23 +214,21 @@ vec3 nightLight(vec3 away, float pixel) {
 #endif
 
 // Light of sun or moon that the air and the ground send to the eye; per unit irradiance of it.
-vec3 scattered(vec3 away, float elevation, vec3 towards, float firstLayer) {
-    vec2 along = vec2(dot(away.xz, towards.xz), away.x * towards.z - away.z * towards.x);
-    float azimuth = along == vec2(0.0) ? 0.0 : abs(atan(along.y, along.x));
-    vec2 place = vec2(
-        (0.5 + azimuth / PI * (AZIMUTHS - 1.0)) / AZIMUTHS,
-        (0.5 + rowOf(elevation)) / (SKY_ROWS + GROUND_ROWS));
+vec3 scattered(vec3 away, float row, vec3 towards, float firstLayer) {
+    float azimuth = dot(away.xz, towards.xz) / max(length(away.xz) * length(towards.xz), 1e-12);
+    float column = sqrt(clamp(0.5 - 0.5 * azimuth, 0.0, 1.0)) * (AZIMUTHS - 1.0);
+    vec2 place = (vec2(column, row) + 0.5) * vec2(1.0 / AZIMUTHS, 1.0 / (SKY_ROWS + GROUND_ROWS));
     vec3 apart = away - towards;
     float fromPeak = 0.5 * dot(apart, apart);
     float cosine = 1.0 - fromPeak;
-    return rayleighPhase(cosine) * part(place, firstLayer) + miePhase(cosine, fromPeak) * part(place, firstLayer + 1.0)
-        + part(place, firstLayer + 2.0);
+    return miePhase(cosine, fromPeak) * part(place, firstLayer) + part(place, firstLayer + 1.0);
 }
 
 void main() {
     vec3 away = normalize(direction);
-    float elevation = atan(away.y, length(away.xz));
-    vec3 light = scattered(away, elevation, towardsSun, 0.0);
+    float elevation = away.y / (1.0 + length(away.xz)); // as the tangent of its half
+    float row = rowOf(elevation);
+    vec3 light = scattered(away, row, towardsSun, 0.0);
     float pixel = max(length(dFdx(away)), 1e-6);
 #ifdef NIGHT
     if (elevation > horizon) {
@@ -244,7 +237,7 @@ void main() {
         light += groundAlbedo * GLOW_ON_GROUND * afterDusk() * NIGHT_GLOW;
     }
     if (moonlight.y > 0.0) { // else the moon's layers may not be filled yet
-        light += moonlight * scattered(away, elevation, towardsMoon, 3.0);
+        light += moonlight * scattered(away, row, towardsMoon, 2.0);
     }
 #endif
     light *= irradiance;
