@@ -21,6 +21,7 @@ public final class TestLevel {
     private final List<Body> bodies = new ArrayList<>();
     private final List<ModelPlacement> models = new ArrayList<>();
     private final List<Exit> exits = new ArrayList<>();
+    private final List<Cloud> clouds = new ArrayList<>();
 
     /** Adds a sun without shadows. */
     public TestLevel sun(Vec3 towards, double irradiance) {
@@ -134,8 +135,34 @@ public final class TestLevel {
         return this;
     }
 
+    public TestLevel cloud(Cloud cloud) {
+        clouds.add(cloud);
+        return this;
+    }
+
+    /** Adds a cloud that is an ellipsoid in a box. */
+    public TestLevel cloud(Vec3 centre, Vec3 size, double extinctionPerMetre, double albedo, double phaseG) {
+        return cloud(cloud(new Cloud.Extent.Volume(centre, size), extinctionPerMetre, albedo, phaseG));
+    }
+
+    /** Adds an endless homogeneous layer. */
+    public TestLevel layer(double base, double thickness, double extinctionPerMetre, double albedo, double phaseG) {
+        return cloud(cloud(new Cloud.Extent.Layer(base, thickness), extinctionPerMetre, albedo, phaseG));
+    }
+
+    private Cloud cloud(Cloud.Extent extent, double extinctionPerMetre, double albedo, double phaseG) {
+        return new Cloud(
+                "cloud" + clouds.size(),
+                extent,
+                CloudTechnique.AUTO,
+                new Cloud.Density.Ellipsoid(),
+                extinctionPerMetre,
+                albedo,
+                phaseG);
+    }
+
     public Level level() {
-        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.of());
+        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.copyOf(clouds));
         return Level.of("test", "", environment, List.of())
                 .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
                 .with(environment, List.copyOf(lights))

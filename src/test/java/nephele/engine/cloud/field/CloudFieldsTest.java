@@ -4,15 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -22,17 +25,13 @@ class CloudFieldsTest {
     private static final Cloud.Extent LAYER = new Cloud.Extent.Layer(100, 50);
 
     private static ExtinctionField field(Cloud.Extent extent, Cloud.Density density, byte[] file) {
-        return CloudFields.of(new Cloud("c", extent, CloudTechnique.AUTO, density, 0.1, 1, 0), new AssetSource() {
-            @Override
-            public byte[] bytes(String assetId) {
-                return file;
-            }
+        return field(extent, density, file, 0.1);
+    }
 
-            @Override
-            public boolean exists(String assetId) {
-                return true;
-            }
-        });
+    private static ExtinctionField field(
+            Cloud.Extent extent, Cloud.Density density, byte[] file, double extinctionPerMetre) {
+        var cloud = new Cloud("c", extent, CloudTechnique.AUTO, density, extinctionPerMetre, 1, 0);
+        return CloudFields.of(cloud, TestPictures.always(file));
     }
 
     private static byte[] vol(float... values) {
@@ -79,16 +78,69 @@ class CloudFieldsTest {
     }
 
     @Test
-    void aPictureIsSeenFromAboveWithItsTopTowardsMinusZ() throws Exception {
-        var out = new java.io.ByteArrayOutputStream();
-        var image = new java.awt.image.BufferedImage(2, 2, java.awt.image.BufferedImage.TYPE_BYTE_GRAY);
+    void aPictureIsSeenFromAboveWithItsTopTowardsMinusZ() {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_BYTE_GRAY);
         image.getRaster().setSample(1, 0, 0, 255);
-        javax.imageio.ImageIO.write(image, "png", out);
-        var field = field(VOLUME, new Cloud.Density.Image("a.png"), out.toByteArray());
+        var field = field(VOLUME, new Cloud.Density.Image("a.png"), TestPictures.png(image));
         assertEquals(0.1, field.perMetre(19, 16, 11), 1e-15);
         assertEquals(0.1, field.perMetre(19, 24, 11), 1e-15);
         assertEquals(0, field.perMetre(19, 20, 49), 1e-15);
         assertEquals(0, field.perMetre(1, 20, 11), 1e-15);
+    }
+
+    /** τ = −ln(1 − min(α, 254.5/255)) whatever the extinction, the thickness and the colours. */
+    @Test
+    void alphaIsWhatAColumnHides() {
+        var picture = new BufferedImage(4, 1, BufferedImage.TYPE_INT_ARGB);
+        int[] alphas = {0, 128, 254, 255};
+        for (int i = 0; i < alphas.length; i++) {
+            picture.setRGB(i, 0, alphas[i] << 24 | 0x102030 * i);
+        }
+        byte[] file = TestPictures.png(picture);
+        double[] depths = {0, -Math.log(1 - 128 / 255.0), -Math.log(1 / 255.0), Math.log(510)};
+        for (double extinction : new double[] {1e-3, 10}) {
+            for (double thickness : new double[] {1e-3, 50, 5000}) {
+                var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(4, thickness, 1));
+                var cloud =
+                        new Cloud("c", extent, CloudTechnique.AUTO, new Cloud.Density.Image("a.png"), extinction, 1, 0);
+                ExtinctionField field = CloudFields.of(cloud, TestPictures.always(file));
+                for (int i = 0; i < alphas.length; i++) {
+                    Ray up = new Ray(i - 1.5, -thickness, 0, 0, 1, 0);
+                    double depth = OpticalDepth.along(field, up, 0, 2 * thickness);
+                    assertEquals(depths[i], depth, 1e-5);
+                    assertEquals(1 - Math.min(alphas[i] / 255.0, 254.5 / 255), Math.exp(-depth), 1e-6);
+                }
+            }
+        }
+    }
+
+    @Test
+    void sixteenBitsOfAlphaCount() {
+        byte[] samples = {0, 0, 0, (byte) 0x80, 0, 0, 1, 0};
+        VoxelGrid grid = CloudPicture.densities(new Picture(2, 1, 2, 16, samples));
+        assertEquals(-Math.log(1 - 0x8000 / 65535.0), grid.value(0, 0, 0), 1e-6);
+        assertEquals(1 / 65535.0, grid.value(1, 0, 0), 1e-9);
+    }
+
+    /** A layer keeps its optical depth, and with it its transmittance at any slant, as its thickness goes to 0. */
+    @Test
+    void aThinLayerOfFixedDepthStaysAsItIs() {
+        for (double thickness : new double[] {1000, 1, 1e-3}) {
+            var layer =
+                    field(new Cloud.Extent.Layer(500, thickness), new Cloud.Density.Ellipsoid(), null, 2 / thickness);
+            for (double sine : new double[] {1, 0.3, 0.01}) {
+                Ray ray = new Ray(5, 0, 7, Math.sqrt(1 - sine * sine), sine, 0);
+                assertEquals(2 / sine, OpticalDepth.along(layer, ray, 0, Double.POSITIVE_INFINITY), 1e-6 / sine);
+            }
+        }
+    }
+
+    @Test
+    void anOpaqueCloudIsFinite() {
+        var solid = field(VOLUME, new Cloud.Density.Ellipsoid(), null, 1e3);
+        double depth = OpticalDepth.along(solid, new Ray(10, 0, 30, 0, 1, 0), 0, 100);
+        assertEquals(1e4, depth, 1e-6);
+        assertEquals(0, Math.exp(-depth));
     }
 
     @Test

@@ -12,7 +12,6 @@ import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
-import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -151,16 +150,8 @@ class ExtinctionFieldTest {
     }
 
     private static ExtinctionField noCoverage(CloudProfile profile) {
-        return CloudFields.of(
-                new Cloud(
-                        "c",
-                        new Cloud.Extent.Layer(-20, 40),
-                        CloudTechnique.AUTO,
-                        new Cloud.Density.Noise(1, 10, 0, 0, profile, null, 0),
-                        1,
-                        1,
-                        0),
-                TestPictures.COVERAGE);
+        var noise = new Cloud.Density.Noise(1, 10, 0, 0, profile, null, 0);
+        return TestClouds.field(new Cloud.Extent.Layer(-20, 40), noise, 1);
     }
 
     @Test

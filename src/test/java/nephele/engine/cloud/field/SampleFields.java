@@ -12,7 +12,6 @@ import java.util.SplittableRandom;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
-import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -58,9 +57,7 @@ public final class SampleFields {
     }
 
     private static ExtinctionField noise(Cloud.Extent extent, Noise density) {
-        var motion = new Cloud.Motion(Vec3.ZERO, 10);
-        return CloudFields.of(
-                new Cloud("c", extent, CloudTechnique.AUTO, density, 0.2, 1, 0, motion), TestPictures.COVERAGE, 3);
+        return TestClouds.field(extent, density, 0.2, new Cloud.Motion(Vec3.ZERO, 10), 3);
     }
 
     static List<Cloud.Puff> puffs(int count) {

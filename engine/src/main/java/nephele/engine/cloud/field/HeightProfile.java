@@ -59,7 +59,7 @@ public final class HeightProfile {
     private static HeightProfile stratus() {
         return new HeightProfile(
                 0.3,
-                1.25,
+                1.2,
                 0,
                 h -> 0.5 * (2 * h - 1) * (2 * h - 1) * (2 * h - 1) * (2 * h - 1),
                 h -> 0.5,
@@ -86,7 +86,7 @@ public final class HeightProfile {
                 h -> 0.15
                         + 0.3 * anvil
                         + 0.4 * (1 - 0.5 * anvil) * h * h
-                        + 1.3 * ramp(0.93, 1, h)
+                        + (1.3 + 0.5 * anvil) * ramp(0.93, 1, h)
                         - anvil * (SPREAD + 0.6) * ramp(0.76, 0.93, h),
                 h -> 0.45 + 0.15 * ramp(0, 0.2, h) - 0.35 * anvil * ramp(0.78, 0.92, h),
                 h -> 6 - 4 * anvil * ramp(0.75, 0.9, h),

@@ -38,7 +38,7 @@ public final class ShellField implements ExtinctionField {
         double up = PLANET_METRES + y;
         double across = x * x + z * z;
         double distance = Math.sqrt(up * up + across);
-        return up >= 0 ? y + across / (distance + up) : distance - PLANET_METRES;
+        return up > 0 ? y + across / (distance + up) : distance - PLANET_METRES;
     }
 
     @Override
@@ -131,12 +131,15 @@ public final class ShellField implements ExtinctionField {
 
         @Override
         public boolean next() {
-            while (walk == null || !walk.next()) {
-                if (!nextChunk()) {
-                    return false;
+            do {
+                while (walk == null || !walk.next()) {
+                    if (!nextChunk()) {
+                        return false;
+                    }
+                    walk = flat.walk(chord(), 0, chunkTo - chunkFrom);
                 }
-                walk = flat.walk(chord(), 0, chunkTo - chunkFrom);
-            }
+                // Far away, rounding can leave nothing of a short segment.
+            } while (!(toMetres() > fromMetres()));
             return true;
         }
 
