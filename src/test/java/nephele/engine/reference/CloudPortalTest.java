@@ -101,7 +101,7 @@ class CloudPortalTest {
         double tint = 0.5;
         TestLevel level = sky().material(new nephele.engine.level.Material(
                         "mirror", TestLevel.grey(tint), null, null, null, null, Vec3.ZERO, 1, true))
-                .box("mirror", new Vec3(0, 0, -1), new Vec3(40, 40, 2))
+                .box("mirror", new Vec3(0, 0, -5), new Vec3(40, 40, 10))
                 .cloud(new Vec3(0, 3, 14), new Vec3(12, 9, 10), 0.5, 0.9, 0.6);
         Pinhole intoMirror = Traced.eye(new Vec3(0, 0.5, 3), new Vec3(0, 0.5, 0), 0.3);
         var basis = new nephele.engine.math.Basis(
