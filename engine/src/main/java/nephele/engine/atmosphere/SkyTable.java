@@ -18,7 +18,7 @@ public final class SkyTable {
     /** Tangent of half the elevation up to which half of the sky's rows are. */
     private static final double BAND = Math.tan(Math.toRadians(4));
     /** From above this height most of the sky's rows lie in the limb, which may be far brighter than the rest. */
-    private static final double LIMB_METRES = 30_000;
+    private static final double LIMB_METRES = 40_000;
 
     private static final double LEAST = 5e-8;
     public static final int ROWS = SKY_ROWS + GROUND_ROWS;

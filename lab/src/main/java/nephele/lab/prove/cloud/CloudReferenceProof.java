@@ -21,7 +21,7 @@ public final class CloudReferenceProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "cloud-reference",
-                "Three levels of a cloud traced with 512 samples a pixel have the mean radiance of Mitsuba's pictures"
+                "Three clouds traced with 512 samples a pixel have the mean radiance of Mitsuba's pictures"
                         + " within 4 standard errors and 0.7 %, and 99.75 % of the pixels that see the cloud are within"
                         + " 5.",
                 "pictures",
