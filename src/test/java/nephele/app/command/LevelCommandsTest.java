@@ -67,7 +67,7 @@ class LevelCommandsTest {
                 .lines()
                 .skip(RenderFeatures.ALL.size())
                 .toList();
-        assertEquals("clouds: not drawn by this version yet (2); render --reference shows them", lines.get(0));
+        assertEquals("clouds: 2 drawn as volumes", lines.get(0));
         assertEquals("environment.weather: overcast with weatherSeed 5 means these environment.clouds:", lines.get(1));
         assertEquals(4, lines.size());
         var pasted = level("{" + HEAD + ", \"player\": {\"feet\": [0, 0, 0]}, \"environment\": {\"clouds\": ["

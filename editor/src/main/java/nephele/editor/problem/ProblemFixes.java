@@ -82,7 +82,7 @@ final class ProblemFixes {
         EntityRef ref = place.reference(level);
         return new ProblemFix(ProblemText.DELETE.with(ref.id()), now -> {
             Level without = place.replaced(now, known, null);
-            // Of two with one id, the other one keeps the notes.
+            // The notes stay if another entity has the same id.
             boolean isLast = Entities.LEVEL.find(without, ref).isEmpty();
             return isLast ? Notes.without(without, List.of(ref)) : without;
         });

@@ -26,7 +26,7 @@ public final class OffscreenSurface implements ViewportSurface {
     private final PictureView view = new PictureView();
     private final AtomicBoolean isDirty = new AtomicBoolean(true);
     private GlContext gl;
-    /** Of the present context, or of the last one after {@link #close}; {@code null} before the first. */
+    /** Objects of the present context, after {@link #close} of the last one; {@code null} before the first. */
     private LiveObjects live;
 
     private RuntimeException failure;

@@ -28,7 +28,7 @@ public final class AerialTable {
     /** Rise of a segment within which its density does not change. */
     private static final double LEVEL_METRES = 10;
 
-    /** So that half floats hold the extinction. */
+    /** Factor that keeps the extinction in the range of half floats. */
     private static final double EXTINCTION_SCALE = 1e4;
 
     private static final int NUMBERS = 4;

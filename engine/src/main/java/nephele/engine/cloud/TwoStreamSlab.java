@@ -22,7 +22,7 @@ public final class TwoStreamSlab {
     private final double depth;
     private final double a;
     private final double k;
-    /** Of the beam: m, c/(m + k) and 3/2 ωg; 0 for diffuse light. */
+    /** The beam's m, c/(m + k) and 3/2 ωg; 0 for diffuse light. */
     private final double m;
 
     private final double source;

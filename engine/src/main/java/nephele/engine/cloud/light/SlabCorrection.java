@@ -16,7 +16,7 @@ final class SlabCorrection {
     private static final double RATIO = Math.sqrt(2);
 
     private static final double GREATEST = 4;
-    /** So that no error of the quadrature makes light. */
+    /** Share of the fluxes that is aimed at, below 1: no error of the quadrature may make light. */
     private static final double KEPT = 0.998;
 
     private static final GaussLegendre ZENITH = new GaussLegendre(32);

@@ -16,7 +16,7 @@ public final class CloudExplanation {
         List<String> lines = new ArrayList<>();
         int count = WeatherClouds.all(environment).size();
         if (count > 0) {
-            lines.add("clouds: not drawn by this version yet (" + count + "); render --reference shows them");
+            lines.add("clouds: " + count + " drawn as volumes");
         }
         if (environment.weather() != null) {
             List<Cloud> meant = WeatherClouds.of(environment.weather(), environment.weatherSeed());

@@ -46,7 +46,7 @@ public final class SurfaceLight implements GlObject {
     private final PunctualLighting lights;
     private final DynamicShadows dynamicShadows;
     private Environment followed;
-    /** Of the atmosphere; {@code null} for another sky. */
+    /** The atmosphere's tables; {@code null} for another sky. */
     private AirTables airTables;
 
     SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {

@@ -35,7 +35,7 @@ public final class SkySweepProof implements Proof {
     private static final double LOWEST_DEGREES = -10;
     private static final double STEP_DEGREES = 0.01;
     private static final double MOST_CODES = 2;
-    /** Of noon and evening; of dusk and night. */
+    /** Exposures of noon and evening, then those of dusk and night. */
     private static final double[] LIT_STOPS = {-0.3, 1};
 
     private static final double[] DARK_STOPS = {4.5, 10};
