@@ -15,10 +15,11 @@ public final class ClearSky {
     private static final int CHANNELS = Air.CHANNELS;
 
     private final AirTables tables;
+    private final Sunlight sun;
     private final SingleScattering once;
     private final RepeatedScattering more;
     private final AirIntegral integral;
-    private final AirRay ray = new AirRay();
+    private final AirRay ray;
     private final double[] parts = new double[PARTS * CHANNELS];
     private final double[] single = new double[2 * CHANNELS];
     private final double[] multiple = new double[CHANNELS];
@@ -32,7 +33,9 @@ public final class ClearSky {
 
     ClearSky(AirTables tables, GaussLegendre rule) {
         this.tables = tables;
-        once = new SingleScattering(tables.air(), tables.sun());
+        ray = new AirRay(tables.air().sunRadiusRadians(), 0);
+        sun = tables.sunlight();
+        once = new SingleScattering(tables.air(), sun);
         more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
         integral = new AirIntegral(tables.air(), rule);
     }
@@ -92,12 +95,12 @@ public final class ClearSky {
     private void addGround(AirRay along, double[] radiance) {
         along.lookAt(along.lengthMetres());
         double cosine = along.pointSunCosine();
-        tables.sun().put(0, cosine, direct);
+        sun.putOnGround(cosine, direct);
         tables.field().putGroundIrradiance(cosine, diffuse);
         Vec3 albedo = tables.air().groundAlbedo();
         double[] reflected = {albedo.x(), albedo.y(), albedo.z()};
         for (int c = 0; c < CHANNELS; c++) {
-            double irradiance = Math.max(0, cosine) * direct[c] + diffuse[c];
+            double irradiance = direct[c] + diffuse[c];
             radiance[2 * CHANNELS + c] += reflected[c] / Math.PI * transmittance[c] * irradiance;
         }
     }

@@ -139,6 +139,17 @@ public final class TracedLevel {
         return air.isPresent() ? air.get().over(radiance, place, direction.toVector(), metres) : radiance;
     }
 
+    /**
+     * Returns the share of the light of a place that passes the air, for each channel.
+     *
+     * @param direction unit vector from the eye, at the place
+     * @param metres length of the path
+     */
+    Vector3d airTransmittance(Vec3 place, Vec3 direction, double metres) {
+        return air.map(all -> all.transmittance(place, direction.toVector(), metres))
+                .orElseGet(() -> new Vector3d(1));
+    }
+
     Vector3d throughFog(Vector3d radiance, double metres) {
         return fog.isPresent() ? fog.get().over(radiance, metres) : radiance;
     }

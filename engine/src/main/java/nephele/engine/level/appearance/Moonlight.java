@@ -1,5 +1,6 @@
 package nephele.engine.level.appearance;
 
+import nephele.engine.atmosphere.SunDisc;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.math.Directions;
@@ -27,7 +28,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     public static Moonlight of(Atmosphere sky, Sun sun) {
         Vec3 towardsMoon = Heavens.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        double share = fade(towardsSun.y()) * Daylight.shareAboveHorizon(Math.asin(towardsMoon.y()));
+        double share = fade(towardsSun.y()) * SunDisc.seen(0, towardsMoon.y()).share();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
         return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
     }

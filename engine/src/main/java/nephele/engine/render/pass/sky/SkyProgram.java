@@ -33,7 +33,13 @@ final class SkyProgram {
     private Sky.Atmosphere skyShown;
 
     private record SunNumbers(
-            Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Vector2 band, Scalar mieG) {}
+            Vector3 towards,
+            Vector3 irradiance,
+            Vector3 disc,
+            Scalar discSine,
+            Scalar horizon,
+            Vector2 band,
+            Scalar mieG) {}
 
     private record NightNumbers(
             Vector3 towardsMoon,
@@ -54,6 +60,7 @@ final class SkyProgram {
                             uniforms.vector3("towardsSun"),
                             uniforms.vector3("irradiance"),
                             uniforms.vector3("disc"),
+                            uniforms.scalar("discSine"),
                             uniforms.scalar("horizon"),
                             uniforms.vector2("band"),
                             uniforms.scalar("mieG"));
@@ -84,6 +91,7 @@ final class SkyProgram {
         set(sunNumbers.towards, towardsSun);
         set(sunNumbers.irradiance, sun.irradiance());
         set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
+        sunNumbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
         sunNumbers.horizon.set((float) SkyTable.horizon(heightMetres));
         sunNumbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
         sunNumbers.mieG.set((float) air.mieG());
@@ -109,11 +117,14 @@ final class SkyProgram {
         set(nightNumbers.pole, axes[2]);
     }
 
-    /** Returns the radiance of the disc's middle. */
+    /** Returns the mean radiance of the disc; black for a point. */
     private static Vec3 disc(Vec3 outside, double sunSine, Air air, double heightMetres) {
+        if (air.sunRadiusRadians() == 0) {
+            return Vec3.ZERO;
+        }
         double horizon = Math.sin(SkyTable.horizonRadians(heightMetres));
         Vec3 dimmed = air.transmittance(heightMetres, Math.max(horizon + 1e-6, sunSine));
-        double steradians = Math.PI * Daylight.SUN_RADIUS_RADIANS * Daylight.SUN_RADIUS_RADIANS;
+        double steradians = Math.PI * air.sunRadiusRadians() * air.sunRadiusRadians();
         return new Vec3(
                 Math.min(MOST_RADIANCE, outside.x() * dimmed.x() / steradians),
                 Math.min(MOST_RADIANCE, outside.y() * dimmed.y() / steradians),

@@ -7,7 +7,8 @@ in vec3 direction;
 uniform sampler2DArray skyTable;
 uniform vec3 towardsSun;
 uniform vec3 irradiance; // of the sun outside the air
-uniform vec3 disc; // radiance of the sun's middle
+uniform vec3 disc; // mean radiance of the sun
+uniform float discSine; // of its angular radius
 uniform float horizon; // tan(e / 2) of its elevation e
 uniform vec2 band; // x: its end as tan(e / 2), y: the share of the sky's rows that are in it
 uniform float mieG;
@@ -25,7 +26,6 @@ const float PI = 3.14159265;
 const float SKY_ROWS = 128.0;
 const float GROUND_ROWS = 40.0;
 const float AZIMUTHS = 81.0;
-const float SUN_SINE = 0.0046530; // of its angular radius
 
 float rowOf(float elevation) {
     float above = elevation - horizon;
@@ -244,8 +244,8 @@ void main() {
     if (elevation > horizon && dot(away, towardsSun) > 0.0) {
         // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
         float sine = length(cross(away, towardsSun));
-        float fromMiddle = min(1.0, sine / SUN_SINE);
-        light += discInPixel(sine, SUN_SINE, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
+        float fromMiddle = min(1.0, sine / max(discSine, 1e-6));
+        light += discInPixel(sine, discSine, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
     }
     writeRadiance(light);
 }
