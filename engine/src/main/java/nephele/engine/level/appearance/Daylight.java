@@ -71,6 +71,11 @@ public final class Daylight {
         return environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
     }
 
+    /** Returns the sine of the sun's elevation some simulated seconds after an instant. */
+    public static double sunSineAfter(Environment now, double seconds) {
+        return Directions.unit(at(now, seconds).sun().directionTowardsSun()).y();
+    }
+
     /** Returns the air of a sky, under its sun. */
     public static Air air(Atmosphere sky) {
         double albedo = sky.groundAlbedo();

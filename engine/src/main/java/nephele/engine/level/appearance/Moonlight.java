@@ -33,6 +33,11 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
         return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
     }
 
+    /** Returns the sine of the moon's elevation some simulated seconds after an instant. */
+    public static double sineAfter(Atmosphere sky, double seconds) {
+        return Heavens.towardsMoon(Heavens.later(sky, seconds)).y();
+    }
+
     private static double fade(double sunSine) {
         double t = Math.max(0, Math.min(1, (sunSine - FULL_SINE) / (NONE_SINE - FULL_SINE)));
         return 1 - t * t * (3 - 2 * t);

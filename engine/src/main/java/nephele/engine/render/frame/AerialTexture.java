@@ -1,6 +1,6 @@
 package nephele.engine.render.frame;
 
-import java.util.concurrent.CompletableFuture;
+import java.nio.FloatBuffer;
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.render.gl.GlContext;
@@ -9,58 +9,49 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import org.lwjgl.system.MemoryUtil;
+import nephele.engine.render.resource.BackgroundWork;
+import nephele.engine.render.resource.MovingTable;
 
 /** An {@link AerialTable} as a texture, which follows the sun. */
 final class AerialTexture implements GlObject {
+    private static final int SLICE_NUMBERS = 4 * AerialTable.AZIMUTHS * AerialTable.ROWS;
+
     private final double heightMetres;
     private final Texture texture;
-    private AerialTable shown;
-    private CompletableFuture<AerialTable> coming;
+    private final MovingTable sun;
 
-    AerialTexture(GlContext gl, double heightMetres) {
+    AerialTexture(GlContext gl, BackgroundWork background, AirTables tables, double heightMetres) {
         this.heightMetres = heightMetres;
         var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, AerialTable.SLICES);
         texture =
                 new Texture(gl, "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP);
+        sun = new MovingTable(
+                texture,
+                0,
+                AerialTable.SLICES,
+                background,
+                sine -> texels(new AerialTable(tables, heightMetres, sine)));
+    }
+
+    private static float[] texels(AerialTable table) {
+        float[] texels = new float[SLICE_NUMBERS * AerialTable.SLICES];
+        for (int slice = 0; slice < AerialTable.SLICES; slice++) {
+            table.putTexels(slice, FloatBuffer.wrap(texels, slice * SLICE_NUMBERS, SLICE_NUMBERS));
+        }
+        return texels;
     }
 
     double heightMetres() {
         return heightMetres;
     }
 
-    AerialTable table() {
-        return shown;
-    }
-
     void bind(TextureUnit unit) {
         texture.bind(unit);
     }
 
-    /** The first table is waited for; while the sun moves, the next one is computed beside the frames. */
-    void follow(AirTables tables, double sunSine, boolean moves) {
-        if (coming != null && coming.isDone()) {
-            show(coming.join());
-            coming = null;
-        }
-        if (coming != null || shown != null && shown.sunSine() == sunSine) {
-            return;
-        }
-        if (shown == null || !moves) {
-            show(new AerialTable(tables, heightMetres, sunSine));
-        } else {
-            coming = CompletableFuture.supplyAsync(() -> new AerialTable(tables, heightMetres, sunSine));
-        }
-    }
-
-    private void show(AerialTable table) {
-        shown = table;
-        var texels = MemoryUtil.memAlloc(4 * Float.BYTES * AerialTable.AZIMUTHS * AerialTable.ROWS);
-        for (int slice = 0; slice < AerialTable.SLICES; slice++) {
-            table.putTexels(slice, texels.asFloatBuffer());
-            texture.upload(slice, texels);
-        }
-        MemoryUtil.memFree(texels);
+    /** Returns what follows the sun. */
+    MovingTable sun() {
+        return sun;
     }
 
     @Override

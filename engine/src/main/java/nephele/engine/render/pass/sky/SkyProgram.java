@@ -29,7 +29,7 @@ final class SkyProgram {
     private SunNumbers sunNumbers;
     private NightNumbers nightNumbers;
     private Sun sunShown;
-    private double heightShown = Double.NaN;
+    private Heights heightsShown;
     private Sky.Atmosphere skyShown;
 
     private record SunNumbers(
@@ -38,6 +38,7 @@ final class SkyProgram {
             Vector3 disc,
             Scalar discSine,
             Scalar horizon,
+            Scalar horizonOfEye,
             Vector2 band,
             Scalar mieG) {}
 
@@ -51,7 +52,11 @@ final class SkyProgram {
             Vector3 depth) {}
 
     private SkyProgram(LoadContext context, boolean isNight) {
-        Defines defines = Defines.of(context).withIf(isNight, "NIGHT");
+        Defines defines = Defines.of(context)
+                .withIf(isNight, "NIGHT")
+                .with("SKY_ROWS", SkyTable.SKY_ROWS)
+                .with("GROUND_ROWS", SkyTable.GROUND_ROWS)
+                .with("AZIMUTHS", SkyTable.AZIMUTHS);
         drawing = new FullScreenDrawing(
                 context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
@@ -62,6 +67,7 @@ final class SkyProgram {
                             uniforms.vector3("disc"),
                             uniforms.scalar("discSine"),
                             uniforms.scalar("horizon"),
+                            uniforms.scalar("horizonOfEye"),
                             uniforms.vector2("band"),
                             uniforms.scalar("mieG"));
                     nightNumbers = !isNight
@@ -81,18 +87,27 @@ final class SkyProgram {
         return new SkyProgram(context, isNight);
     }
 
-    /** @param heightMetres of the eye for which the table is */
-    void sun(Sun sun, Vec3 towardsSun, Air air, double heightMetres) {
-        if (sun == sunShown && heightMetres == heightShown) {
+    /**
+     * The heights of the tables and of the eye.
+     *
+     * @param ofTable for which the light is tabulated
+     * @param ofEye where the horizon is seen from
+     */
+    record Heights(double ofTable, double ofEye) {}
+
+    void sun(Sun sun, Vec3 towardsSun, Air air, Heights heights) {
+        if (sun == sunShown && heights.equals(heightsShown)) {
             return;
         }
         sunShown = sun;
-        heightShown = heightMetres;
+        heightsShown = heights;
+        double heightMetres = heights.ofTable;
         set(sunNumbers.towards, towardsSun);
         set(sunNumbers.irradiance, sun.irradiance());
         set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
         sunNumbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
         sunNumbers.horizon.set((float) SkyTable.horizon(heightMetres));
+        sunNumbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, heights.ofEye)));
         sunNumbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
         sunNumbers.mieG.set((float) air.mieG());
         if (nightNumbers != null) {
