@@ -2,7 +2,7 @@ package nephele.engine.atmosphere;
 
 import java.util.function.DoubleConsumer;
 
-/** What depends on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
+/** The tables that depend on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
 public final class AirTables {
     private final Air air;
     private final SunTransmittance sun;

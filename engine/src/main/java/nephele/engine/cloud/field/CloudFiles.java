@@ -7,7 +7,7 @@ import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 
 /**
- * What a cloud's density needs besides its record; it is the same at all times.
+ * The files and tables of a cloud's density, decoded; they are the same at all times.
  *
  * @param grid densities of a grid or a picture; {@code null} for other densities
  * @param isOpticalDepth true if the grid holds the vertical optical depth of columns instead

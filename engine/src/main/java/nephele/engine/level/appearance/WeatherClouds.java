@@ -8,7 +8,7 @@ import nephele.engine.level.Weather;
 
 /** The clouds that an environment has altogether, and those that its weather means. */
 public final class WeatherClouds {
-    /** What the ids of a weather's clouds begin with. */
+    /** Prefix of the ids of a weather's clouds. */
     public static final String ID_PREFIX = "weather-";
 
     private WeatherClouds() {}

@@ -78,12 +78,6 @@ final class WeatherLayers {
         return ice("cirrus", new Cloud.Extent.Layer(between(10, 8500, 9800, 100), 600), streaks(0.7), 6e-4);
     }
 
-    /** A veil that dims the sun a little. */
-    Cloud cirrostratus() {
-        var noise = noise(between(13, 2600, 3400, 100), 0.8, 0.2, CloudProfile.STRATUS, 0);
-        return ice("cirrostratus", new Cloud.Extent.Layer(10_200, 400), noise, 2.5e-4);
-    }
-
     private Noise noise(double featureMetres, double coverage, double erosion, CloudProfile profile, double anvil) {
         return new Noise(seed, featureMetres, coverage, erosion, profile, null, anvil);
     }
@@ -104,8 +98,7 @@ final class WeatherLayers {
     private Cloud cloud(String genus, Cloud.Extent.Layer extent, Noise noise, double extinctionPerMetre, double g) {
         double metresPerSecond = Math.rint(between(14, 4, 9, 1) + extent.baseAltitudeMetres() / 500);
         double across = between(15, -2, 2, 1);
-        var motion =
-                new Cloud.Motion(new Vec3(metresPerSecond, 0, across), 4 * noise.featureMetres() / metresPerSecond);
+        double evolutionSeconds = Math.rint(4 * noise.featureMetres() / metresPerSecond);
         return new Cloud(
                 WeatherClouds.ID_PREFIX + genus,
                 extent,
@@ -114,7 +107,7 @@ final class WeatherLayers {
                 extinctionPerMetre,
                 1,
                 g,
-                new Cloud.Motion(motion.windMetresPerSecond(), Math.rint(motion.evolutionSeconds())));
+                new Cloud.Motion(new Vec3(metresPerSecond, 0, across), evolutionSeconds));
     }
 
     /** Returns a multiple of {@code step} in a range, as the number that a designer would write. */

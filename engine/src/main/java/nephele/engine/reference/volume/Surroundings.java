@@ -3,7 +3,7 @@ package nephele.engine.reference.volume;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
-/** What is around media: the light that comes from outside, and the walls that stop it. May belong to one thread. */
+/** The surroundings of media: light that comes from outside, and walls that stop it. May belong to one thread. */
 public interface Surroundings {
     /** Returns the unit direction towards the sun; any direction if there is none. */
     Vec3 towardsSun();
