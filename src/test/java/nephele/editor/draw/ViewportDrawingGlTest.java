@@ -28,6 +28,8 @@ import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.BoxFace;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
@@ -328,6 +330,11 @@ class ViewportDrawingGlTest {
         assertTrue(later.isEmpty(), "nothing has changed since");
     }
 
+    private static Cloud cloud(Cloud.Density density) {
+        Cloud.Extent extent = new Cloud.Extent.Volume(new Vec3(0, 1, 2), new Vec3(2, 2, 2));
+        return new Cloud(density.toString(), extent, CloudTechnique.AUTO, density, 1, 1, 0);
+    }
+
     @Test
     void whatCannotBeDrawnIsLeftOutAndReported() {
         Material missing = new Material("m", new Vec3(1, 1, 1), "no.png", null, null, "no-n.png", Vec3.ZERO, 1);
@@ -339,7 +346,11 @@ class ViewportDrawingGlTest {
                 List.of(new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null, null)));
         ModelPlacement lost = new ModelPlacement("lost", "no.obj", null, List.of(), null, false);
         ModelPlacement onLost = new ModelPlacement("on", "box_1_1.3d", "lost", List.of(), null, false);
-        Level level = level().with(List.of(missing), List.of(WALL, broken), List.of(), List.of(lost, onLost));
+        Level ground = level().with(List.of(missing), List.of(WALL, broken), List.of(), List.of(lost, onLost));
+        List<Cloud> clouds = List.of(
+                cloud(new Cloud.Density.Grid("no.vol")),
+                cloud(new Cloud.Density.Noise(1, 2, 0.9, 0, null, "no-map.png", 0)));
+        Level level = ground.with(ground.environment().withClouds(clouds), List.of());
         for (ViewMode mode : ViewMode.values()) {
             int[] picture = picture(level, AHEAD, mode);
             assertTrue(Arrays.equals(picture(level(WALL), AHEAD, mode), picture), mode.toString());
@@ -349,6 +360,8 @@ class ViewportDrawingGlTest {
         assertTrue(messages.removeIf(line -> line.startsWith("no.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("no-n.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("no.obj: ")), messages.toString());
+        assertTrue(messages.removeIf(line -> line.startsWith("no.vol: ")), messages.toString());
+        assertTrue(messages.removeIf(line -> line.startsWith("no-map.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("solids/open: ")), messages.toString());
         assertEquals(List.of(), messages);
         picture(level(WALL), AHEAD, ViewMode.LIT);

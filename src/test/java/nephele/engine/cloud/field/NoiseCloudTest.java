@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;

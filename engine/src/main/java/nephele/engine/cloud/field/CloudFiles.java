@@ -1,8 +1,11 @@
 package nephele.engine.cloud.field;
 
+import java.util.function.LongFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 
@@ -23,7 +26,7 @@ record CloudFiles(VoxelGrid grid, boolean isOpticalDepth, VoxelGrid coverage, Cl
      * @param tables makes or remembers the tables of a seed
      * @throws AssetException if a picture or grid is unusable
      */
-    static CloudFiles of(Cloud cloud, AssetSource assets, java.util.function.LongFunction<CloudTables> tables) {
+    static CloudFiles of(Cloud cloud, AssetSource assets, LongFunction<CloudTables> tables) {
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
             return new CloudFiles(VolFile.parse(grid.file(), assets.bytes(grid.file())), false, null, null);
         }

@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /** The greatest extinction in coarse cells of a grid: the maximum over the voxels that influence the cell. */
