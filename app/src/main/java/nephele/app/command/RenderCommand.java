@@ -5,9 +5,7 @@ import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -106,10 +104,10 @@ final class RenderCommand implements Command {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
-    /** Returns a notice for options without effect: the environment stands still, or no cloud has another technique yet. */
+    /** Returns a notice for options without effect: the environment stands still, or clouds are not drawn yet. */
     private Optional<String> ignored(OpenedLevel opened) {
         var options = new ArrayList<String>();
-        if (timeSeconds != 0 && !moves(opened.level().environment())) {
+        if (timeSeconds != 0 && !Daylight.moves(opened.level().environment())) {
             options.add("--time");
         }
         if (technique != null) {
@@ -118,11 +116,6 @@ final class RenderCommand implements Command {
         return options.isEmpty()
                 ? Optional.empty()
                 : Optional.of("nothing in this level follows " + String.join(" or ", options));
-    }
-
-    /** Returns true if time changes the picture; only traced clouds move. */
-    private boolean moves(Environment environment) {
-        return Daylight.moves(environment) || reference.isAsked() && WeatherClouds.move(environment);
     }
 
     private void checkUsage() {

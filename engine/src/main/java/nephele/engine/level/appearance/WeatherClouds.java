@@ -23,11 +23,6 @@ public final class WeatherClouds {
         return List.copyOf(all);
     }
 
-    /** Returns true if a cloud drifts or takes other shapes. */
-    public static boolean move(Environment environment) {
-        return all(environment).stream().anyMatch(cloud -> !cloud.motion().equals(Cloud.Motion.STILL));
-    }
-
     /**
      * Returns the clouds of a weather, from low to high. Covers follow the eighths of the sky that weather reports mean
      * by these words, altitudes the World Meteorological Organization's International Cloud Atlas for temperate
