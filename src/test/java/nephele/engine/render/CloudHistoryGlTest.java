@@ -38,6 +38,7 @@ class CloudHistoryGlTest {
                 .material("wall", new Vec3(0.5, 0.4, 0.3))
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(8, 1, 20))
                 .cloud(new Vec3(0, 30, -90), new Vec3(60, 30, 40), 0.3, 1, 0.6)
+                .cloud(new Vec3(0, 15, 60), new Vec3(40, 20, 30), 0.3, 1, 0.6)
                 .cloud(new Vec3(40, 25, -50), new Vec3(30, 20, 30), 0.2, 1, 0.6)
                 .cloud(new Vec3(-14, 10, -25), new Vec3(20, 8, 14), 0.4, 1, 0.6);
     }
@@ -128,7 +129,7 @@ class CloudHistoryGlTest {
             // Both portals face +z: what enters one towards -z leaves the other towards +z.
             for (double z = 9.75; z < 11; z += 0.25) {
                 Vec3 eye = new Vec3(-0.5, 2, z);
-                View view = offscreen.view(eye, eye.plus(new Vec3(0.8, 0.3, -1)));
+                View view = offscreen.view(eye, eye.plus(new Vec3(0.1 * (z - 9.5), 0.3, 1)));
                 assertArrayEquals(drawn(offscreen, cold, view), drawn(offscreen, warm, view), "z " + z);
             }
         }
