@@ -330,6 +330,19 @@ class ViewportDrawingGlTest {
         assertTrue(later.isEmpty(), "nothing has changed since");
     }
 
+    @Test
+    void hiddenCloudsAreNotDrawn() {
+        Level sky = level(WALL);
+        Cloud cloud = cloud(new Cloud.Density.Ellipsoid());
+        Level cloudy = sky.with(sky.environment().withClouds(List.of(cloud)), List.of());
+        int[] seen = picture(cloudy, AHEAD, ViewMode.LIT);
+        EditorNotes hiding =
+                new EditorNotes(List.of(), List.of("environment.clouds/" + cloud.id()), List.of(), List.of());
+        int[] hidden = picture(cloudy.with(hiding), AHEAD, ViewMode.LIT);
+        assertArrayEquals(picture(sky, AHEAD, ViewMode.LIT), hidden);
+        assertNotEquals(at(hidden, 100, 75), at(seen, 100, 75));
+    }
+
     private static Cloud cloud(Cloud.Density density) {
         Cloud.Extent extent = new Cloud.Extent.Volume(new Vec3(0, 1, 2), new Vec3(2, 2, 2));
         return new Cloud(density.toString(), extent, CloudTechnique.AUTO, density, 1, 1, 0);

@@ -27,8 +27,11 @@ final class DrawnLevel implements AutoCloseable {
     private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
     private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
     private final SkyBake bake;
+    private final AirPreparation air;
     private PlacedLevel placed;
     private Level shown;
+    /** Without what is hidden, and in air that can be drawn at once. */
+    private Level wanted;
     /** {@code null} if the last version could be derived. */
     private String levelFailure;
 
@@ -37,6 +40,7 @@ final class DrawnLevel implements AutoCloseable {
         this.assets = assets;
         this.background = background;
         bake = new SkyBake(executor, repaintSoon);
+        air = new AirPreparation(AirPreparation.AirStore.OF_USER, executor, repaintSoon);
     }
 
     /** Returns true if a level with these files and background is an edited version of this one. */
@@ -44,11 +48,11 @@ final class DrawnLevel implements AutoCloseable {
         return otherAssets == assets && otherBackground == background;
     }
 
-    /** Follows an edit. */
+    /** Follows an edit, and what was prepared in the background. */
     void show(Level level) {
         shown = level;
         levelFailure = null;
-        Level wanted = visible.of(level);
+        wanted = air.of(visible.of(level));
         while (true) {
             Level usable = repair.of(wanted);
             try {
@@ -61,6 +65,11 @@ final class DrawnLevel implements AutoCloseable {
                 }
             }
         }
+    }
+
+    /** Returns what of the last level is drawn as far as possible. */
+    Level wanted() {
+        return wanted;
     }
 
     /** Keeps the last level that could be derived. */
@@ -89,7 +98,7 @@ final class DrawnLevel implements AutoCloseable {
                 picture.show(placed, light);
                 return Optional.of(picture);
             } catch (RuntimeException failure) {
-                if (!repair.learn(visible.of(shown), failure)) {
+                if (!repair.learn(wanted, failure)) {
                     failures.put(mode, mode + ": " + failure.getMessage());
                     return Optional.empty();
                 }
@@ -117,7 +126,7 @@ final class DrawnLevel implements AutoCloseable {
 
     /** Returns what is not shown, a line each. */
     List<String> messages() {
-        List<String> messages = new ArrayList<>(repair.messages(visible.of(shown)));
+        List<String> messages = new ArrayList<>(repair.messages(wanted));
         messages.addAll(failures.values());
         if (levelFailure != null) {
             messages.add(levelFailure);
@@ -128,6 +137,7 @@ final class DrawnLevel implements AutoCloseable {
     @Override
     public void close() {
         bake.close();
+        air.close();
         edges.values().forEach(LevelEdges::close);
         pictures.values().forEach(LevelPicture::close);
         pictures.clear();

@@ -39,6 +39,11 @@ public final class AirTables {
         return new AirTables(air, sun, field.refined());
     }
 
+    /** Returns true if the light field of air that is not clear is found. */
+    public static boolean isKept(Air air, AirFiles files) {
+        return files.find(LightFieldFile.nameFor(air)).isPresent();
+    }
+
     /** Returns the tables, computed unless the air is clear. */
     public static AirTables of(Air air) {
         return of(air, AirFiles.NONE, done -> {});
