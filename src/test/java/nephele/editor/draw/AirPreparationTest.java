@@ -12,11 +12,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import nephele.editor.save.DraftLevel;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
-import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.Daylight;
 import org.junit.jupiter.api.Test;
 
@@ -51,9 +50,8 @@ class AirPreparationTest {
     }
 
     private static Level level(double mieScale, double hours) {
-        Sky sky = new Sky.Atmosphere(0.3, mieScale, 0.8, 1, 45, 172, hours, 0);
-        return Level.of(
-                "", "", new Environment(null, sky, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of()), List.of());
+        return DraftLevel.of("\"environment\": {\"sky\": {\"kind\": \"atmosphere\", \"mieScale\": " + mieScale
+                + ", \"timeOfDayHours\": " + hours + "}}");
     }
 
     @Test

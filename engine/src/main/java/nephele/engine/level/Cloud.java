@@ -83,7 +83,8 @@ public record Cloud(
          * @param coverage share of the sky that is meant to be covered
          * @param erosion how far wisps eat into the edges
          * @param profile {@code null} for noise that fills the extent evenly from base to top
-         * @param coverageMap a grey picture as seen from above that multiplies the coverage; {@code null} for none
+         * @param coverageMap a grey picture as seen from above that multiplies the coverage, without a profile the density;
+         *     {@code null} for none
          * @param anvil how far the top spreads
          */
         record Noise(
