@@ -39,6 +39,7 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlKind;
@@ -328,6 +329,19 @@ class ViewportDrawingGlTest {
         int under = 95;
         assertTrue(brightness(at(baked, 100, under)) < brightness(at(open, 100, under)), "the wall darkens the floor");
         assertTrue(later.isEmpty(), "nothing has changed since");
+    }
+
+    /** The placed level has the sun of its hour, and so is another object than the level of the frame. */
+    @Test
+    void aLevelUnderAnAtmosphereIsPlacedOnce() {
+        Level level = level(WALL);
+        level = level.with(level.environment().with(Sky.Atmosphere.CLEAR), List.of());
+        DrawnLevel drawn = new DrawnLevel(gl, assets, Background.DARK, later::add, () -> repaints++);
+        drawn.show(level);
+        PlacedLevel placed = drawn.placed();
+        drawn.show(level);
+        assertTrue(placed == drawn.placed(), "placed again");
+        drawn.close();
     }
 
     @Test

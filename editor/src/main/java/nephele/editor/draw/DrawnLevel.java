@@ -29,6 +29,8 @@ final class DrawnLevel implements AutoCloseable {
     private final SkyBake bake;
     private final AirPreparation air;
     private PlacedLevel placed;
+    /** The level that was placed; the placed one may have the sun of its hour. */
+    private Level placedFrom;
     private Level shown;
     /** Without what is hidden, and in air that can be drawn at once. */
     private Level wanted;
@@ -83,9 +85,15 @@ final class DrawnLevel implements AutoCloseable {
     private void place(Level usable) {
         if (placed == null) {
             placed = PlacedLevel.of(usable, assets);
-        } else if (placed.level() != usable) {
+        } else if (placedFrom != usable) {
             placed = placed.edited(usable);
         }
+        placedFrom = usable;
+    }
+
+    /** Returns what of the last level could be placed. */
+    PlacedLevel placed() {
+        return placed;
     }
 
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
