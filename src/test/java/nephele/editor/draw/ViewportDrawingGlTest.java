@@ -184,6 +184,18 @@ class ViewportDrawingGlTest {
     }
 
     @Test
+    void surfacesHideMarksInLinearLightToo() {
+        Level level = level(WALL);
+        Level auto = level.with(level.environment().with(Exposure.AUTO), List.of());
+        picture(auto, new PerspectiveCamera(new Vec3(0, 1, 5), 180, 0, 60), ViewMode.LIT);
+        int[] plain = picture(auto, AHEAD, ViewMode.LIT);
+        int[] front = picture(auto, AHEAD, ViewMode.LIT, across(0.5, Visibility.HIDDEN_BY_SURFACES));
+        int[] behind = picture(auto, AHEAD, ViewMode.LIT, across(-2, Visibility.HIDDEN_BY_SURFACES));
+        assertNotEquals(at(plain, 100, 75), at(front, 100, 75));
+        assertArrayEquals(plain, behind);
+    }
+
+    @Test
     void marksAreWhereTheCameraProjectsThemAlsoFarFromTheOrigin() {
         Vec3 far = new Vec3(3e6, 0, -2e6);
         PerspectiveCamera camera = new PerspectiveCamera(far.plus(new Vec3(0.3, 0.2, 4)), 10, -5, 60);

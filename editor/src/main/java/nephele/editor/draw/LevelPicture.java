@@ -93,7 +93,7 @@ final class LevelPicture implements AutoCloseable {
         return placed == null ? PlacedLevel.of(level, base.assets()) : placed.edited(level);
     }
 
-    /** Draws over the whole target. */
+    /** Draws over the whole target, colours and depth. */
     void draw(View view, RenderTarget picture) {
         if (mode != ViewMode.LIT) {
             state.environment(EvenLight.seenFrom(placed.level().environment(), view.right(), view.up(), view.back()));
@@ -103,6 +103,7 @@ final class LevelPicture implements AutoCloseable {
             renderer.forget();
         }
         renderer.draw(view, state, picture);
+        renderer.copyDepth(picture);
     }
 
     @Override
