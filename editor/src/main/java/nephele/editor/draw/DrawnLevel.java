@@ -31,6 +31,7 @@ final class DrawnLevel implements AutoCloseable {
     private PlacedLevel placed;
     /** The level that was placed; the placed one may have the sun of its hour. */
     private Level placedFrom;
+
     private Level shown;
     /** Without what is hidden, and in air that can be drawn at once. */
     private Level wanted;
