@@ -54,6 +54,10 @@ final class BlockPyramid {
         return levels.get(0).rows;
     }
 
+    double greatestOfAll() {
+        return levels.get(levels.size() - 1).at(0, 0);
+    }
+
     /** Returns an upper bound of a rectangle of blocks, the last ones included; behind the last block follows the first. */
     double greatest(long firstI, long firstK, long lastI, long lastK) {
         int i = (int) Math.floorMod(firstI, (long) columns());

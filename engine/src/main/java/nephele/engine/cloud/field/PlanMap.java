@@ -39,6 +39,10 @@ final class PlanMap {
         return left + (pixels.value(alongX.upper(floorU), 0, k) - left) * share;
     }
 
+    boolean isBlack() {
+        return maxima.greatestOfAll() == 0;
+    }
+
     /** Returns an upper bound of the values in a rectangle. */
     double greatest(double fromX, double fromZ, double toX, double toZ) {
         long firstI = block((fromX - blocks.originX()) / blocks.sizeX(), maxima.columns());
