@@ -108,7 +108,8 @@ public final class TracedLevel {
 
     /** Returns an object for one thread that finds clouds on eye paths; empty without clouds. */
     Optional<CloudSight> cloudSight() {
-        return clouds.map(all -> new CloudSight(all.media(), new Walls(all.open(), rays, portals, sunCastsShadow)));
+        return clouds.map(
+                all -> new CloudSight(all.media(), new LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */
