@@ -50,4 +50,13 @@ public record Environment(
     public Environment withAmbient(Vec3 radiance) {
         return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
     }
+
+    public Environment withFog(Fog newFog) {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, newFog, clouds, weather, weatherSeed);
+    }
+
+    /** Returns this environment without clouds, those of its weather included. */
+    public Environment withoutClouds() {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of(), null, 0);
+    }
 }

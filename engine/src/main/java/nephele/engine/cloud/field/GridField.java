@@ -85,7 +85,7 @@ public final class GridField implements ExtinctionField {
 
     @Override
     public boolean isEmpty() {
-        return extinctionPerMetre == 0 || bounds.isEmpty();
+        return bounds.isEmpty() || maxima.areZero();
     }
 
     @Override

@@ -7,14 +7,19 @@ import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Ray;
 import nephele.engine.reference.volume.CloudMedia;
+import nephele.engine.reference.volume.OutsideLight;
 import nephele.engine.reference.volume.Surroundings;
 import nephele.engine.reference.volume.VolumeTracer;
+import org.joml.Vector3d;
 
 /** The clouds of a level at a time and the light around them, without the level's surfaces. Immutable. */
 public final class LevelClouds {
+    private static final SkyRadiance BLACK = (height, x, y, z) -> new Vector3d();
+
     private final CloudMedia media;
     private final Surroundings open;
 
@@ -40,8 +45,12 @@ public final class LevelClouds {
             return Optional.empty();
         }
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
-        Surroundings open = isRound ? OverPlanet.of(environment) : OverPlain.of(environment, sky);
+        Surroundings open = isRound ? OverPlanet.of(environment) : plain(environment.sun(), sky.orElse(BLACK));
         return Optional.of(new LevelClouds(new CloudMedia(media), open));
+    }
+
+    private static Surroundings plain(Sun sun, SkyRadiance sky) {
+        return sun == null ? OutsideLight.of(sky) : OutsideLight.of(sun.directionTowardsSun(), sun.irradiance(), sky);
     }
 
     public CloudMedia media() {
