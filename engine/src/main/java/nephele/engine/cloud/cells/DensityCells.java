@@ -1,7 +1,5 @@
 package nephele.engine.cloud.cells;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.math.Aabb;
@@ -21,12 +19,12 @@ public final class DensityCells {
     private final byte[] distances;
     private final double greatestPerMetre;
 
-    private DensityCells(CellBox cells, float[] perMetre, float greatestPerMetre, float[] occupied) {
+    private DensityCells(CellBox cells, float[] perMetre, double greatestPerMetre, float[] occupied) {
         this.cells = cells;
         this.greatestPerMetre = greatestPerMetre;
         densities = perMetre;
         for (int at = 0; at < perMetre.length && greatestPerMetre > 0; at++) {
-            densities[at] = Math.round(255 * perMetre[at] / greatestPerMetre) / 255f;
+            densities[at] = Math.round(255 * Math.min(1, perMetre[at] / greatestPerMetre)) / 255f;
         }
         distances = EmptyDistance.of(cells, occupied == null ? densities : occupied, FARTHEST);
     }
@@ -38,32 +36,32 @@ public final class DensityCells {
     }
 
     /**
-     * Samples a field on all processors.
+     * How a field is sampled.
      *
-     * @param boxes of cells that share one scale of densities
      * @param bound tells where the field can have any extinction; {@code null} if the samples tell it
      * @param finestMetres size of what must not be missed between two samples
+     * @param greatestPerMetre what density 1 stands for; 0 for the greatest sample
      */
-    public static List<DensityCells> of(ExtinctionField field, List<CellBox> boxes, Bound bound, double finestMetres) {
-        List<float[]> sampled = boxes.stream()
-                .map(cells -> sampled(field, cells, perEdge(cells, finestMetres)))
-                .toList();
-        float most = 0;
-        for (float[] values : sampled) {
-            for (float value : values) {
-                most = Math.max(most, value);
-            }
-        }
-        List<DensityCells> all = new ArrayList<>();
-        for (int i = 0; i < boxes.size(); i++) {
-            float[] occupied = bound == null ? null : occupied(boxes.get(i), bound);
-            all.add(new DensityCells(boxes.get(i), sampled.get(i), most, occupied));
-        }
-        return all;
+    public record Sampling(Bound bound, double finestMetres, double greatestPerMetre) {
+        /** Takes one sample a cell, and density 1 for the greatest. */
+        public static final Sampling PLAIN = new Sampling(null, Double.POSITIVE_INFINITY, 0);
     }
 
-    private static int perEdge(CellBox cells, double finestMetres) {
-        return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(cells.sizeX() / finestMetres)));
+    /** Samples a field on all processors. */
+    public static DensityCells of(ExtinctionField field, CellBox cells, Sampling sampling) {
+        float[] sampled = sampled(field, cells, sampling.finestMetres());
+        double scale = sampling.greatestPerMetre();
+        if (!(scale > 0)) {
+            for (float value : sampled) {
+                scale = Math.max(scale, value);
+            }
+        }
+        return new DensityCells(
+                cells, sampled, scale, sampling.bound() == null ? null : occupied(cells, sampling.bound()));
+    }
+
+    private static int perEdge(double edge, double finestMetres) {
+        return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(edge / finestMetres)));
     }
 
     private static float[] occupied(CellBox cells, Bound bound) {
@@ -78,27 +76,30 @@ public final class DensityCells {
         return occupied;
     }
 
-    private static float[] sampled(ExtinctionField field, CellBox cells, int perEdge) {
+    private static float[] sampled(ExtinctionField field, CellBox cells, double finestMetres) {
         float[] perMetre = new float[cells.count()];
+        int across = perEdge(Math.max(cells.sizeX(), cells.sizeZ()), finestMetres);
+        int up = perEdge(cells.sizeY(), finestMetres);
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
-                    perMetre[cells.index(i, j, k)] = (float) mean(field, cells, perEdge, i, j, k);
+                    perMetre[cells.index(i, j, k)] = (float) mean(field, cells, across, up, i, j, k);
                 }
             }
         });
         return perMetre;
     }
 
-    private static double mean(ExtinctionField field, CellBox cells, int perEdge, int i, int j, int k) {
+    private static double mean(ExtinctionField field, CellBox cells, int across, int up, int i, int j, int k) {
         double sum = 0;
-        for (int n = 0; n < perEdge * perEdge * perEdge; n++) {
-            double x = cells.centreX(i) + offset(n % perEdge, perEdge) * cells.sizeX();
-            double y = cells.centreY(j) + offset(n / perEdge % perEdge, perEdge) * cells.sizeY();
-            double z = cells.centreZ(k) + offset(n / perEdge / perEdge, perEdge) * cells.sizeZ();
+        int count = across * across * up;
+        for (int n = 0; n < count; n++) {
+            double x = cells.centreX(i) + offset(n % across, across) * cells.sizeX();
+            double y = cells.centreY(j) + offset(n / across / across, up) * cells.sizeY();
+            double z = cells.centreZ(k) + offset(n / across % across, across) * cells.sizeZ();
             sum += field.perMetre(x, y, z);
         }
-        return sum / (perEdge * perEdge * perEdge);
+        return sum / count;
     }
 
     private static double offset(int index, int perEdge) {

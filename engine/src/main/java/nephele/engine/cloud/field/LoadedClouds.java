@@ -12,6 +12,7 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.math.Vec3;
 
 /**
  * All clouds of an environment, those of its weather included, with their pictures, grids and tables; clouds with the
@@ -46,6 +47,30 @@ public final class LoadedClouds {
     /** Returns the clouds, those of the weather last. */
     public List<Cloud> clouds() {
         return clouds;
+    }
+
+    /** Returns the same clouds without wind: as an observer sees them who drifts with each. */
+    public LoadedClouds withoutWind() {
+        List<Cloud> still = clouds.stream().map(LoadedClouds::withoutWind).toList();
+        return new LoadedClouds(still, files, isRound);
+    }
+
+    private static Cloud withoutWind(Cloud cloud) {
+        var motion = new Cloud.Motion(Vec3.ZERO, cloud.motion().evolutionSeconds());
+        return new Cloud(
+                cloud.id(),
+                cloud.extent(),
+                cloud.technique(),
+                cloud.density(),
+                cloud.extinctionPerMetre(),
+                cloud.albedo(),
+                cloud.phaseG(),
+                motion);
+    }
+
+    /** Returns the field of a cloud at some time. */
+    public ExtinctionField field(int index, double seconds) {
+        return field(clouds.get(index), files.get(index), seconds);
     }
 
     /**

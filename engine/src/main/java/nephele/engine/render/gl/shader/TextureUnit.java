@@ -22,6 +22,7 @@ public enum TextureUnit {
     CLOUD_DETAIL(5),
     CLOUD_PROFILE(6),
     CLOUD_PLAN(14),
+    CLOUD_LIGHT_TO_COME(9),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),
     SKY_VISIBILITY(4),
