@@ -71,8 +71,8 @@ class CloudTimelineTest {
         try (CloudTimeline direct = timeline(environment);
                 CloudTimeline walking = timeline(environment)) {
             CloudInterval walked = null;
-            for (int step = 0; step <= 12; step++) {
-                walked = walking.at(environment, 0, end.scaled(step / 12.0));
+            for (int step = 0; step <= 4; step++) {
+                walked = walking.at(environment, 0, end.scaled(step / 4.0));
             }
             double[] expected = seen(direct.at(environment, 0, end), end);
             double[] found = seen(walked, end);

@@ -12,7 +12,7 @@ public final class DensityCells {
     /** Distances are counted up to here, in cells. */
     public static final int FARTHEST = 32;
 
-    private static final int MOST_SAMPLES = 4;
+    private static final int MOST_SAMPLES = 3;
 
     private final CellBox cells;
     private final float[] densities;
@@ -29,22 +29,30 @@ public final class DensityCells {
         distances = EmptyDistance.of(cells, occupied == null ? densities : occupied, FARTHEST);
     }
 
-    /** An upper bound of a field's extinction in a box. */
-    @FunctionalInterface
-    public interface Bound {
-        double perMetre(Aabb box);
-    }
-
     /**
      * How a field is sampled.
      *
-     * @param bound tells where the field can have any extinction; {@code null} if the samples tell it
      * @param finestMetres size of what must not be missed between two samples
      * @param greatestPerMetre what density 1 stands for; 0 for the greatest sample
      */
-    public record Sampling(Bound bound, double finestMetres, double greatestPerMetre) {
+    public record Sampling(double finestMetres, double greatestPerMetre) {
         /** Takes one sample a cell, and density 1 for the greatest. */
-        public static final Sampling PLAIN = new Sampling(null, Double.POSITIVE_INFINITY, 0);
+        public static final Sampling PLAIN = new Sampling(Double.POSITIVE_INFINITY, 0);
+    }
+
+    /** A field whose columns are made of bodies in plan, by their depth inside of one. */
+    public interface Columns {
+        /** Returns the depth of a column. */
+        double depth(double x, double z);
+
+        /** Returns an upper bound of the depths in a rectangle, given by its centre and half its sides. */
+        double greatestDepth(double x, double z, double halfX, double halfZ);
+
+        /** Returns the least depth at which there can be extinction between two heights. */
+        double leastDepth(double fromY, double toY);
+
+        /** Returns the extinction at a point of a column. */
+        double perMetre(double depth, double x, double y, double z);
     }
 
     /** Samples a field on all processors. */
@@ -56,24 +64,54 @@ public final class DensityCells {
                 scale = Math.max(scale, value);
             }
         }
-        return new DensityCells(
-                cells, sampled, scale, sampling.bound() == null ? null : occupied(cells, sampling.bound()));
+        return new DensityCells(cells, sampled, scale, null);
+    }
+
+    /** Samples columns on all processors; they tell, too, where there can be any extinction. */
+    public static DensityCells of(Columns field, CellBox cells, Sampling sampling) {
+        float[] perMetre = new float[cells.count()];
+        float[] occupied = new float[cells.count()];
+        double[] least = new double[cells.ny()];
+        for (int j = 0; j < cells.ny(); j++) {
+            Aabb row = cells.cell(0, j, 0);
+            least[j] = field.leastDepth(row.minY(), row.maxY());
+        }
+        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+            for (int i = 0; i < cells.nx(); i++) {
+                double greatest =
+                        field.greatestDepth(cells.centreX(i), cells.centreZ(k), cells.sizeX() / 2, cells.sizeZ() / 2);
+                for (int j = 0; j < cells.ny(); j++) {
+                    occupied[cells.index(i, j, k)] = greatest > least[j] ? 1 : 0;
+                }
+                addColumn(field, cells, sampling.finestMetres(), least, perMetre, i, k);
+            }
+        });
+        return new DensityCells(cells, perMetre, sampling.greatestPerMetre(), occupied);
+    }
+
+    private static void addColumn(
+            Columns field, CellBox cells, double finestMetres, double[] least, float[] perMetre, int i, int k) {
+        int across = perEdge(Math.max(cells.sizeX(), cells.sizeZ()), finestMetres);
+        int up = perEdge(cells.sizeY(), finestMetres);
+        for (int n = 0; n < across * across; n++) {
+            double x = cells.centreX(i) + offset(n % across, across) * cells.sizeX();
+            double z = cells.centreZ(k) + offset(n / across, across) * cells.sizeZ();
+            double depth = field.depth(x, z);
+            for (int j = 0; j < cells.ny(); j++) {
+                if (depth > least[j]) {
+                    double sum = 0;
+                    for (int m = 0; m < up; m++) {
+                        double y = cells.centreY(j) + offset(m, up) * cells.sizeY();
+                        sum += field.perMetre(depth, x, y, z);
+                    }
+                    perMetre[cells.index(i, j, k)] += sum / (up * across * across);
+                }
+            }
+        }
     }
 
     private static int perEdge(double edge, double finestMetres) {
         return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(edge / finestMetres)));
-    }
-
-    private static float[] occupied(CellBox cells, Bound bound) {
-        float[] occupied = new float[cells.count()];
-        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
-            for (int j = 0; j < cells.ny(); j++) {
-                for (int i = 0; i < cells.nx(); i++) {
-                    occupied[cells.index(i, j, k)] = (float) bound.perMetre(cells.cell(i, j, k));
-                }
-            }
-        });
-        return occupied;
     }
 
     private static float[] sampled(ExtinctionField field, CellBox cells, double finestMetres) {

@@ -15,6 +15,9 @@ public final class LightCells {
     /** Cells of density along each edge of a cell of light. */
     private static final int DIVISOR = 2;
 
+    /** Cells of density between one with some and the farthest cell of light that is mixed in there. */
+    private static final int FARTHEST_LIT = 2 * DIVISOR + 1;
+
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
@@ -59,13 +62,24 @@ public final class LightCells {
                 var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, ofLevel, around);
                 for (int j = 0; j < cells.ny(); j++) {
                     for (int i = 0; i < cells.nx(); i++) {
-                        put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
+                        if (isNear(density.get(ofLevel), cells, i, j, k)) {
+                            put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
+                        }
                     }
                 }
             });
             lit.add(new LightCells(cells, values));
         }
         return lit;
+    }
+
+    /** Returns false for cells so far from all extinction that no lookup of light there meets any. */
+    private static boolean isNear(DensityCells density, CellBox cells, int i, int j, int k) {
+        CellBox dense = density.cells();
+        int x = i * dense.nx() / cells.nx();
+        int y = j * dense.ny() / cells.ny();
+        int z = k * dense.nz() / cells.nz();
+        return density.distances()[dense.index(x, y, z)] < FARTHEST_LIT;
     }
 
     /** Finds the light in a slice of cells. For one thread. */
@@ -109,12 +123,12 @@ public final class LightCells {
             AxisDepths inBox = sums.axes(i, j, k);
             return isLayer
                     ? new AxisDepths(
-                            depths.from(level, x, y, z, 1, 0, 0),
-                            depths.from(level, x, y, z, -1, 0, 0),
+                            depths.nearBy(level, x, y, z, 1, 0, 0),
+                            depths.nearBy(level, x, y, z, -1, 0, 0),
                             inBox.y(),
                             inBox.minusY(),
-                            depths.from(level, x, y, z, 0, 0, 1),
-                            depths.from(level, x, y, z, 0, 0, -1))
+                            depths.nearBy(level, x, y, z, 0, 0, 1),
+                            depths.nearBy(level, x, y, z, 0, 0, -1))
                     : inBox;
         }
     }

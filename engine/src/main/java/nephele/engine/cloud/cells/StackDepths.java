@@ -9,6 +9,8 @@ import nephele.engine.math.Aabb;
  * one thread.
  */
 final class StackDepths {
+    private static final int NEAR_LEVELS = 2;
+
     private final List<DensityCells> density;
     private final List<CellPlace> places;
     private final boolean isLayer;
@@ -43,6 +45,15 @@ final class StackDepths {
      * @param dx unit direction, {@code dy} and {@code dz} likewise
      */
     double from(int level, double x, double y, double z, double dx, double dy, double dz) {
+        return from(level, density.size(), x, y, z, dx, dy, dz);
+    }
+
+    /** Returns the optical depth up to as far as some levels reach: enough beside greater depths. */
+    double nearBy(int level, double x, double y, double z, double dx, double dy, double dz) {
+        return from(level, Math.min(density.size(), level + NEAR_LEVELS), x, y, z, dx, dy, dz);
+    }
+
+    private double from(int level, int levels, double x, double y, double z, double dx, double dy, double dz) {
         Aabb box = density.get(Math.min(level, density.size() - 1)).cells().box();
         double enter = Math.max(0, entry(y, dy, box.minY(), box.maxY()));
         double exit = exit(y, dy, box.minY(), box.maxY());
@@ -54,7 +65,7 @@ final class StackDepths {
         }
         double across = Math.sqrt(dx * dx + dz * dz);
         double sum = 0;
-        for (int n = Math.min(level, density.size() - 1); n < density.size() && enter < exit; n++) {
+        for (int n = Math.min(level, density.size() - 1); n < levels && enter < exit; n++) {
             double to = Math.min(exit, LayerGrid.WALK * density.get(n).cells().sizeX() / across);
             if (to > enter) {
                 sum += along(n, x, y, z, dx, dy, dz, enter, to);

@@ -35,8 +35,8 @@ public final class CloudSource {
     private static final int LAYER_LEVELS = 6;
     private static final double LAYER_CELL_METRES = 62.5;
     private static final double ROW_METRES = 60;
-    private static final int FEWEST_ROWS = 24;
-    private static final int MOST_ROWS = 64;
+    private static final int FEWEST_ROWS = 20;
+    private static final int MOST_ROWS = 48;
     /** Sampled boxes that are kept, in whole clouds. */
     private static final int KEPT = 3;
 
@@ -172,11 +172,13 @@ public final class CloudSource {
 
     private SampledBox sample(CellBox cells, double seconds) {
         ExtinctionField field = flat(seconds);
-        NoiseField profiled = isProfiled ? (NoiseField) field : null;
-        var sampling = new Sampling(
-                profiled == null ? null : profiled::greatestPerMetre, finestMetres(), greatestPerMetre(field));
+        var sampling = new Sampling(finestMetres(), greatestPerMetre(field));
+        if (!isProfiled) {
+            return new SampledBox(DensityCells.of(field, cells, sampling), null);
+        }
+        var noise = (NoiseField) field;
         return new SampledBox(
-                DensityCells.of(field, cells, sampling), profiled == null ? null : PlanCells.of(profiled, cells.box()));
+                DensityCells.of(new NoiseColumns(noise), cells, sampling), PlanCells.of(noise, cells.box()));
     }
 
     /** Returns the size of what must not be missed between two samples. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.SunShares;
+import nephele.engine.render.frame.CloudShadeRegion;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -25,17 +26,19 @@ public final class CloudShadePass implements Pass {
             new RenderFeature("cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy);
 
     private final SharedResources shared;
+    private final SunShares.Size size;
     private final Texture texture;
     private CloudInterval shown;
 
     private CloudShadePass(LoadContext context) {
         shared = context.shared();
+        size = SunShares.Size.of(CloudShadeRegion.of(context.scene().statics()));
         texture = context.own(new Texture(
                 context.gl(),
                 "cloud shade",
                 Texture.Shape.VOLUME,
                 PixelFormat.R16,
-                new Texture.Extent(SunShares.ACROSS, SunShares.LAYERS, SunShares.ACROSS),
+                new Texture.Extent(size.x(), size.y(), size.z()),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -61,8 +64,8 @@ public final class CloudShadePass implements Pass {
     }
 
     private void upload() {
-        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * SunShares.ACROSS * SunShares.LAYERS);
-        for (int k = 0; k < SunShares.ACROSS; k++) {
+        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * size.slice());
+        for (int k = 0; k < size.z(); k++) {
             shown.from()
                     .shares()
                     .put(shown.to().shares(), shown.share(), k, slice.clear().asShortBuffer());
