@@ -50,6 +50,8 @@ public final class Renderer implements AutoCloseable {
     private MeteredExposure exposure;
 
     private FrameContext frame;
+    /** The main view of the frame before; {@code null} at first. */
+    private View viewBefore;
 
     private Renderer(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
         this.gl = gl;
@@ -220,6 +222,10 @@ public final class Renderer implements AutoCloseable {
 
     private void begin(View view, FrameState frameState, RenderTarget surface, RenderTarget drawn) {
         ViewNode root = portals == null ? null : portals.choose(view, frameState, surface);
+        if (portals != null && viewBefore != null && portals.isCrossedSince(viewBefore)) {
+            shared.cut();
+        }
+        viewBefore = view;
         if (visible != null) {
             settings.culling().find(visible, view);
         }
@@ -277,9 +283,10 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Drops the history of pictures after a cut: the deepest openings of the next picture take nothing from it, and its
-     * exposure is what it calls for.
+     * exposure is what it calls for. Views whose rays several frames share begin anew.
      */
     public void forget() {
+        shared.cut();
         if (exposure != null) {
             exposure.forget();
         }

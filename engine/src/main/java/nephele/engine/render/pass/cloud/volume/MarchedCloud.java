@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.drawn.CloudInterval;
@@ -102,11 +103,12 @@ final class MarchedCloud {
         var places = program.places();
         putBoxes(places, eye, focus.minus(view.eye()));
         CloudOptics optics = cloud.physics().optics();
-        places.medium().set((float) greatestPerMetre(), (float) optics.depthScale(), (float) optics.albedo(), (float)
-                optics.scaledAlbedo());
+        DeltaScaling scaled = cloud.physics().medium();
+        places.medium().set((float) greatestPerMetre(), (float) scaled.depthFactor(), (float) optics.albedo(), (float)
+                scaled.albedo());
         places.phase()
                 .set(
-                        (float) optics.scaledCosine(),
+                        (float) scaled.g(),
                         (float) cloud.physics().smallAngles().deepest(),
                         (float) halfCurvature(),
                         (float) optics.meanCosine());
