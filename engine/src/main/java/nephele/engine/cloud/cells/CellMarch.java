@@ -56,7 +56,7 @@ public final class CellMarch {
     }
 
     /** @param exact takes the place of the cells' density; {@code null} for the cells' */
-    CellMarch(CellStack cloud, OutsideOfCloud outside, Vec3 focus, ExtinctionField exact) {
+    public CellMarch(CellStack cloud, OutsideOfCloud outside, Vec3 focus, ExtinctionField exact) {
         this.cloud = cloud;
         this.outside = outside;
         this.exact = exact;

@@ -14,6 +14,12 @@ public record CloudInterval(Sample from, Sample to, double share, double seconds
      *
      * @param shares of the sun's light on the level
      * @param sky as the middle of the level sees it
+     * @param groundShare share of its light that the plain keeps under the clouds
      */
-    public record Sample(DrawnClouds clouds, SunShares shares, SkyThroughClouds sky) {}
+    public record Sample(DrawnClouds clouds, SunShares shares, SkyThroughClouds sky, double groundShare) {}
+
+    /** Returns the share of its light that the plain keeps under the clouds. */
+    public double groundShare() {
+        return from.groundShare + share * (to.groundShare - from.groundShare);
+    }
 }

@@ -18,6 +18,7 @@ import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
@@ -45,6 +46,7 @@ public final class CloudTimeline implements AutoCloseable {
     private static final int KEPT = 5;
 
     private final Environment authored;
+    private final LoadedClouds loaded;
     private final Aabb region;
     private final List<CloudSource> sources;
     private final double stepSeconds;
@@ -65,7 +67,7 @@ public final class CloudTimeline implements AutoCloseable {
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region) {
         this.authored = authored;
         this.region = region;
-        LoadedClouds loaded = LoadedClouds.of(authored, assets);
+        loaded = LoadedClouds.of(authored, assets);
         LoadedClouds still = loaded.withoutWind();
         Map<CloudOptics, CloudLight> physics = new HashMap<>();
         List<CloudSource> all = new ArrayList<>();
@@ -84,7 +86,7 @@ public final class CloudTimeline implements AutoCloseable {
     private double stepSeconds() {
         double step = Double.POSITIVE_INFINITY;
         if (Daylight.moves(authored)) {
-            var sky = (nephele.engine.level.Sky.Atmosphere) authored.sky();
+            var sky = (Atmosphere) authored.sky();
             step = SUN_DEGREES / 360 * sky.dayLengthSeconds();
         }
         for (CloudSource source : sources) {
@@ -220,7 +222,17 @@ public final class CloudTimeline implements AutoCloseable {
                     source.drift(seconds)));
         }
         var clouds = new DrawnClouds(all, key.towardsSun);
-        return new Sample(clouds, SunShares.of(clouds, region), SkyThroughClouds.of(clouds, region.centre()));
+        return new Sample(
+                clouds,
+                SunShares.of(clouds, region),
+                SkyThroughClouds.of(clouds, region.centre()),
+                groundShare(seconds, key.towardsSun));
+    }
+
+    private double groundShare(double seconds, Vec3 towardsSun) {
+        return authored.sky() instanceof Atmosphere sky
+                ? loaded.groundShare(seconds, region.centre(), towardsSun.y(), sky.groundAlbedo())
+                : 1;
     }
 
     /** Returns the clouds that shade one: all others. */

@@ -86,6 +86,21 @@ public final class LoadedClouds {
         return List.copyOf(media);
     }
 
+    /**
+     * Returns the share of its light that the clouds leave the plain around a place, on the mean.
+     *
+     * @param seconds simulated time
+     * @param sunSine of the sun's elevation
+     * @param groundAlbedo of the plain
+     */
+    public double groundShare(double seconds, Vec3 place, double sunSine, double groundAlbedo) {
+        List<ExtinctionField> fields = new ArrayList<>();
+        for (int i = 0; i < clouds.size(); i++) {
+            fields.add(CloudFields.flat(clouds.get(i), files.get(i), seconds, 0));
+        }
+        return GroundShade.share(GroundShade.present(clouds, fields, seconds), place, sunSine, groundAlbedo);
+    }
+
     private ExtinctionField field(Cloud cloud, CloudFiles loaded, double seconds) {
         boolean isShell = isRound
                 && cloud.extent() instanceof Cloud.Extent.Layer

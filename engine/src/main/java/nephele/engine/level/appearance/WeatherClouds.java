@@ -37,7 +37,7 @@ public final class WeatherClouds {
             case SCATTERED -> List.of(makers.mediocris(), makers.thinCirrus());
             case BROKEN -> List.of(makers.stratocumulus(), makers.altocumulus());
             case OVERCAST -> List.of(makers.scud(0.35), makers.stratus());
-            case STORM -> List.of(makers.scud(0.25), makers.cumulonimbus());
+            case STORM -> List.of(makers.scud(0.4), makers.cumulonimbus());
             case CIRRUS -> List.of(makers.cirrus());
         };
     }

@@ -8,7 +8,9 @@ import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.CloudMedia;
 import nephele.engine.reference.volume.Surroundings;
 import nephele.engine.reference.volume.VolumeTracer;
@@ -33,15 +35,24 @@ public final class LevelClouds {
      */
     public static Optional<LevelClouds> of(
             Environment environment, AssetSource assets, double seconds, Optional<SkyRadiance> sky) {
-        List<CloudMedium> media = LoadedClouds.of(environment, assets).at(seconds).stream()
+        LoadedClouds loaded = LoadedClouds.of(environment, assets);
+        List<CloudMedium> media = loaded.at(seconds).stream()
                 .filter(medium -> !medium.field().isEmpty())
                 .toList();
         if (media.isEmpty()) {
             return Optional.empty();
         }
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
-        Surroundings open = isRound ? OverPlanet.of(environment) : OverPlain.of(environment, sky);
+        Surroundings open = isRound
+                ? OverPlanet.of(environment, groundShare(environment, loaded, seconds))
+                : OverPlain.of(environment, sky);
         return Optional.of(new LevelClouds(new CloudMedia(media), open));
+    }
+
+    private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
+        var sky = (Sky.Atmosphere) environment.sky();
+        double sine = Directions.unit(environment.sun().directionTowardsSun()).y();
+        return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
     }
 
     public CloudMedia media() {

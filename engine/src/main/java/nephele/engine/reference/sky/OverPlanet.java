@@ -17,11 +17,21 @@ import nephele.engine.reference.volume.Surroundings;
  * sky is that of the place's own height, zenith and sun; clouds shade no air.
  *
  * @param irradiance of the sun outside the air
+ * @param groundShare share of its light that the ground keeps under the clouds, on the mean
  */
-record OverPlanet(Sky.Atmosphere atmosphere, Vec3 towardsSun, Vec3 irradiance, SunOverPlanet sun, SkyLattice sky)
+record OverPlanet(
+        Sky.Atmosphere atmosphere,
+        Vec3 towardsSun,
+        Vec3 irradiance,
+        SunOverPlanet sun,
+        SkyLattice sky,
+        double groundShare)
         implements Surroundings {
-    /** @param environment with a sky of kind atmosphere and the sun of the time */
-    static OverPlanet of(Environment environment) {
+    /**
+     * @param environment with a sky of kind atmosphere and the sun of the time
+     * @param groundShare share of its light that the ground keeps under the clouds
+     */
+    static OverPlanet of(Environment environment, double groundShare) {
         var atmosphere = (Sky.Atmosphere) environment.sky();
         Air air = Daylight.air(atmosphere);
         Vec3 towardsSun = Directions.unit(environment.sun().directionTowardsSun());
@@ -31,7 +41,8 @@ record OverPlanet(Sky.Atmosphere atmosphere, Vec3 towardsSun, Vec3 irradiance, S
                 towardsSun,
                 irradiance,
                 new SunOverPlanet(air, irradiance, towardsSun),
-                new SkyLattice(AirTables.of(air), towardsSun.y()));
+                new SkyLattice(AirTables.of(air), towardsSun.y()),
+                groundShare);
     }
 
     @Override
@@ -46,7 +57,10 @@ record OverPlanet(Sky.Atmosphere atmosphere, Vec3 towardsSun, Vec3 irradiance, S
         double sunSine = place.zenith().dot(towardsSun);
         Vec3 radiance = sky.radiance(place.altitudeMetres(), sine, sunSine, direction.dot(towardsSun))
                 .plus(Heavens.nightGlow(atmosphere, sunSine, sine));
-        return new Vec3(radiance.x() * irradiance.x(), radiance.y() * irradiance.y(), radiance.z() * irradiance.z());
+        var ray = Ray.of(from, direction);
+        double share = PlanetPlace.reachMetres(ray) < Double.POSITIVE_INFINITY ? groundShare : 1;
+        return new Vec3(radiance.x() * irradiance.x(), radiance.y() * irradiance.y(), radiance.z() * irradiance.z())
+                .scaled(share);
     }
 
     @Override

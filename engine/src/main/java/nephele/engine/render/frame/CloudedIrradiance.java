@@ -16,21 +16,26 @@ final class CloudedIrradiance {
     private CloudedIrradiance() {}
 
     static SkyIrradiance of(CloudInterval clouds, Environment now, SkyIrradiance clear) {
-        OutsideOfCloud around = around(now, clear);
+        double ground = clouds.groundShare();
+        OutsideOfCloud around = around(now, clear, ground);
         SkyThroughClouds sky = clouds.from().sky();
         return SkyIrradiance.of(
                 (height, x, y, z) -> sky.from(
-                        clouds.to().sky(), clouds.share(), clear.radiance(x, y, z), around, new Vector3d(x, y, z)),
+                        clouds.to().sky(),
+                        clouds.share(),
+                        clear.radiance(x, y, z).mul(y < 0 ? ground : 1),
+                        around,
+                        new Vector3d(x, y, z)),
                 SkyThroughClouds.SIDE);
     }
 
-    /** Returns the light around clouds. */
-    private static OutsideOfCloud around(Environment now, SkyIrradiance clear) {
+    /** Returns the light around clouds. @param ground share of its light that the plain keeps */
+    private static OutsideOfCloud around(Environment now, SkyIrradiance clear, double ground) {
         Sun sun = Daylight.onGround(now);
         return new OutsideOfCloud(
                 CloudTimeline.towardsSun(now),
                 sun == null ? Vec3.ZERO : sun.irradiance(),
                 Vec3.of(clear.ambient(0, 1, 0)),
-                Vec3.of(clear.ambient(0, -1, 0)));
+                Vec3.of(clear.ambient(0, -1, 0)).scaled(ground));
     }
 }

@@ -38,6 +38,7 @@ final class MarchedCloud {
     private Vec3 below;
     private DrawnCloud shown;
     private double share;
+    private double groundShare;
     private Vec3 drift;
     /** Its noise at the time; {@code null} if the density comes from cells. */
     private NoiseField noise;
@@ -71,6 +72,7 @@ final class MarchedCloud {
         shown = now.from().clouds().all().get(index);
         DrawnCloud next = now.to().clouds().all().get(index);
         share = now.share();
+        groundShare = now.groundShare();
         drift = cloud.drift(now.seconds());
         textures.show(shown.cells(), next.cells());
         if (noiseTextures != null) {
@@ -85,7 +87,8 @@ final class MarchedCloud {
             return;
         }
         followed = now;
-        Sun sun = Daylight.onGround(now);
+        Aabb extent = cloud.bounds();
+        Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
         towardsSun = CloudTimeline.towardsSun(now);
         irradiance = sun == null ? Vec3.ZERO : sun.irradiance();
         SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
@@ -116,7 +119,7 @@ final class MarchedCloud {
         set(places.cloudSun(), towardsSun);
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);
-        set(places.skyBelow(), below);
+        set(places.skyBelow(), below.scaled(groundShare));
     }
 
     private double greatestPerMetre() {
