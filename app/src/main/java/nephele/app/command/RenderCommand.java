@@ -9,6 +9,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.level.appearance.WeatherCourse;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -123,6 +124,7 @@ final class RenderCommand implements Command {
 
     private static boolean follows(Environment environment) {
         return Daylight.moves(environment)
+                || WeatherCourse.of(environment).changes()
                 || WeatherClouds.all(environment).stream()
                         .anyMatch(cloud -> !cloud.motion().equals(Cloud.Motion.STILL));
     }

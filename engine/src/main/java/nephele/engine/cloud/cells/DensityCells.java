@@ -19,6 +19,13 @@ public final class DensityCells {
     private final byte[] distances;
     private final double greatestPerMetre;
 
+    private DensityCells(CellBox cells, float[] densities, byte[] distances, double greatestPerMetre) {
+        this.cells = cells;
+        this.densities = densities;
+        this.distances = distances;
+        this.greatestPerMetre = greatestPerMetre;
+    }
+
     private DensityCells(CellBox cells, float[] perMetre, double greatestPerMetre, float[] occupied) {
         this.cells = cells;
         this.greatestPerMetre = greatestPerMetre;
@@ -142,6 +149,11 @@ public final class DensityCells {
 
     private static double offset(int index, int perEdge) {
         return (index + 0.5) / perEdge - 0.5;
+    }
+
+    /** Returns the same densities with a share of the extinction. */
+    public DensityCells scaled(double share) {
+        return share == 1 ? this : new DensityCells(cells, densities, distances, share * greatestPerMetre);
     }
 
     public CellBox cells() {

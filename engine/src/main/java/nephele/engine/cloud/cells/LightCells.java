@@ -35,7 +35,7 @@ public final class LightCells {
      * @param towardsSun unit
      * @param others clouds that shade it
      */
-    public record Around(Vec3 towardsSun, List<Shading> others) {
+    public record Around(Vec3 towardsSun, List<ShadingCloud> others) {
         public static Around sun(Vec3 towardsSun) {
             return new Around(towardsSun, List.of());
         }
@@ -90,7 +90,7 @@ public final class LightCells {
         private final boolean isLayer;
         private final int level;
         private final Around around;
-        private final List<Shading.Walk> others;
+        private final List<ShadingCloud.Walk> others;
 
         private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, int level, Around around) {
             this.cells = cells;
@@ -99,7 +99,7 @@ public final class LightCells {
             this.isLayer = isLayer;
             this.level = level;
             this.around = around;
-            others = around.others().stream().map(Shading::walk).toList();
+            others = around.others().stream().map(ShadingCloud::walk).toList();
         }
 
         private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics) {
@@ -110,7 +110,7 @@ public final class LightCells {
             Vec3 sun = around.towardsSun();
             double sunDepth = depths.from(level, x, y, z, sun.x(), sun.y(), sun.z());
             double shadeDepth = depths.from(level, x, y, z, -sun.x(), -sun.y(), -sun.z());
-            for (Shading.Walk other : others) {
+            for (ShadingCloud.Walk other : others) {
                 double edge = cells.sizeX() / DIVISOR;
                 axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
                 sunDepth += other.from(x, y, z, edge, sun);

@@ -98,6 +98,11 @@ public final class CloudSource {
         return isProfiled;
     }
 
+    /** Returns the share of its extinction that its weather gives it at a time, 0 to 1. */
+    public double share(double seconds) {
+        return still.share(index, seconds);
+    }
+
     /** Returns how far the wind has carried it. */
     public Vec3 drift(double seconds) {
         Vec3 drift = cloud.motion().windMetresPerSecond().scaled(seconds);
@@ -145,17 +150,19 @@ public final class CloudSource {
     /** Samples its density at a time, in boxes with these middles. */
     Sampled sample(List<Column> columns, double seconds) {
         List<DensityCells> density = new ArrayList<>();
+        double fullPerMetre = 0;
         List<PlanCells> plans = new ArrayList<>();
         for (int level = 0; level < levels(); level++) {
             SampledBox box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
-            density.add(box.density());
+            fullPerMetre = box.density().greatestPerMetre();
+            density.add(box.density().scaled(share(seconds)));
             plans.add(box.plan());
         }
-        return new Sampled(density, isProfiled ? List.copyOf(plans) : List.of());
+        return new Sampled(density, isProfiled ? List.copyOf(plans) : List.of(), fullPerMetre);
     }
 
     /** @param plans of the boxes; empty unless of noise with a profile */
-    record Sampled(List<DensityCells> density, List<PlanCells> plans) {}
+    record Sampled(List<DensityCells> density, List<PlanCells> plans, double fullPerMetre) {}
 
     private synchronized SampledBox sampled(int level, Column column, double seconds) {
         var key = new BoxKey(level, column, seconds);

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
-import nephele.engine.cloud.cells.Shading;
+import nephele.engine.cloud.cells.ShadingCloud;
 import nephele.engine.cloud.drawn.CloudInterval.Sample;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
@@ -38,6 +38,9 @@ public final class CloudTimeline implements AutoCloseable {
     private static final double EVOLUTION_SAMPLES = 8;
     /** Drift between two samples. */
     private static final double DRIFT_METRES = 150;
+
+    /** Samples of a change of the weather. */
+    private static final double WEATHER_SAMPLES = 16;
 
     private static final double SHORTEST_SECONDS = 4;
     /** Distance of the focus from the middle of a box at which the box is to move, in its cells. */
@@ -73,7 +76,7 @@ public final class CloudTimeline implements AutoCloseable {
         List<CloudSource> all = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
-            var optics = CloudOptics.of(cloud.albedo(), cloud.phaseG());
+            var optics = CloudOptics.of(cloud);
             var source = new CloudSource(loaded, still, i, physics.computeIfAbsent(optics, CloudLight::new));
             if (source.exists()) {
                 all.add(source);
@@ -89,6 +92,7 @@ public final class CloudTimeline implements AutoCloseable {
             var sky = (Atmosphere) authored.sky();
             step = SUN_DEGREES / 360 * sky.dayLengthSeconds();
         }
+        step = Math.min(step, loaded.course().shortestSeconds() / WEATHER_SAMPLES);
         for (CloudSource source : sources) {
             Cloud.Motion motion = source.cloud().motion();
             if (source.evolves()) {
@@ -219,7 +223,8 @@ public final class CloudTimeline implements AutoCloseable {
                     source,
                     source.lit(sampled.get(i).density(), around),
                     sampled.get(i).plans(),
-                    source.drift(seconds)));
+                    source.drift(seconds),
+                    sampled.get(i).fullPerMetre()));
         }
         var clouds = new DrawnClouds(all, key.towardsSun);
         return new Sample(
@@ -236,14 +241,14 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     /** Returns the clouds that shade one: all others. */
-    private List<Shading> shading(int shaded, List<CloudSource.Sampled> sampled, double seconds) {
-        List<Shading> others = new ArrayList<>();
+    private List<ShadingCloud> shading(int shaded, List<CloudSource.Sampled> sampled, double seconds) {
+        List<ShadingCloud> others = new ArrayList<>();
         Vec3 drift = sources.get(shaded).drift(seconds);
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
             if (i != shaded) {
                 double own = straightened(sources.get(shaded));
-                others.add(new Shading(
+                others.add(new ShadingCloud(
                         sampled.get(i).density(),
                         source.grid() != null,
                         drift.minus(source.drift(seconds)),

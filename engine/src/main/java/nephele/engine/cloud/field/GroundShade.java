@@ -3,6 +3,7 @@ package nephele.engine.cloud.field;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
 import nephele.engine.math.Vec3;
 
@@ -30,7 +31,7 @@ final class GroundShade {
             for (int j = 0; j < ROWS; j++) {
                 sum += field.perMetre(x, base + (j + 0.5) * row, z) * row;
             }
-            return sum * (1 - cloud.albedo() * cloud.phaseG());
+            return sum * (1 - cloud.albedo() * CloudOptics.of(cloud).meanCosine());
         }
     }
 

@@ -51,7 +51,7 @@ public final class SharedResources implements GlObject {
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
-    private LevelClouds clouds;
+    private FrameClouds clouds;
     private int cuts;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
@@ -168,9 +168,9 @@ public final class SharedResources implements GlObject {
     }
 
     /** Returns the level's clouds; all techniques draw these. */
-    public LevelClouds clouds() {
+    public FrameClouds clouds() {
         if (clouds == null) {
-            clouds = own(new LevelClouds(scene));
+            clouds = own(new FrameClouds(scene));
         }
         return clouds;
     }

@@ -39,6 +39,8 @@ final class MarchedCloud {
     private DrawnCloud shown;
     private double share;
     private double groundShare;
+    private double presence;
+    private double fullPerMetre;
     private Vec3 drift;
     /** Its noise at the time; {@code null} if the density comes from cells. */
     private NoiseField noise;
@@ -58,6 +60,11 @@ final class MarchedCloud {
         return !cloud.isProfiled() ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
     }
 
+    /** Returns false if its weather is not there. */
+    boolean isPresent() {
+        return presence > 0;
+    }
+
     /** Returns its bounds at the time. */
     Aabb bounds() {
         return cloud.bounds().moved(drift);
@@ -72,8 +79,10 @@ final class MarchedCloud {
         shown = now.from().clouds().all().get(index);
         DrawnCloud next = now.to().clouds().all().get(index);
         share = now.share();
+        presence = cloud.share(now.seconds());
         groundShare = now.groundShare();
         drift = cloud.drift(now.seconds());
+        fullPerMetre = shown.fullPerMetre();
         textures.show(shown.cells(), next.cells());
         if (noiseTextures != null) {
             noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
@@ -123,7 +132,7 @@ final class MarchedCloud {
     }
 
     private double greatestPerMetre() {
-        return noise == null ? shown.cells().greatestPerMetre() : noise.extinctionPerMetre();
+        return presence * fullPerMetre;
     }
 
     private void putBoxes(MarchProgram.Places places, Vec3 eye, Vec3 focus) {

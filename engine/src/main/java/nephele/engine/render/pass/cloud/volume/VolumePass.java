@@ -142,6 +142,9 @@ public final class VolumePass implements Pass {
         gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
         for (int i = 0; i < clouds.size(); i++) {
             MarchedCloud cloud = clouds.get(i);
+            if (!cloud.isPresent()) {
+                continue;
+            }
             MarchProgram program = programs.of(cloud.noise());
             program.use();
             if (layer != null) {

@@ -12,7 +12,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 
 /** The clouds of a level at the time of the frame. */
-public final class LevelClouds implements GlObject {
+public final class FrameClouds implements GlObject {
     /** {@code null} without clouds. */
     private final CloudTimeline timeline;
 
@@ -20,7 +20,7 @@ public final class LevelClouds implements GlObject {
     private CloudInterval now;
     private Vec3 focus = Vec3.ZERO;
 
-    LevelClouds(Scene scene) {
+    FrameClouds(Scene scene) {
         Environment environment = scene.level().environment();
         timeline = WeatherClouds.all(environment).isEmpty()
                 ? null

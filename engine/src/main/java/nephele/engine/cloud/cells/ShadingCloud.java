@@ -11,17 +11,17 @@ import nephele.engine.math.Vec3;
  * @param shift from places of the other cloud's cells to those of its own
  * @param weight of its optical depth in the other one's light: clouds with equal τ (1 − g) dim alike
  */
-public record Shading(List<DensityCells> density, boolean isLayer, Vec3 shift, double weight) {
+public record ShadingCloud(List<DensityCells> density, boolean isLayer, Vec3 shift, double weight) {
     Walk walk() {
         return new Walk(this, new StackDepths(density, isLayer));
     }
 
     /** Finds depths. For one thread. */
     static final class Walk {
-        private final Shading of;
+        private final ShadingCloud of;
         private final StackDepths depths;
 
-        private Walk(Shading of, StackDepths depths) {
+        private Walk(ShadingCloud of, StackDepths depths) {
             this.of = of;
             this.depths = depths;
         }
