@@ -15,7 +15,7 @@ import nephele.engine.math.Vec3;
  * @param sunRadiusRadians angular radius of the sun's disc; 0 is a point, whose shadow has a hard edge
  */
 public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneScale, double sunRadiusRadians) {
-    public static final Air CLEAR = new Air(new Vec3(0.3, 0.3, 0.3), 1, 0.8, 1, SunDisc.RADIUS_RADIANS);
+    public static final Air CLEAR = new Air(new Vec3(0.3, 0.3, 0.3), 1, 0.8, 1, SunOverLimb.RADIUS_RADIANS);
 
     public static final double PLANET_RADIUS_METRES = 6_360_000;
     public static final double TOP_METRES = 100_000;
@@ -94,7 +94,7 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
      * @param sunSine of the elevation of the sun's middle
      */
     public Vec3 sunlight(double heightMetres, double sunSine) {
-        SunDisc disc = SunDisc.seen(sunRadiusRadians, heightMetres, sunSine);
+        SunOverLimb disc = SunOverLimb.seen(sunRadiusRadians, heightMetres, sunSine);
         if (disc.share() == 0) {
             return Vec3.ZERO;
         }

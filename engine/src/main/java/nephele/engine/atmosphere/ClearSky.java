@@ -19,6 +19,7 @@ public final class ClearSky {
     private final SingleScattering once;
     private final RepeatedScattering more;
     private final AirIntegral integral;
+    private final AirIntegral integralMore;
     private final AirRay ray;
     private final double[] parts = new double[PARTS * CHANNELS];
     private final double[] single = new double[2 * CHANNELS];
@@ -28,16 +29,21 @@ public final class ClearSky {
     private final double[] diffuse = new double[CHANNELS];
 
     public ClearSky(AirTables tables) {
-        this(tables, AirIntegral.FINE);
+        this(tables, AirIntegral.FINE, AirIntegral.FINE);
     }
 
-    ClearSky(AirTables tables, GaussLegendre rule) {
+    /**
+     * @param ruleOnce for light scattered once, which changes fast at the edge of the shadow
+     * @param ruleMore for light scattered more often
+     */
+    ClearSky(AirTables tables, GaussLegendre ruleOnce, GaussLegendre ruleMore) {
         this.tables = tables;
         ray = new AirRay(tables.air().sunRadiusRadians(), 0);
         sun = tables.sunlight();
         once = new SingleScattering(tables.air(), sun);
         more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
-        integral = new AirIntegral(tables.air(), rule);
+        integral = new AirIntegral(tables.air(), ruleOnce);
+        integralMore = new AirIntegral(tables.air(), ruleMore);
     }
 
     /**
@@ -84,7 +90,7 @@ public final class ClearSky {
     /** Puts the parts of the radiance; the phase functions are left to be multiplied to the first two. */
     void put(AirRay along, double[] radiance) {
         integral.put(along, once, single, transmittance);
-        integral.put(along, more, multiple, transmittance);
+        integralMore.put(along, more, multiple, transmittance);
         System.arraycopy(single, 0, radiance, 0, single.length);
         System.arraycopy(multiple, 0, radiance, single.length, CHANNELS);
         if (along.hitsGround()) {

@@ -52,7 +52,7 @@ public final class SkyTable {
     }
 
     private void fillRow(AirTables tables, double height, double sunCosine, int row) {
-        ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE);
+        ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE, AirIntegral.COARSE);
         AirRay ray = new AirRay(tables.air().sunRadiusRadians(), 0);
         double[] parts = new double[ClearSky.PARTS * CHANNELS];
         double t = elevation(row);

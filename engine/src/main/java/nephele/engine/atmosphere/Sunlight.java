@@ -21,7 +21,7 @@ final class Sunlight {
      * @param sunSine of the elevation of the sun's middle
      */
     void put(double heightMetres, double sunSine, double[] irradiance) {
-        SunDisc disc = SunDisc.seen(radiusRadians, heightMetres, sunSine);
+        SunOverLimb disc = SunOverLimb.seen(radiusRadians, heightMetres, sunSine);
         air.put(heightMetres, disc.lowSine(), irradiance);
         if (disc.lowSine() != disc.highSine()) {
             air.put(heightMetres, disc.highSine(), high);
@@ -36,7 +36,7 @@ final class Sunlight {
 
     /** Puts the share of the sun's irradiance that arrives on level ground at height 0, for each wavelength. */
     void putOnGround(double sunSine, double[] irradiance) {
-        SunDisc disc = SunDisc.seen(radiusRadians, 0, sunSine);
+        SunOverLimb disc = SunOverLimb.seen(radiusRadians, 0, sunSine);
         air.put(0, disc.lowSine(), irradiance);
         air.put(0, disc.highSine(), high);
         for (int c = 0; c < Air.CHANNELS; c++) {

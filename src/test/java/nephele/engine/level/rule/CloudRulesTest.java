@@ -2,6 +2,8 @@ package nephele.engine.level.rule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.asset.LevelAssets;
@@ -9,6 +11,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJsonTest;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -86,6 +89,25 @@ class CloudRulesTest {
     }
 
     @Test
+    void keyframesOfTheWeatherAreInOrderAndStandAlone() {
+        String frames = "\"weatherKeyframes\": [{\"timeSeconds\": 0, \"weather\": \"few\"},"
+                + " {\"timeSeconds\": 600, \"weather\": \"storm\"}]";
+        assertEquals(List.of(), lines(frames));
+        require(frames.replace("600", "0"), "weatherKeyframes[1].timeSeconds", "must be later");
+        require("\"weather\": \"few\", " + frames, "weather", "leave this out");
+        require(
+                frames + ", " + clouds(layer("weather-scud", "")),
+                "clouds[0].id",
+                "is the id of a cloud of the weather");
+    }
+
+    @Test
+    void aBackLobeWithoutShareIsTold() {
+        require(clouds(layer("c", ", 'phaseBackG': -0.3")), "clouds[0].phaseBackG", "warning: has no effect");
+        assertEquals(List.of(), lines(clouds(layer("c", ", 'phaseBackG': -0.3, 'phaseBackShare': 0.2"))));
+    }
+
+    @Test
     void aLayerUnderTheGroundOfARoundPlanetIsTold() {
         String low = layer("c", "").replace("900", "-900");
         assertEquals(List.of(), lines(clouds(low)));
@@ -98,6 +120,20 @@ class CloudRulesTest {
     @Test
     void aMissingCoverageMapIsAnError() {
         require(clouds(noise(", 'coverageMap': 'no.png'}")), "clouds[0].density.coverageMap", "no such file");
+    }
+
+    @Test
+    void aDamagedGridIsAnError(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("cut.vol"), "VOL");
+        Level level = LevelJsonTest.sections(
+                "\"environment\": {" + clouds(layer("c", ", 'density': {'kind': 'grid', 'file': 'cut.vol'}")) + "}");
+        assertEquals(
+                List.of("f: environment.clouds[0].density.file: cut.vol: is no Mitsuba .vol file; write one of version"
+                        + " 3"),
+                LevelRules.check(level, LevelAssets.beside(folder.resolve("x.json"))).stream()
+                        .filter(problem -> problem.path().startsWith("environment"))
+                        .map(problem -> problem.line("f"))
+                        .toList());
     }
 
     @Test

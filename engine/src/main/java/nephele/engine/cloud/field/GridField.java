@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.math.Aabb;
@@ -48,6 +49,15 @@ public final class GridField implements ExtinctionField {
         return new GridField(grid, tile, extinctionPerMetre, GridAxis.Edge.REPEATED, slackMetres);
     }
 
+    /** Returns the greatest extinction anywhere. */
+    public double greatestPerMetre() {
+        float greatest = 0;
+        for (float density : grid.values()) {
+            greatest = Math.max(greatest, density);
+        }
+        return extinctionPerMetre * greatest;
+    }
+
     @Override
     public double perMetre(double x, double y, double z) {
         return bounds.contains(x, y, z)
@@ -84,7 +94,7 @@ public final class GridField implements ExtinctionField {
 
     @Override
     public boolean isEmpty() {
-        return extinctionPerMetre == 0 || bounds.isEmpty();
+        return bounds.isEmpty() || maxima.areZero();
     }
 
     @Override

@@ -1,6 +1,6 @@
 package nephele.engine.level.appearance;
 
-import nephele.engine.atmosphere.SunDisc;
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.math.Directions;
@@ -28,7 +28,8 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     public static Moonlight of(Atmosphere sky, Sun sun) {
         Vec3 towardsMoon = Heavens.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        double share = fade(towardsSun.y()) * SunDisc.seen(0, towardsMoon.y()).share();
+        double share =
+                fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).share();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
         return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
     }
@@ -52,6 +53,13 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     static double phase(double cosine) {
         double degrees = Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, -cosine))));
         return Math.pow(10, -0.4 * (0.026 * degrees + 4e-9 * degrees * degrees * degrees * degrees));
+    }
+
+    /** Returns the irradiance if no horizon hid a part of the disc; zero if all of it is hidden at y = 0. */
+    public Vec3 ofWholeDisc() {
+        return shines()
+                ? irradiance.scaled(1 / SunOverLimb.seen(0, towardsMoon.y()).share())
+                : irradiance;
     }
 
     /** Returns true if the moon gives light. */

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.CloudScattering;
@@ -11,13 +13,18 @@ import nephele.engine.render.resource.FrameUniforms;
 
 /** {@code volume.frag} with the places of its numbers. */
 final class MarchProgram {
+    /** Boxes that a cloud has at most. */
+    private static final int MOST_BOXES = 6;
+
     private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
 
     private final GlProgram<Places> program;
 
     /** The numbers of a cloud and of the light around it. */
     record Places(
+            List<Uniforms.Vector4> boxes,
             Uniforms.Vector4 cells,
+            Uniforms.Vector4 cellEdges,
             Uniforms.Vector3 cloudBase,
             Uniforms.Vector3 cloudHalf,
             Uniforms.Vector4 medium,
@@ -29,7 +36,11 @@ final class MarchProgram {
             Uniforms.Vector3 skyBelow) {
         static Places of(Uniforms uniforms) {
             return new Places(
+                    IntStream.range(0, MOST_BOXES)
+                            .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
+                            .toList(),
                     uniforms.vector4("cells"),
+                    uniforms.vector4("cellEdges"),
                     uniforms.vector3("cloudBase"),
                     uniforms.vector3("cloudHalf"),
                     uniforms.vector4("medium"),
@@ -39,6 +50,13 @@ final class MarchProgram {
                     uniforms.vector3("irradiance"),
                     uniforms.vector3("skyAbove"),
                     uniforms.vector3("skyBelow"));
+        }
+    }
+
+    /** The rays of a layer that are marched. */
+    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square) {
+        static Rays of(Uniforms uniforms) {
+            return new Rays(uniforms.vector2("layerStep"), uniforms.vector3("marchedSquare"));
         }
     }
 
@@ -62,7 +80,7 @@ final class MarchProgram {
 
     private final CloudRanges.Places ranges;
     private final NoiseTextures.Places noisePlaces;
-    private final Uniforms.Vector2 layerReach;
+    private final Rays rays;
 
     MarchProgram(LoadContext context, Pixels pixels, Noise noise, int clouds) {
         Defines choices = Defines.of(context)
@@ -71,10 +89,11 @@ final class MarchProgram {
                 .withIf(noise != Noise.NONE, "NOISE")
                 .withIf(noise == Noise.EVOLVING, "EVOLVING")
                 .withIf(context.quality().cloudScattering() == CloudScattering.OCTAVES, "OCTAVES")
+                .with("MOST_BOXES", MOST_BOXES)
                 .with("CLOUDS", clouds);
         var defines = choices.values();
         var found = new CloudRanges.Places[1];
-        var reach = new Uniforms.Vector2[1];
+        var rayPlaces = new Rays[1];
         var tables = new NoiseTextures.Places[1];
         program = new GlProgram<>(
                 context.gl(),
@@ -87,17 +106,18 @@ final class MarchProgram {
                     }
                     uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
+                    uniforms.sampler("cloudLightToCome", TextureUnit.CLOUD_LIGHT_TO_COME);
                     if (context.quality().cloudScattering() == CloudScattering.TWO_STREAM) {
                         uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
                     }
                     found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
-                    reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
+                    rayPlaces[0] = pixels == Pixels.WHOLE ? Rays.of(uniforms) : null;
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
                     return Places.of(uniforms);
                 });
         noisePlaces = tables[0];
         ranges = found[0];
-        layerReach = reach[0];
+        rays = rayPlaces[0];
     }
 
     /** Returns where the ranges of clouds go; {@code null} unless for {@link Pixels#MIXED}. */
@@ -110,9 +130,9 @@ final class MarchProgram {
         return noisePlaces;
     }
 
-    /** Returns where a layer's reach goes; {@code null} unless for {@link Pixels#WHOLE}. */
-    Uniforms.Vector2 layerReach() {
-        return layerReach;
+    /** Returns where the choice of rays goes; {@code null} unless for {@link Pixels#WHOLE}. */
+    Rays rays() {
+        return rays;
     }
 
     void use() {

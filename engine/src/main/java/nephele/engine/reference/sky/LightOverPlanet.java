@@ -2,15 +2,16 @@ package nephele.engine.reference.sky;
 
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import nephele.engine.atmosphere.Air;
-import nephele.engine.atmosphere.SunDisc;
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.volume.DistantLight;
 
 /**
- * The sun's irradiance at places over the planet: what the air above lets pass, and as much of the disc as the planet does
- * not hide, as {@link Air#sunlight}. The air's transmittance is integrated at nodes of height and angle
+ * Sun or moon at places over the planet: what the air above lets pass, and as much of the disc as the planet does not hide,
+ * as {@link Air#sunlight}. The air's transmittance is integrated at nodes of height and angle
  * above the horizon, when it is first needed; between them its logarithm is linear. Threads may share it.
  */
-final class SunOverPlanet {
+final class LightOverPlanet implements DistantLight {
     private static final int HEIGHTS = 513;
     private static final int NODES_PER_DEGREE = 20;
     private static final int MOST_DEGREES = 101;
@@ -19,26 +20,32 @@ final class SunOverPlanet {
 
     private final Air air;
     private final Vec3 outside;
-    private final Vec3 towardsSun;
+    private final Vec3 towards;
     /** For each angle above the horizon the logarithms for each height and wavelength. */
     private final AtomicReferenceArray<double[]> logarithms =
             new AtomicReferenceArray<>(MOST_DEGREES * NODES_PER_DEGREE + 1);
 
     /**
      * @param outside irradiance above the air, RGB
-     * @param towardsSun unit
+     * @param towards unit
      */
-    SunOverPlanet(Air air, Vec3 outside, Vec3 towardsSun) {
+    LightOverPlanet(Air air, Vec3 outside, Vec3 towards) {
         this.air = air;
         this.outside = outside;
-        this.towardsSun = towardsSun;
+        this.towards = towards;
     }
 
-    /** Returns the RGB irradiance on a plane perpendicular to the beam. */
-    Vec3 at(PlanetPlace place) {
+    @Override
+    public Vec3 towards() {
+        return towards;
+    }
+
+    @Override
+    public Vec3 irradiance(Vec3 at) {
+        PlanetPlace place = PlanetPlace.of(at);
         double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
-        SunDisc disc =
-                SunDisc.seen(air.sunRadiusRadians(), height, place.zenith().dot(towardsSun));
+        SunOverLimb disc =
+                SunOverLimb.seen(air.sunRadiusRadians(), height, place.zenith().dot(towards));
         if (disc.share() == 0) {
             return Vec3.ZERO;
         }

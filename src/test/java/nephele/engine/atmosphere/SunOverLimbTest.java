@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class SunDiscTest {
-    private static final double RADIUS = SunDisc.RADIUS_RADIANS;
+class SunOverLimbTest {
+    private static final double RADIUS = SunOverLimb.RADIUS_RADIANS;
     private static final int STRIPS = 20_000;
 
     private static double sine(double radii, double heightMetres) {
@@ -32,7 +32,7 @@ class SunDiscTest {
     @CsvSource({"-0.95, 0", "-0.5, 0", "0, 0", "0, 12000", "0.3, 2", "0.9, 80000", "1, 0", "7, 2"})
     void meansOfQuadraticFunctionsOverTheVisiblePartAreExact(double radii, double height) {
         double middle = sine(radii, height);
-        SunDisc disc = SunDisc.seen(height, middle);
+        SunOverLimb disc = SunOverLimb.seen(height, middle);
         assertEquals(exact(radii, x -> 1), disc.share(), 1e-5, "the visible share");
         DoubleUnaryOperator light = x -> 2 + 0.7 * x + 0.4 * x * x;
         double perRadius = Math.sqrt(1 - middle * middle) * RADIUS;
@@ -43,16 +43,16 @@ class SunDiscTest {
 
     @Test
     void nothingOfItIsSeenBelowTheHorizonAndAllOfItHighUp() {
-        assertEquals(0, SunDisc.seen(3000, sine(-1.001, 3000)).share());
-        assertEquals(0, SunDisc.seen(0, -1).share());
-        assertEquals(new SunDisc(1, 1, 1), SunDisc.seen(0, 1));
+        assertEquals(0, SunOverLimb.seen(3000, sine(-1.001, 3000)).share());
+        assertEquals(0, SunOverLimb.seen(0, -1).share());
+        assertEquals(new SunOverLimb(1, 1, 1), SunOverLimb.seen(0, 1));
     }
 
     @Test
     void theShareGrowsWithoutAStep() {
         double before = 0;
         for (int i = -120; i <= 120; i++) {
-            SunDisc disc = SunDisc.seen(500, sine(i / 100.0, 500));
+            SunOverLimb disc = SunOverLimb.seen(500, sine(i / 100.0, 500));
             assertTrue(disc.share() >= before && disc.share() - before < 0.0065, "at " + i + " hundredths of a radius");
             assertTrue(disc.lowSine() <= disc.highSine());
             before = disc.share();
@@ -62,7 +62,7 @@ class SunDiscTest {
 
     @Test
     void aPointIsSeenWhollyOrNotAtAll() {
-        assertEquals(1, SunDisc.seen(0, 40, sine(1e-6, 40)).share());
-        assertEquals(0, SunDisc.seen(0, 40, sine(-1e-6, 40)).share());
+        assertEquals(1, SunOverLimb.seen(0, 40, sine(1e-6, 40)).share());
+        assertEquals(0, SunOverLimb.seen(0, 40, sine(-1e-6, 40)).share());
     }
 }
