@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.AerialTexture;
 import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.View;

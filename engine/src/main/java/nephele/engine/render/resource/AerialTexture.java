@@ -1,4 +1,4 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
 import java.nio.FloatBuffer;
 import nephele.engine.atmosphere.AerialTable;
@@ -9,18 +9,16 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.BackgroundWork;
-import nephele.engine.render.resource.MovingTable;
 
 /** An {@link AerialTable} as a texture, which follows the sun. */
-final class AerialTexture implements GlObject {
+public final class AerialTexture implements GlObject {
     private static final int SLICE_NUMBERS = 4 * AerialTable.AZIMUTHS * AerialTable.ROWS;
 
     private final double heightMetres;
     private final Texture texture;
     private final MovingTable sun;
 
-    AerialTexture(GlContext gl, BackgroundWork background, AirTables tables, double heightMetres) {
+    public AerialTexture(GlContext gl, BackgroundWork background, AirTables tables, double heightMetres) {
         this.heightMetres = heightMetres;
         var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, AerialTable.SLICES);
         texture =
@@ -41,16 +39,16 @@ final class AerialTexture implements GlObject {
         return texels;
     }
 
-    double heightMetres() {
+    public double heightMetres() {
         return heightMetres;
     }
 
-    void bind(TextureUnit unit) {
+    public void bind(TextureUnit unit) {
         texture.bind(unit);
     }
 
     /** Returns what follows the sun. */
-    MovingTable sun() {
+    public MovingTable sun() {
         return sun;
     }
 
