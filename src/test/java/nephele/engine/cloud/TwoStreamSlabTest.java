@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -44,10 +45,10 @@ class TwoStreamSlabTest {
         assertEquals(360, truth().size());
         for (double[] row : truth()) {
             double allowed = (row[1] > 0.5 ? FORWARD : MILD).get(row[3]);
-            var slab = TwoStreamSlab.underBeam(row[0], row[1], row[2], row[3]);
+            var slab = TwoStreamSlab.underBeam(DeltaScaling.of(row[0], row[1]), row[2], row[3]);
             assertEquals(row[4], slab.reflectance(), allowed, Arrays.toString(row));
             assertEquals(row[5], slab.transmittance(), allowed, Arrays.toString(row));
-            var diffuse = TwoStreamSlab.underDiffuseLight(row[0], row[1], row[2]);
+            var diffuse = TwoStreamSlab.underDiffuseLight(DeltaScaling.of(row[0], row[1]), row[2]);
             assertEquals(row[7], diffuse.reflectance(), 0.036, Arrays.toString(row));
             assertEquals(row[8], diffuse.transmittance(), 0.036, Arrays.toString(row));
         }
@@ -57,16 +58,22 @@ class TwoStreamSlabTest {
     @ParameterizedTest
     @CsvSource({"1, .0467", "4, .1948", "8, .3564", "16, .5546", "32, .7283", "64, .8476"})
     void aConservativeSlabHasThePublishedForm(double depth, double reflectance) {
-        assertEquals(reflectance, TwoStreamSlab.underBeam(1, 0.85, depth, 1).reflectance(), 6e-5);
+        assertEquals(
+                reflectance,
+                TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), depth, 1).reflectance(),
+                6e-5);
         double scaled = (1 - 0.85 * 0.85) * depth;
         double g = 0.85 / 1.85;
         double gamma1 = 0.75 * (1 - g);
         double gamma3 = (2 - 3 * g) / 4;
         double closed = (gamma1 * scaled + (gamma3 - gamma1) * (1 - Math.exp(-scaled))) / (1 + gamma1 * scaled);
-        assertEquals(closed, TwoStreamSlab.underBeam(1, 0.85, depth, 1).reflectance(), 1e-13);
+        assertEquals(
+                closed,
+                TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), depth, 1).reflectance(),
+                1e-13);
         assertEquals(
                 gamma1 * scaled / (1 + gamma1 * scaled),
-                TwoStreamSlab.underDiffuseLight(1, 0.85, depth).reflectance(),
+                TwoStreamSlab.underDiffuseLight(DeltaScaling.of(1, 0.85), depth).reflectance(),
                 1e-13);
     }
 
@@ -81,8 +88,8 @@ class TwoStreamSlabTest {
     @Test
     void noLimitMakesLightOrLosesIt() {
         extremes().forEach(at -> {
-            var beam = TwoStreamSlab.underBeam(at[0], at[1], at[2], at[3]);
-            var diffuse = TwoStreamSlab.underDiffuseLight(at[0], at[1], at[2]);
+            var beam = TwoStreamSlab.underBeam(DeltaScaling.of(at[0], at[1]), at[2], at[3]);
+            var diffuse = TwoStreamSlab.underDiffuseLight(DeltaScaling.of(at[0], at[1]), at[2]);
             for (var slab : List.of(beam, diffuse)) {
                 double reflected = slab.reflectance();
                 double transmitted = slab.transmittance();
@@ -98,10 +105,16 @@ class TwoStreamSlabTest {
 
     @Test
     void aSlabOfNoDepthOrNoScatteringOnlyLetsThrough() {
-        assertEquals(0, TwoStreamSlab.underBeam(1, 0.85, 0, 0.5).reflectance(), 1e-15);
-        assertEquals(1, TwoStreamSlab.underBeam(1, 0.85, 0, 0.5).transmittance(), 1e-15);
-        assertEquals(0, TwoStreamSlab.underBeam(0, 0.85, 3, 0.5).reflectance(), 1e-15);
-        assertEquals(Math.exp(-6), TwoStreamSlab.underBeam(0, 0.85, 3, 0.5).transmittance(), 1e-15);
+        assertEquals(
+                0, TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 0, 0.5).reflectance(), 1e-15);
+        assertEquals(
+                1, TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 0, 0.5).transmittance(), 1e-15);
+        assertEquals(
+                0, TwoStreamSlab.underBeam(DeltaScaling.of(0, 0.85), 3, 0.5).reflectance(), 1e-15);
+        assertEquals(
+                Math.exp(-6),
+                TwoStreamSlab.underBeam(DeltaScaling.of(0, 0.85), 3, 0.5).transmittance(),
+                1e-15);
     }
 
     /** At k = 1/mu0 the textbook's form is 0/0; here its neighbours and it lie on one line. */
@@ -111,29 +124,29 @@ class TwoStreamSlabTest {
         DeltaScaling medium = DeltaScaling.of(albedo, g);
         double k = Math.sqrt(3 * (1 - medium.albedo()) * (1 - medium.albedo() * medium.g()));
         double cosine = 1 / k;
-        double before = TwoStreamSlab.underBeam(albedo, g, depth, cosine - 1e-4).reflectance();
-        double after = TwoStreamSlab.underBeam(albedo, g, depth, cosine + 1e-4).reflectance();
+        double before = TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine - 1e-4)
+                .reflectance();
+        double after = TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine + 1e-4)
+                .reflectance();
         for (double off : new double[] {0, 1e-15, 1e-12, 1e-9, -1e-7}) {
             assertEquals(
                     (before + after) / 2,
-                    TwoStreamSlab.underBeam(albedo, g, depth, cosine + off).reflectance(),
+                    TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine + off)
+                            .reflectance(),
                     1e-7);
         }
     }
 
-    static Stream<org.junit.jupiter.params.provider.Arguments> resonances() {
-        return Stream.of(
-                org.junit.jupiter.params.provider.Arguments.of(0.4, 0.0, 2.0),
-                org.junit.jupiter.params.provider.Arguments.of(0.1, 0.3, 0.01),
-                org.junit.jupiter.params.provider.Arguments.of(0.3, 0.85, 50.0));
+    static Stream<Arguments> resonances() {
+        return Stream.of(Arguments.of(0.4, 0.0, 2.0), Arguments.of(0.1, 0.3, 0.01), Arguments.of(0.3, 0.85, 50.0));
     }
 
-    /** What neither leaves above nor below is the fluence times the absorption, summed over the depth. */
+    /** The light that leaves neither above nor below is the fluence times the absorption, summed over the depth. */
     @Test
     void theFluenceIsWhatIsAbsorbed() {
         for (double cosine : new double[] {0.1, 0.5, 1}) {
             for (double depth : new double[] {0.1, 3, 40}) {
-                var slab = TwoStreamSlab.underBeam(0.99, 0.85, depth, cosine);
+                var slab = TwoStreamSlab.underBeam(DeltaScaling.of(0.99, 0.85), depth, cosine);
                 DeltaScaling medium = DeltaScaling.of(0.99, 0.85);
                 int steps = 20_000;
                 double absorbed = 0;
@@ -153,12 +166,12 @@ class TwoStreamSlabTest {
 
     @Test
     void fluxesMeetTheirBoundaries() {
-        var slab = TwoStreamSlab.underBeam(0.999, 0.85, 12, 0.6);
+        var slab = TwoStreamSlab.underBeam(DeltaScaling.of(0.999, 0.85), 12, 0.6);
         assertEquals(0, slab.diffuseDownward(0), 1e-14);
         double direct = Math.exp(-DeltaScaling.of(0.999, 0.85).depthFactor() * 12 / 0.6);
         assertEquals(slab.transmittance() - direct, slab.diffuseDownward(12), 1e-14);
         assertEquals(2 * slab.reflectance(), slab.diffuseFluence(0), 1e-14);
-        var diffuse = TwoStreamSlab.underDiffuseLight(0.999, 0.85, 12);
+        var diffuse = TwoStreamSlab.underDiffuseLight(DeltaScaling.of(0.999, 0.85), 12);
         assertEquals(1, diffuse.diffuseDownward(0), 1e-14);
         assertEquals(diffuse.transmittance(), diffuse.diffuseDownward(12), 1e-14);
     }
@@ -166,7 +179,7 @@ class TwoStreamSlabTest {
     /** Deep inside a conservative slab the fluence falls on a straight line to the bottom. */
     @Test
     void lightDiffusesThroughADeepSlab() {
-        var slab = TwoStreamSlab.underBeam(1, 0.85, 1000, 1);
+        var slab = TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 1000, 1);
         double step = slab.diffuseFluence(400) - slab.diffuseFluence(500);
         assertEquals(step, slab.diffuseFluence(800) - slab.diffuseFluence(900), 1e-9);
         assertEquals(3 * (1 - 0.85) * 100 * slab.transmittance(), step, 1e-9);

@@ -14,19 +14,30 @@ public record DeltaScaling(double depthFactor, double albedo, double g) {
     private static final double LEAST_G = -2.0 / 3;
 
     /**
-     * Returns the scaled medium.
+     * Returns the scaled medium of one that scatters as Henyey and Greenstein's function.
      *
      * @param albedo 0 to 1
      * @param g −1 to 1
      */
     public static DeltaScaling of(double albedo, double g) {
+        return of(albedo, g, g > 0 ? g * g : 0);
+    }
+
+    /**
+     * Returns the scaled medium.
+     *
+     * @param albedo 0 to 1
+     * @param g mean cosine of the scattering angle, −1 to 1
+     * @param forwardShare f, the share of scattered light that goes straight on, 0 to 1
+     */
+    public static DeltaScaling of(double albedo, double g, double forwardShare) {
         if (!(albedo >= 0 && albedo <= 1 && g >= -1 && g <= 1)) {
             throw new IllegalArgumentException("albedo " + albedo + " or asymmetry " + g + " is out of range");
         }
-        double forward = g > 0 ? g * g : 0;
-        double factor = 1 - albedo * forward;
+        double factor = 1 - albedo * forwardShare;
         // Where everything goes straight on, nothing is left that scatters.
-        double scattered = factor > 0 ? albedo * (1 - forward) / factor : 0;
-        return new DeltaScaling(factor, Math.min(1, scattered), g > 0 ? g / (1 + g) : Math.max(LEAST_G, g));
+        double scattered = factor > 0 ? albedo * (1 - forwardShare) / factor : 0;
+        double rest = forwardShare < 1 ? (g - forwardShare) / (1 - forwardShare) : 0;
+        return new DeltaScaling(factor, Math.min(1, scattered), Math.max(LEAST_G, rest));
     }
 }

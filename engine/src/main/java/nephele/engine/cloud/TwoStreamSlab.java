@@ -55,13 +55,13 @@ public final class TwoStreamSlab {
      * @param opticalDepth of the slab along its normal, not scaled
      * @param cosine of the angle between beam and normal, 0 to 1; less than 1e-6 counts as that
      */
-    public static TwoStreamSlab underBeam(double albedo, double g, double opticalDepth, double cosine) {
-        return new TwoStreamSlab(DeltaScaling.of(albedo, g), opticalDepth, Math.max(LEAST_COSINE, cosine));
+    public static TwoStreamSlab underBeam(DeltaScaling medium, double opticalDepth, double cosine) {
+        return new TwoStreamSlab(medium, opticalDepth, Math.max(LEAST_COSINE, cosine));
     }
 
     /** Returns a slab under light that is equal from all directions above it. */
-    public static TwoStreamSlab underDiffuseLight(double albedo, double g, double opticalDepth) {
-        return new TwoStreamSlab(DeltaScaling.of(albedo, g), opticalDepth, 0);
+    public static TwoStreamSlab underDiffuseLight(DeltaScaling medium, double opticalDepth) {
+        return new TwoStreamSlab(medium, opticalDepth, 0);
     }
 
     /**
@@ -87,11 +87,35 @@ public final class TwoStreamSlab {
         return 2 * sum(Math.min(depth, medium.depthFactor() * opticalDepth));
     }
 
-    /** Returns the flux down of diffuse light at a depth below the top, not scaled. */
-    public double diffuseDownward(double opticalDepth) {
+    /**
+     * Returns the net flux down of diffuse light at a depth: down minus up, without what is unscattered or in the forward
+     * peak.
+     *
+     * @param opticalDepth below the top, along the normal, not scaled
+     */
+    public double diffuseNetFlux(double opticalDepth) {
         double at = Math.min(depth, medium.depthFactor() * opticalDepth);
         double slope = -k * fromTop * Math.exp(-k * at) + fromBottom * risingSlope(at) + particularSlope(at);
-        return (sum(at) + (forward * Math.exp(-m * at) - slope) / a) / 2;
+        return (forward * Math.exp(-m * at) - slope) / a;
+    }
+
+    /**
+     * Returns I₀ of the diffuse radiance I₀ + µ I₁ at a depth, µ the cosine with the direction down.
+     *
+     * @param opticalDepth below the top, along the normal, not scaled
+     */
+    public double diffuseMean(double opticalDepth) {
+        return diffuseFluence(opticalDepth) / (4 * Math.PI);
+    }
+
+    /** Returns I₁ of the diffuse radiance I₀ + µ I₁ at a depth below the top, not scaled. */
+    public double diffuseSlope(double opticalDepth) {
+        return 3 * diffuseNetFlux(opticalDepth) / (4 * Math.PI);
+    }
+
+    /** Returns the flux down of diffuse light at a depth below the top, not scaled. */
+    public double diffuseDownward(double opticalDepth) {
+        return (diffuseFluence(opticalDepth) / 2 + diffuseNetFlux(opticalDepth)) / 2;
     }
 
     private double beam(double at) {

@@ -16,6 +16,7 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.NormalMaps;
@@ -75,6 +76,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "cloudResolution",
                     0.125,
                     (all, value) -> all.with(all.quality().withCloudResolution(value))),
+            SettingKey.word(
+                    "cloudHistory",
+                    CloudHistory.class,
+                    (all, value) -> all.with(all.quality().withCloudHistory(value))),
             SettingKey.number(
                     "cloudStep",
                     0.25,

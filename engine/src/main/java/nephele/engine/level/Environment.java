@@ -43,6 +43,10 @@ public record Environment(
         return new Environment(sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed);
     }
 
+    public Environment withClouds(List<Cloud> written) {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, written, weather, weatherSeed);
+    }
+
     public Environment withAmbient(Vec3 radiance) {
         return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
     }

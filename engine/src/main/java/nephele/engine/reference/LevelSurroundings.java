@@ -12,7 +12,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What is around the clouds of a level: light from outside, and every solid, body, model and open portal, seen from its
+ * The surroundings of the clouds of a level: light from outside, and every solid, body, model and open portal, seen from its
  * front, as a black wall. Use one per thread.
  */
 final class LevelSurroundings implements Surroundings {

@@ -96,6 +96,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
+    /** Returns whether the eye has passed through a portal on its way from another view to the frame's main one. */
+    boolean isCrossedSince(View before) {
+        return tree.isCrossedSince(before);
+    }
+
     private PortalTechnique technique() {
         return settings.quality().portalTechnique();
     }

@@ -13,6 +13,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
@@ -50,6 +51,8 @@ public final class Renderer implements AutoCloseable {
     private MeteredExposure exposure;
 
     private FrameContext frame;
+    /** The main view of the frame before; {@code null} at first. */
+    private View viewBefore;
 
     private Renderer(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
         this.gl = gl;
@@ -220,6 +223,10 @@ public final class Renderer implements AutoCloseable {
 
     private void begin(View view, FrameState frameState, RenderTarget surface, RenderTarget drawn) {
         ViewNode root = portals == null ? null : portals.choose(view, frameState, surface);
+        if (portals != null && viewBefore != null && portals.isCrossedSince(viewBefore)) {
+            shared.cut();
+        }
+        viewBefore = view;
         if (visible != null) {
             settings.culling().find(visible, view);
         }
@@ -277,9 +284,10 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Drops the history of pictures after a cut: the deepest openings of the next picture take nothing from it, and its
-     * exposure is what it calls for.
+     * exposure is what it calls for. Views whose rays several frames share begin anew.
      */
     public void forget() {
+        shared.cut();
         if (exposure != null) {
             exposure.forget();
         }
@@ -294,6 +302,17 @@ public final class Renderer implements AutoCloseable {
      */
     public float[] readRadiance() {
         return chain.readRadiance();
+    }
+
+    /**
+     * Copies the depth of the last frame's surfaces to its picture, for lines that are drawn over it. Views that have a
+     * target of their own, as for output HDR, leave the picture's depth as it was.
+     */
+    public void copyDepth(RenderTarget picture) {
+        RenderTarget surface = chain.surface(picture);
+        if (surface != picture) {
+            surface.copyTo(picture, CopiedPlanes.DEPTH);
+        }
     }
 
     /** Continues the adaption of exposure of another renderer of this context, which it replaces. */

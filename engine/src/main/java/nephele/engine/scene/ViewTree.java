@@ -113,6 +113,11 @@ public final class ViewTree {
         return pool.get(used++);
     }
 
+    /** Returns whether the eye has passed through a portal on its way from another view to the main one. */
+    public boolean isCrossedSince(View before) {
+        return openings.crossed(before, root().view()) != null;
+    }
+
     Openings openings() {
         return openings;
     }

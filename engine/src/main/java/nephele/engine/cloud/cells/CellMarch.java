@@ -1,6 +1,7 @@
 package nephele.engine.cloud.cells;
 
 import java.util.List;
+import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.math.Aabb;
@@ -116,18 +117,19 @@ public final class CellMarch {
         double sunDepth = place.of(light, LightCells.VALUES, 0);
         CloudLight physics = cloud.physics();
         CloudOptics optics = physics.optics();
-        double scale = optics.depthScale();
+        DeltaScaling medium = physics.medium();
+        double scale = medium.depthFactor();
         double taken = -Math.expm1(-depth);
         double scaledTaken = -Math.expm1(-scale * depth);
         double cosine = 1 - turned / 2;
         double eyeDepth = -Math.log(transmittance);
         double narrow = physics.smallAngles().at(turned, sunDepth + eyeDepth + mean) * taken * Math.exp(mean);
-        double diffuse = (1 + 3 * optics.scaledCosine() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
+        double diffuse = (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
                 + Math.max(
                         0,
                         place.of(light, LightCells.VALUES, 1)
-                                + optics.scaledCosine() * cosine * place.of(light, LightCells.VALUES, 2));
-        lastDiffuse = optics.scaledAlbedo() * diffuse;
+                                + medium.g() * cosine * place.of(light, LightCells.VALUES, 2));
+        lastDiffuse = medium.albedo() * diffuse;
         sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
         double even = transmittance * taken * optics.albedo();
         above += even * place.of(light, LightCells.VALUES, 3);

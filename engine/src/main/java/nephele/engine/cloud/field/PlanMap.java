@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /**

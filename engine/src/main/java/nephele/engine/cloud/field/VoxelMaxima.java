@@ -1,6 +1,7 @@
 package nephele.engine.cloud.field;
 
 import java.util.Arrays;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /** The greatest extinction in coarse cells of a grid: the maximum over the voxels that influence the cell. */

@@ -1,5 +1,8 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.cloud.DeltaScaling;
+import nephele.engine.cloud.TwoStreamSlab;
+
 /**
  * The light inside a cloud in closed form, from optical depths alone: diffuse sunlight as in the slab that the cloud
  * resembles at a point, and the share of the sky's light from above and below that reaches it. Immutable.
@@ -9,11 +12,13 @@ public final class CloudLight {
     private static final double LEAST_COSINE = 0.05;
 
     private final CloudOptics optics;
+    private final DeltaScaling medium;
     private final SmallAngleScattering smallAngles;
     private final SlabCorrection correction;
 
     public CloudLight(CloudOptics optics) {
         this.optics = optics;
+        medium = optics.scaled();
         smallAngles = new SmallAngleScattering(optics);
         correction = new SlabCorrection(optics, smallAngles);
     }
@@ -34,6 +39,11 @@ public final class CloudLight {
         return optics;
     }
 
+    /** Returns the medium whose forward peak counts as unscattered. */
+    public DeltaScaling medium() {
+        return medium;
+    }
+
     public SmallAngleScattering smallAngles() {
         return smallAngles;
     }
@@ -49,15 +59,14 @@ public final class CloudLight {
         double through = sunDepth + shadeDepth;
         double cosine = through > thickness ? Math.max(LEAST_COSINE, thickness / through) : 1;
         double depth = Math.min(thickness, sunDepth * cosine);
-        double scale = optics.depthScale();
-        var source = new SlabSource(optics);
-        source.find(scale * depth, scale * thickness, cosine);
+        var slab = TwoStreamSlab.underBeam(medium, thickness, cosine);
         double factor = 1 + depths.flatness() * (correction.factor(depth, thickness, cosine) - 1);
         double above = openness(depths.y()) + sides(depths) / 2;
         double below = openness(depths.minusY()) + sides(depths) / 2;
         double left = remaining(depths, thickness) / (above + below);
-        return new AtPoint(
-                sunDepth, Math.max(0, factor * source.mean()), factor * source.slope(), above * left, below * left);
+        double mean = Math.max(0, factor * cosine * slab.diffuseMean(depth));
+        double slope = factor * cosine * slab.diffuseSlope(depth);
+        return new AtPoint(sunDepth, mean, slope, above * left, below * left);
     }
 
     private double sides(AxisDepths depths) {
@@ -69,19 +78,19 @@ public final class CloudLight {
      * mean of theirs with these weights, exactly in Eddington's approximation.
      */
     private double openness(double depth) {
-        return 1 / (1 + 0.75 * (1 - optics.scaledCosine()) * optics.depthScale() * depth);
+        return 1 / (1 + 0.75 * (1 - medium.g()) * medium.depthFactor() * depth);
     }
 
     /** Returns the share of even light from outside that absorption leaves. */
     private double remaining(AxisDepths depths, double slabThickness) {
-        double absorbed = 1 - optics.scaledAlbedo();
+        double absorbed = 1 - medium.albedo();
         if (absorbed < 1e-6) {
             return 1;
         }
-        double straightened = 1 - optics.scaledAlbedo() * optics.scaledCosine();
+        double straightened = 1 - medium.albedo() * medium.g();
         double k = Math.sqrt(3 * absorbed * straightened);
-        double thickness = optics.depthScale() * slabThickness;
-        double depth = Math.min(thickness / 2, optics.depthScale() * nearestSide(depths));
+        double thickness = medium.depthFactor() * slabThickness;
+        double depth = Math.min(thickness / 2, medium.depthFactor() * nearestSide(depths));
         double out = 2.0 / 3 * k / straightened;
         // cosh(k (T/2 − t)) / (cosh(k T/2) + out sinh(k T/2)), written with falling exponentials.
         double rise = Math.exp(-k * depth);

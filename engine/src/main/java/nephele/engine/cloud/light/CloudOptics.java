@@ -1,11 +1,10 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.HenyeyGreenstein;
 
 /**
- * How a cloud scatters light: its albedo and a phase function of two lobes after Henyey and Greenstein. The scaled
- * quantities are those of delta-Eddington (Joseph, Wiscombe and Weinman 1976): light in the forward peak counts as not
- * scattered.
+ * How a cloud scatters light: its albedo and a phase function of two lobes after Henyey and Greenstein.
  *
  * @param albedo scattering divided by extinction, 0 to 1
  * @param g asymmetry of the forward lobe
@@ -35,20 +34,9 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
         return Math.min(moment(2), Math.max(0, moment(1)));
     }
 
-    /** Returns scaled divided by true extinction. */
-    public double depthScale() {
-        return 1 - albedo * forwardShare();
-    }
-
-    /** Returns the albedo of the scaled medium. */
-    public double scaledAlbedo() {
-        return albedo >= 1 ? 1 : albedo * (1 - forwardShare()) / depthScale();
-    }
-
-    /** Returns the mean cosine of the scaled medium. */
-    public double scaledCosine() {
-        double forward = forwardShare();
-        return forward >= 1 ? 0 : (meanCosine() - forward) / (1 - forward);
+    /** Returns the medium whose forward peak counts as unscattered. */
+    public DeltaScaling scaled() {
+        return DeltaScaling.of(albedo, meanCosine(), forwardShare());
     }
 
     /** Returns the phase function at a separation |d − l|² of the directions, per steradian. */

@@ -1,10 +1,12 @@
 package nephele.engine.cloud.light;
 
 import java.util.stream.IntStream;
+import nephele.engine.cloud.DeltaScaling;
+import nephele.engine.cloud.TwoStreamSlab;
 import nephele.engine.math.GaussLegendre;
 
 /**
- * The factor on the diffuse light of {@link SlabSource} with which the radiance that leaves a slab carries the fluxes
+ * The factor on the diffuse light of {@link TwoStreamSlab} with which the radiance that leaves a slab carries the fluxes
  * that Eddington's approximation gives it. Light inside is too weak near the lit side, so that the formal solution of
  * the transport equation would lose up to a tenth of the energy. The factor is linear in the depth; two unknowns meet
  * two fluxes, except for thin slabs, where one factor keeps the energy.
@@ -23,13 +25,13 @@ final class SlabCorrection {
     private static final int AZIMUTHS = 24;
     private static final int STEPS = 40;
 
-    private final CloudOptics optics;
+    private final DeltaScaling medium;
     private final SmallAngleScattering smallAngles;
     private final double[] atTop = new double[THICKNESSES * COSINES];
     private final double[] slope = new double[THICKNESSES * COSINES];
 
     SlabCorrection(CloudOptics optics, SmallAngleScattering smallAngles) {
-        this.optics = optics;
+        medium = optics.scaled();
         this.smallAngles = smallAngles;
         IntStream.range(0, atTop.length).parallel().forEach(this::fit);
     }
@@ -44,13 +46,12 @@ final class SlabCorrection {
     private void fit(int index) {
         double thickness = Math.pow(RATIO, index / COSINES);
         double cosine = (index % COSINES + 1.0) / COSINES;
-        double scale = optics.depthScale();
-        var source = new SlabSource(optics);
-        double reflected = KEPT * source.reflected(scale * thickness, cosine);
-        double transmitted = KEPT * source.transmitted(scale * thickness, cosine)
-                + Math.exp(-scale * thickness / cosine)
-                - Math.exp(-thickness / cosine);
-        Fluxes fluxes = fluxes(source, thickness, cosine);
+        var slab = TwoStreamSlab.underBeam(medium, thickness, cosine);
+        double unscattered = Math.exp(-thickness / cosine);
+        double straight = Math.exp(-medium.depthFactor() * thickness / cosine);
+        double reflected = KEPT * slab.reflectance();
+        double transmitted = KEPT * (slab.transmittance() - straight) + straight - unscattered;
+        Fluxes fluxes = fluxes(slab, thickness, cosine);
         double missingAbove = reflected - fluxes.direct[0];
         double missingBelow = transmitted - fluxes.direct[1];
         double one = (missingAbove + missingBelow) / (fluxes.even[0] + fluxes.even[1]);
@@ -62,13 +63,13 @@ final class SlabCorrection {
         slope[index] = thick * clamped(rise, -GREATEST, GREATEST);
     }
 
-    private Fluxes fluxes(SlabSource source, double thickness, double cosine) {
+    private Fluxes fluxes(TwoStreamSlab slab, double thickness, double cosine) {
         var fluxes = new Fluxes();
         for (int node = 0; node < ZENITH.nodes.length; node++) {
             double mu = ZENITH.nodes[node];
             double weight = 2 * Math.PI * mu * ZENITH.weights[node] / cosine;
-            addDiffuse(fluxes, source, new Exit(0, mu, -mu * cosine, weight), thickness, cosine);
-            addDiffuse(fluxes, source, new Exit(1, mu, mu * cosine, weight), thickness, cosine);
+            addDiffuse(fluxes, slab, new Exit(0, mu, -mu * cosine, weight), thickness, cosine);
+            addDiffuse(fluxes, slab, new Exit(1, mu, mu * cosine, weight), thickness, cosine);
             double sines = Math.sqrt((1 - mu * mu) * (1 - cosine * cosine));
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double level = sines * Math.cos((azimuth + 0.5) * Math.PI / AZIMUTHS);
@@ -99,18 +100,17 @@ final class SlabCorrection {
     }
 
     /** Adds the flux of light that is linear in the cosine of the angle to the beam. */
-    private void addDiffuse(Fluxes fluxes, SlabSource source, Exit exit, double thickness, double cosine) {
-        double scale = optics.depthScale();
-        double turned = optics.scaledCosine() * exit.turned;
+    private void addDiffuse(Fluxes fluxes, TwoStreamSlab slab, Exit exit, double thickness, double cosine) {
+        double scale = medium.depthFactor();
+        double turned = medium.g() * exit.turned;
         double reach = Math.min(thickness, 24 * exit.mu / scale);
         for (int step = 0; step < STEPS; step++) {
             double from = exit.inside(reach, step);
             double to = exit.inside(reach, step + 1);
             double depth = exit.depth((from + to) / 2, thickness);
             double taken = Math.exp(-scale * from / exit.mu) * -Math.expm1(-scale * (to - from) / exit.mu);
-            double emitted = exit.weight * taken * optics.scaledAlbedo();
-            source.find(scale * depth, scale * thickness, cosine);
-            double diffuse = Math.max(0, source.mean() + turned * source.slope());
+            double emitted = exit.weight * taken * medium.albedo();
+            double diffuse = Math.max(0, cosine * (slab.diffuseMean(depth) + turned * slab.diffuseSlope(depth)));
             double once = (1 + 3 * turned) / (4 * Math.PI) * Math.exp(-scale * depth / cosine);
             fluxes.direct[exit.side] += emitted * once;
             fluxes.even[exit.side] += emitted * diffuse;

@@ -1,5 +1,7 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.cloud.TwoStreamSlab;
+
 /**
  * Sunlight that a cloud scatters by small angles, any number of times, and by one angle of any size. For a path of
  * optical depth τ that turns once by the angle θ in all, it is Σ ωⁿ e^−τ τⁿ⁻¹ / n! p_n(θ), p_n being the phase function
@@ -7,7 +9,7 @@ package nephele.engine.cloud.light;
  * transport equation (Goudsmit and Saunderson 1940): each of the n scatterings may be the one that is summed over,
  * hence 1/n! instead of 1/(n − 1)!. The term n = 1 is exact single scattering.
  *
- * <p>What the {@link SlabSource} counts as diffuse is left out, so that nothing counts twice: the moments of degree 0 and
+ * <p>What the {@link TwoStreamSlab} counts as diffuse is left out, so that nothing counts twice: the moments of degree 0 and
  * 1 are those of the forward peak of delta-Eddington. Values can be negative.
  *
  * <p>The values are tabulated by separation and depth; a shader reads the same table with linear filtering.
@@ -24,7 +26,7 @@ public final class SmallAngleScattering {
     private final float[] values = new float[SEPARATIONS * DEPTHS];
 
     public SmallAngleScattering(CloudOptics optics) {
-        deepest = Math.min(MOST_DEPTH, SCALED_DEPTH / optics.depthScale());
+        deepest = Math.min(MOST_DEPTH, SCALED_DEPTH / optics.scaled().depthFactor());
         int orders = (int) (deepest + 10 * Math.sqrt(deepest) + 20);
         for (int column = 0; column < SEPARATIONS; column++) {
             double[] terms = terms(optics, separation(column), orders);

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
-/** What is around media: the light that comes from outside, and the walls that stop it. May belong to one thread. */
+/** The surroundings of media: light that comes from outside, and walls that stop it. May belong to one thread. */
 public interface Surroundings {
     /** Returns sun and moon, as far as they give light. */
     List<DistantLight> lights();

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
  * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
  * @param edgeFilter filter of the displayed picture that smooths edges
  * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
+ * @param cloudHistory frames among which the rays of the main view through clouds are divided
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudScattering model of light that clouds scatter more than once
  * @param portalTechnique technique of drawing a view through an opening
@@ -34,6 +35,7 @@ public record Quality(
         int samples,
         EdgeFilter edgeFilter,
         double cloudResolution,
+        CloudHistory cloudHistory,
         double cloudStep,
         CloudScattering cloudScattering,
         PortalTechnique portalTechnique,
@@ -54,6 +56,7 @@ public record Quality(
             1,
             EdgeFilter.NONE,
             0.5,
+            CloudHistory.FOUR_FRAMES,
             1,
             CloudScattering.TWO_STREAM,
             PortalTechnique.STENCIL,
@@ -64,14 +67,35 @@ public record Quality(
             .withCloudStep(2)
             .withViewBudget(6);
     public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
-    public static final Quality ULTRA =
-            HIGH.withAnisotropy(8).withSamples(4).withCloudResolution(1).withViewBudget(32);
+    public static final Quality ULTRA = HIGH.withAnisotropy(8)
+            .withSamples(4)
+            .withCloudResolution(1)
+            .withCloudHistory(CloudHistory.NONE)
+            .withViewBudget(32);
 
     /** The filter that smooths edges of the displayed picture. */
     public enum EdgeFilter {
         NONE,
         /** Morphological antialiasing: coverage is estimated from the shapes of edges. */
         MORPHOLOGICAL
+    }
+
+    /** How many frames share the rays of a view through clouds; a ray that was not marched now shows an earlier frame. */
+    public enum CloudHistory {
+        NONE(1),
+        FOUR_FRAMES(2),
+        SIXTEEN_FRAMES(4);
+
+        private final int side;
+
+        CloudHistory(int side) {
+            this.side = side;
+        }
+
+        /** Returns the side of the square of rays of which a frame marches one. */
+        public int side() {
+            return side;
+        }
     }
 
     /** The model of light that clouds scatter more than once. */
@@ -178,6 +202,10 @@ public record Quality(
         return with(draft -> draft.cloudResolution = share);
     }
 
+    public Quality withCloudHistory(CloudHistory frames) {
+        return with(draft -> draft.cloudHistory = frames);
+    }
+
     public Quality withCloudStep(double cells) {
         return with(draft -> draft.cloudStep = cells);
     }
@@ -216,6 +244,7 @@ public record Quality(
         private int samples;
         private EdgeFilter edgeFilter;
         private double cloudResolution;
+        private CloudHistory cloudHistory;
         private double cloudStep;
         private CloudScattering cloudScattering;
         private PortalTechnique portalTechnique;
@@ -234,6 +263,7 @@ public record Quality(
             samples = from.samples;
             edgeFilter = from.edgeFilter;
             cloudResolution = from.cloudResolution;
+            cloudHistory = from.cloudHistory;
             cloudStep = from.cloudStep;
             cloudScattering = from.cloudScattering;
             portalTechnique = from.portalTechnique;
@@ -254,6 +284,7 @@ public record Quality(
                     samples,
                     edgeFilter,
                     cloudResolution,
+                    cloudHistory,
                     cloudStep,
                     cloudScattering,
                     portalTechnique,

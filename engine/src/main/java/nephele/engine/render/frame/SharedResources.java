@@ -53,6 +53,7 @@ public final class SharedResources implements GlObject {
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
     private DrawnClouds clouds;
+    private int cuts;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
         this.gl = gl;
@@ -90,6 +91,16 @@ public final class SharedResources implements GlObject {
     /** Returns a key for data that belong to one opened level, in all its edited versions. */
     public Same openedLevel() {
         return new Same(scene.assets());
+    }
+
+    /** Notes that the next frame has nothing to do with those before it. */
+    public void cut() {
+        cuts++;
+    }
+
+    /** Returns the number of cuts so far: history that was made before the last one is void. */
+    public int cuts() {
+        return cuts;
     }
 
     /** Begins a frame: derives the environment's values again if the environment has changed. */

@@ -13,6 +13,7 @@ public final class RenderTarget implements GlObject {
     private final GlContext gl;
     private final GlHandle framebuffer;
     private final Texture colour;
+    private final Texture second;
     private final Texture depth;
     /** Attachments that are drawn into but never sampled. */
     private final List<GlHandle> renderbuffers;
@@ -25,6 +26,7 @@ public final class RenderTarget implements GlObject {
         this.gl = gl;
         this.framebuffer = framebuffer;
         this.colour = attached.colour;
+        this.second = attached.second;
         this.depth = attached.depth;
         this.renderbuffers = attached.renderbuffers;
         this.format = attached.format;
@@ -33,7 +35,8 @@ public final class RenderTarget implements GlObject {
     }
 
     /** The attachments that a target owns; {@code format} is that of its colours. */
-    private record Attachments(PixelFormat format, Texture colour, Texture depth, List<GlHandle> renderbuffers) {}
+    private record Attachments(
+            PixelFormat format, Texture colour, Texture second, Texture depth, List<GlHandle> renderbuffers) {}
 
     /** Creates a target with a colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
@@ -65,7 +68,23 @@ public final class RenderTarget implements GlObject {
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-        Attachments attached = new Attachments(format, colour, null, List.of(depth));
+        Attachments attached = new Attachments(format, colour, null, null, List.of(depth));
+        return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
+    }
+
+    /**
+     * Creates a target of two colour textures, without depth: shaders write locations 0 and 1, and draw state applies to
+     * both.
+     */
+    public static RenderTarget pair(GlContext gl, String name, PixelFormat format, int width, int height) {
+        Texture first = flat(gl, name, format, width, height);
+        Texture second = flat(gl, name, format, width, height);
+        GlHandle framebuffer = newFramebuffer(gl, name);
+        gl.bindings().framebuffer(framebuffer.id(), width, height);
+        glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, first.id(), 0);
+        glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, second.id(), 0);
+        glDrawBuffers(new int[] {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1});
+        Attachments attached = new Attachments(format, first, second, null, List.of());
         return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
     }
 
@@ -86,7 +105,7 @@ public final class RenderTarget implements GlObject {
         } else {
             glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
         }
-        Attachments attached = new Attachments(format, colour, depth, List.of());
+        Attachments attached = new Attachments(format, colour, null, depth, List.of());
         return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
     }
 
@@ -107,7 +126,7 @@ public final class RenderTarget implements GlObject {
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-        Attachments attached = new Attachments(format, null, null, List.of(colour, depth));
+        Attachments attached = new Attachments(format, null, null, null, List.of(colour, depth));
         RenderTarget target = new RenderTarget(gl, framebuffer, attached, width, height);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             target.close();
@@ -151,13 +170,13 @@ public final class RenderTarget implements GlObject {
 
     private static RenderTarget ofLayer(
             GlContext gl, String name, GlHandle framebuffer, PixelFormat format, Texture.Extent extent) {
-        Attachments attached = new Attachments(format, null, null, List.of());
+        Attachments attached = new Attachments(format, null, null, null, List.of());
         return complete(name, new RenderTarget(gl, framebuffer, attached, extent.width(), extent.height()));
     }
 
     /** Returns the window's own framebuffer, 8 bits a channel with depth. */
     public static RenderTarget window(GlContext gl, int width, int height) {
-        Attachments attached = new Attachments(PixelFormat.RGBA8, null, null, List.of());
+        Attachments attached = new Attachments(PixelFormat.RGBA8, null, null, null, List.of());
         return new RenderTarget(gl, null, attached, width, height);
     }
 
@@ -191,6 +210,11 @@ public final class RenderTarget implements GlObject {
      */
     public Texture colour() {
         return colour;
+    }
+
+    /** Returns the second colours; {@code null} except for a {@link #pair}. */
+    public Texture second() {
+        return second;
     }
 
     /** Returns the depth to sample; {@code null} except for {@link #readable} targets. */
@@ -343,6 +367,9 @@ public final class RenderTarget implements GlObject {
         }
         if (colour != null) {
             colour.close();
+        }
+        if (second != null) {
+            second.close();
         }
         if (depth != null) {
             depth.close();

@@ -22,6 +22,10 @@ public enum TextureUnit {
     CLOUD_DETAIL(5),
     CLOUD_PROFILE(6),
     CLOUD_PLAN(14),
+    /** What {@code spread.frag} reads: rays of this frame, their distances, and the layer before. */
+    SPREAD_FRESH(0),
+    SPREAD_METRES(1),
+    SPREAD_BEFORE(2),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),
     SKY_VISIBILITY(4),

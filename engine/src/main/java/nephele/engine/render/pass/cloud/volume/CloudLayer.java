@@ -2,55 +2,132 @@ package nephele.engine.render.pass.cloud.volume;
 
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.pass.cloud.volume.MarchProgram.Pixels;
+import nephele.engine.scene.View;
 
-/** The target of low resolution into which clouds are marched; views of one size share it in turn. */
+/**
+ * The target of low resolution into which clouds are marched. The rays of one view can be divided among frames: a frame
+ * marches one of each square of rays, and the others show what was seen in their direction before, at most as many
+ * frames ago as a square has rays. The first frame after a cut marches all. Views that all march all rays may share a
+ * layer in turn.
+ */
 final class CloudLayer implements GlObject {
     private final GlContext gl;
+    private final LoadContext context;
     private final int divisor;
-    private final MarchPrograms programs;
+    private final int side;
     private final DrawState.Limits limits = new DrawState.Limits();
-    private RenderTarget target;
+    private RenderTarget shown;
+    /** The layer of the frame before, then that of the next; {@code null} without history, as are the following. */
+    private RenderTarget other;
+
+    private RenderTarget fresh;
+    private SpreadProgram program;
+    private View before;
     private int width;
     private int height;
+    private int frame;
+    private int cuts;
 
-    /** @param divisor pixels of the view along each side of one of the layer */
-    CloudLayer(LoadContext context, int divisor) {
+    /**
+     * @param divisor pixels of the view along each side of one of the layer
+     * @param side of the square of rays of which a frame marches one; 1 to march all
+     */
+    CloudLayer(LoadContext context, int divisor, int side) {
+        this.context = context;
         gl = context.gl();
         this.divisor = divisor;
-        programs = new MarchPrograms(context, Pixels.WHOLE, 0);
+        this.side = side;
     }
 
-    MarchPrograms programs() {
-        return programs;
-    }
-
-    /** Sets how far the layer reaches. */
-    void put(Uniforms.Vector2 reach) {
-        reach.set((float) (divisor * target.width()) / width, (float) (divisor * target.height()) / height);
-    }
-
-    /** Begins the layer of a view, empty. */
-    void begin(RenderTarget surface) {
-        if (target == null || width != surface.width() || height != surface.height()) {
-            close();
-            width = surface.width();
-            height = surface.height();
-            target = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
+    /**
+     * Begins the layer of a view, empty.
+     *
+     * @param cutsSoFar number of cuts; the layer before is void if it has grown
+     */
+    void begin(RenderTarget surface, int cutsSoFar) {
+        if (shown == null || width != surface.width() || height != surface.height()) {
+            resize(surface);
         }
-        gl.state().beginLayer(divisor, limits);
-        target.clearTransparentWithinScissor();
+        if (cuts != cutsSoFar) {
+            before = null;
+        }
+        cuts = cutsSoFar;
+        frame = before == null ? 0 : frame + 1;
+        gl.state().beginLayer(divisor * marchedSide(), limits);
+        (before == null ? shown : fresh).clearTransparentWithinScissor();
     }
 
-    /** Ends it and restores the limits of the view. */
-    void end() {
+    private void resize(RenderTarget surface) {
+        close();
+        width = surface.width();
+        height = surface.height();
+        shown = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
+        if (side > 1) {
+            other = surface.reduced("clouds before", PixelFormat.RGBA16F, divisor);
+            int across = (shown.width() + side - 1) / side;
+            int up = (shown.height() + side - 1) / side;
+            fresh = RenderTarget.pair(gl, "marched clouds", PixelFormat.RGBA16F, across, up);
+        }
+    }
+
+    private int marchedSide() {
+        return before == null ? 1 : side;
+    }
+
+    /** Sets which rays are marched. */
+    void put(MarchProgram.Rays rays) {
+        int n = marchedSide();
+        double offset = 0.5 * (1 - n);
+        double x = n == 1 ? 0 : column(frame, side);
+        double y = n == 1 ? 0 : row(frame, side);
+        rays.square().set(n, (float) (x + offset), (float) (y + offset));
+        rays.step().set((float) (2.0 * divisor / width), (float) (2.0 * divisor / height));
+    }
+
+    /** Returns the column of the ray that a frame marches in a square, whose side is a power of 2. */
+    static int column(int frame, int side) {
+        return side == 1 ? 0 : side / 2 * ((frame ^ frame >> 1) & 1) + column(frame >> 2, side / 2);
+    }
+
+    /** Returns the row; successive frames march rays that are far apart. */
+    static int row(int frame, int side) {
+        return side == 1 ? 0 : side / 2 * (frame & 1) + row(frame >> 2, side / 2);
+    }
+
+    /** Ends the layer and restores the limits of the view. */
+    void end(View view, FullScreenTriangle triangle) {
+        if (before != null) {
+            complete(view, triangle);
+        }
         gl.state().endLayer(limits);
+        before = side == 1 ? null : view;
+    }
+
+    private void complete(View view, FullScreenTriangle triangle) {
+        if (program == null) {
+            program = new SpreadProgram(context);
+        }
+        RenderTarget completed = other;
+        other = shown;
+        shown = completed;
+        completed.bind();
+        gl.state().set(DrawState.Depth.OFF, DrawState.Blend.REPLACE, DrawState.Cull.NONE);
+        fresh.colour().bind(TextureUnit.SPREAD_FRESH);
+        fresh.second().bind(TextureUnit.SPREAD_METRES);
+        other.colour().bind(TextureUnit.SPREAD_BEFORE);
+        program.use(
+                before,
+                view,
+                new SpreadProgram.Square(side, column(frame, side), row(frame, side)),
+                (double) width / divisor,
+                (double) height / divisor);
+        triangle.draw();
     }
 
     int divisor() {
@@ -58,14 +135,21 @@ final class CloudLayer implements GlObject {
     }
 
     void bindPicture() {
-        target.colour().bind(TextureUnit.COLOURS);
+        shown.colour().bind(TextureUnit.COLOURS);
     }
 
     @Override
     public void close() {
-        if (target != null) {
-            target.close();
-            target = null;
+        if (shown != null) {
+            shown.close();
+            shown = null;
         }
+        if (other != null) {
+            other.close();
+            fresh.close();
+            other = null;
+            fresh = null;
+        }
+        before = null;
     }
 }

@@ -42,6 +42,13 @@ final class MarchProgram {
         }
     }
 
+    /** The rays of a layer that are marched. */
+    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square) {
+        static Rays of(Uniforms uniforms) {
+            return new Rays(uniforms.vector2("layerStep"), uniforms.vector3("marchedSquare"));
+        }
+    }
+
     /** Which pixels a program draws. */
     enum Pixels {
         /** All, as far as surfaces let them see. */
@@ -62,7 +69,7 @@ final class MarchProgram {
 
     private final CloudRanges.Places ranges;
     private final NoiseTextures.Places noisePlaces;
-    private final Uniforms.Vector2 layerReach;
+    private final Rays rays;
 
     MarchProgram(LoadContext context, Pixels pixels, Noise noise, int clouds) {
         Defines choices = Defines.of(context)
@@ -74,7 +81,7 @@ final class MarchProgram {
                 .with("CLOUDS", clouds);
         var defines = choices.values();
         var found = new CloudRanges.Places[1];
-        var reach = new Uniforms.Vector2[1];
+        var rayPlaces = new Rays[1];
         var tables = new NoiseTextures.Places[1];
         program = new GlProgram<>(
                 context.gl(),
@@ -91,13 +98,13 @@ final class MarchProgram {
                         uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
                     }
                     found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
-                    reach[0] = pixels == Pixels.WHOLE ? uniforms.vector2("layerReach") : null;
+                    rayPlaces[0] = pixels == Pixels.WHOLE ? Rays.of(uniforms) : null;
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
                     return Places.of(uniforms);
                 });
         noisePlaces = tables[0];
         ranges = found[0];
-        layerReach = reach[0];
+        rays = rayPlaces[0];
     }
 
     /** Returns where the ranges of clouds go; {@code null} unless for {@link Pixels#MIXED}. */
@@ -110,9 +117,9 @@ final class MarchProgram {
         return noisePlaces;
     }
 
-    /** Returns where a layer's reach goes; {@code null} unless for {@link Pixels#WHOLE}. */
-    Uniforms.Vector2 layerReach() {
-        return layerReach;
+    /** Returns where the choice of rays goes; {@code null} unless for {@link Pixels#WHOLE}. */
+    Rays rays() {
+        return rays;
     }
 
     void use() {

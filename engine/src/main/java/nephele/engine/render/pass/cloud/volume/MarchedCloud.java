@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.cloud.drawn.DrawnClouds;
@@ -92,12 +93,13 @@ final class MarchedCloud {
         places.cloudHalf().set((float) ((box.maxX() - box.minX()) / 2), (float) (box.maxY() - box.minY()), (float)
                 ((box.maxZ() - box.minZ()) / 2));
         CloudOptics optics = cloud.cells().physics().optics();
+        DeltaScaling medium = cloud.cells().physics().medium();
         places.medium()
-                .set((float) cloud.greatestPerMetre(), (float) optics.depthScale(), (float) optics.albedo(), (float)
-                        optics.scaledAlbedo());
+                .set((float) cloud.greatestPerMetre(), (float) medium.depthFactor(), (float) optics.albedo(), (float)
+                        medium.albedo());
         places.phase()
                 .set(
-                        (float) optics.scaledCosine(),
+                        (float) medium.g(),
                         (float) cloud.cells().physics().smallAngles().deepest(),
                         (float) halfCurvature(),
                         (float) optics.meanCosine());

@@ -46,7 +46,13 @@ public final class VolumePass implements Pass {
     private final CloudRanges ranges;
     private final Aabb surfaces;
     private final double stepCells;
-    private final CloudLayer layer;
+    /** The layer of the main view, whose rays several frames may share; {@code null} if clouds are marched directly. */
+    private final CloudLayer mainLayer;
+
+    /** That of all other views. */
+    private final CloudLayer nestedLayer;
+
+    private final MarchPrograms whole;
     private final MarchPrograms direct;
     private CompositeProgram composite;
     private CompositeProgram compositeBehindSurfaces;
@@ -66,10 +72,14 @@ public final class VolumePass implements Pass {
         Quality quality = context.quality();
         stepCells = quality.cloudStep();
         int divisor = (int) Math.round(1 / quality.cloudResolution());
-        layer = divisor == 1 || clouds.isEmpty() ? null : context.own(new CloudLayer(context, divisor));
+        int side = quality.cloudHistory().side();
+        boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
+        mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
+        nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
+        whole = isLayered ? new MarchPrograms(context, Pixels.WHOLE, 0) : null;
         direct = clouds.isEmpty()
                 ? null
-                : new MarchPrograms(context, layer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
+                : new MarchPrograms(context, mainLayer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -101,19 +111,21 @@ public final class VolumePass implements Pass {
         }
         sort(view.eye());
         reads.bind(shared);
-        if (layer == null) {
+        if (mainLayer == null) {
             frame.surface().bind();
-            march(direct, view);
+            march(direct, view, null);
             return;
         }
-        layer.begin(frame.surface());
-        march(layer.programs(), view);
-        layer.end();
+        boolean isMain = frame.node() == null || frame.node().parent() == null;
+        CloudLayer layer = isMain ? mainLayer : nestedLayer;
+        layer.begin(frame.surface(), shared.cuts());
+        march(whole, view, layer);
+        layer.end(view, triangle);
         frame.surface().bind();
         boolean mixed = ranges.nearestMetres(view.eye()) < farthestSurface(view.eye());
-        drawLayer(view, mixed);
+        drawLayer(layer, view, mixed);
         if (mixed) {
-            march(direct, view);
+            march(direct, view, null);
         }
     }
 
@@ -124,14 +136,15 @@ public final class VolumePass implements Pass {
         }
     }
 
-    private void march(MarchPrograms programs, View view) {
+    /** @param layer into which is marched; {@code null} for the view itself */
+    private void march(MarchPrograms programs, View view, CloudLayer layer) {
         gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
         for (int i = 0; i < clouds.size(); i++) {
             MarchedCloud cloud = clouds.get(i);
             MarchProgram program = programs.of(cloud.noise());
             program.use();
-            if (program.layerReach() != null) {
-                layer.put(program.layerReach());
+            if (layer != null) {
+                layer.put(program.rays());
             }
             if (program.ranges() != null) {
                 ranges.put(program.ranges(), view);
@@ -141,7 +154,7 @@ public final class VolumePass implements Pass {
         }
     }
 
-    private void drawLayer(View view, boolean mixed) {
+    private void drawLayer(CloudLayer layer, View view, boolean mixed) {
         gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
         CompositeProgram program = mixed ? compositeBehindSurfaces() : composite();
         program.use();
@@ -154,14 +167,14 @@ public final class VolumePass implements Pass {
 
     private CompositeProgram composite() {
         if (composite == null) {
-            composite = new CompositeProgram(context, false, ranges.count(), layer.divisor());
+            composite = new CompositeProgram(context, false, ranges.count(), mainLayer.divisor());
         }
         return composite;
     }
 
     private CompositeProgram compositeBehindSurfaces() {
         if (compositeBehindSurfaces == null) {
-            compositeBehindSurfaces = new CompositeProgram(context, true, ranges.count(), layer.divisor());
+            compositeBehindSurfaces = new CompositeProgram(context, true, ranges.count(), mainLayer.divisor());
         }
         return compositeBehindSurfaces;
     }

@@ -9,7 +9,13 @@
 #include "cloud-ranges.glsl"
 #endif
 
+#ifdef WHOLE
+#include "layer-ray.glsl"
+layout(location = 1) out vec4 kilometres; // r: to the cloud, times coverage; a: coverage
+uniform vec3 marchedSquare; // x: side of the square of rays of which one is marched; y, z: that one's place from the middle
+#else
 in vec3 direction;
+#endif
 
 #ifndef WHOLE
 uniform sampler2D viewDepth;
@@ -43,6 +49,12 @@ float stepOffset(vec2 pixelPlace) {
 }
 
 void main() {
+#ifdef WHOLE
+    vec2 place = gl_FragCoord.xy * marchedSquare.x + marchedSquare.yz;
+    vec3 direction = layerRay(place);
+#else
+    vec2 place = gl_FragCoord.xy;
+#endif
     float unit = length(direction);
     vec3 ray = direction / unit;
     vec2 visible = visiblePart(ray, unit);
@@ -57,7 +69,7 @@ void main() {
     if (!(visible.x < visible.y)) {
         discard;
     }
-    CloudRay cloud = marchedCloud(ray, visible, stepOffset(gl_FragCoord.xy));
+    CloudRay cloud = marchedCloud(ray, visible, stepOffset(place));
     vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
     float covered = 1.0 - cloud.transmittance;
 #ifdef AIR
@@ -72,4 +84,7 @@ void main() {
     radiance *= mirrorTint.rgb;
 #endif
     pixel = vec4(min(radiance, 65504.0), covered);
+#ifdef WHOLE
+    kilometres = vec4(0.001 * cloud.metres * covered, 0.0, 0.0, covered);
+#endif
 }
