@@ -85,6 +85,23 @@ class PhaseFunctionTest {
     }
 
     @Test
+    void twoLobesAreTheirMeanAndAreSampledByTheirShares() {
+        var lobes = new TwoLobes(new HenyeyGreenstein(0.9), new HenyeyGreenstein(-0.4), 0.3);
+        assertEquals(1, integral(lobes, 0, 4), 1e-4);
+        double backwards = integral(lobes, 2, 4);
+        var random = new SplittableRandom(7);
+        double sum = 0;
+        int turned = 0;
+        for (int n = 0; n < 100_000; n++) {
+            double separation = lobes.sampleSeparation(random);
+            sum += 1 - separation / 2;
+            turned += separation > 2 ? 1 : 0;
+        }
+        assertEquals(0.7 * 0.9 - 0.3 * 0.4, sum / 100_000, 4 * Math.sqrt(1 / 3.0 / 100_000));
+        assertEquals(backwards, turned / 100_000.0, 4 * Math.sqrt(0.25 / 100_000));
+    }
+
+    @Test
     void knownValuesHold() {
         assertEquals(0.0795774715, new HenyeyGreenstein(0).perSteradian(1.3), 1e-10);
         assertEquals(6.543, new HenyeyGreenstein(0.85).perSteradian(0), 5e-4);

@@ -4,8 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.level.appearance.WeatherCourse;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -104,10 +108,10 @@ final class RenderCommand implements Command {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
-    /** Returns a notice for options without effect: the environment stands still, or clouds are not drawn yet. */
+    /** Returns a notice for options without effect: the environment stands still. */
     private Optional<String> ignored(OpenedLevel opened) {
         var options = new ArrayList<String>();
-        if (timeSeconds != 0 && !Daylight.moves(opened.level().environment())) {
+        if (timeSeconds != 0 && !follows(opened.level().environment())) {
             options.add("--time");
         }
         if (technique != null) {
@@ -116,6 +120,13 @@ final class RenderCommand implements Command {
         return options.isEmpty()
                 ? Optional.empty()
                 : Optional.of("nothing in this level follows " + String.join(" or ", options));
+    }
+
+    private static boolean follows(Environment environment) {
+        return Daylight.moves(environment)
+                || WeatherCourse.of(environment).changes()
+                || WeatherClouds.all(environment).stream()
+                        .anyMatch(cloud -> !cloud.motion().equals(Cloud.Motion.STILL));
     }
 
     private void checkUsage() {

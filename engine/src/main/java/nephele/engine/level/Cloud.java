@@ -9,7 +9,7 @@ import nephele.engine.math.Vec3;
  *
  * @param extinctionPerMetre where the density is 1
  * @param albedo scattering divided by extinction
- * @param phaseG mean cosine of the scattering angle; positive is forward
+ * @param phaseG mean cosine of the scattering angle, in the first lobe; positive is forward
  */
 public record Cloud(
         @Written(required = true, text = TextKind.ID) String id,
@@ -19,7 +19,31 @@ public record Cloud(
         @Written(absent = "0.05", min = 0, max = 1e3) double extinctionPerMetre,
         @Written(absent = "1", min = 0, max = 1) double albedo,
         @Written(min = -0.999, max = 0.999) double phaseG,
+        @Written(beside = true) BackLobe backLobe,
         @Written(beside = true) Motion motion) {
+
+    /** Creates a cloud whose phase function has one lobe. */
+    public Cloud(
+            String id,
+            Extent extent,
+            CloudTechnique technique,
+            Density density,
+            double extinctionPerMetre,
+            double albedo,
+            double phaseG,
+            Motion motion) {
+        this(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, BackLobe.NONE, motion);
+    }
+
+    /** Returns the cloud with another extinction. */
+    public Cloud withExtinction(double perMetre) {
+        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion);
+    }
+
+    /** Returns the cloud with another motion. */
+    public Cloud with(Motion other) {
+        return new Cloud(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other);
+    }
 
     /** Creates a cloud that neither drifts nor changes. */
     public Cloud(
@@ -135,6 +159,17 @@ public record Cloud(
     public record FillBox(
             @Written(required = true) Vec3 centre,
             @Written(required = true, min = 1e-3, prototype = "[20, 10, 20]") Vec3 size) {}
+
+    /**
+     * The second lobe of a cloud's phase function. The file has the members beside the cloud's own.
+     *
+     * @param phaseBackG mean cosine of its scattering angle; negative is backward
+     * @param phaseBackShare share of the light that it scatters; 0 for one lobe
+     */
+    public record BackLobe(
+            @Written(min = -0.999, max = 0.999) double phaseBackG, @Written(min = 0, max = 1) double phaseBackShare) {
+        public static final BackLobe NONE = new BackLobe(0, 0);
+    }
 
     /**
      * How a cloud changes with simulated time. The file has the members beside the cloud's own.

@@ -13,6 +13,7 @@ import nephele.engine.math.Vec3;
  * @param exposureStops a number, or auto
  * @param fog {@code null} for none
  * @param weather clouds that the engine adds to the written ones; {@code null} for none
+ * @param weatherKeyframes weathers at times, in the place of one weather; between two, one fades into the other
  */
 public record Environment(
         @Written Sun sun,
@@ -23,24 +24,51 @@ public record Environment(
         @Written Fog fog,
         @Written(most = 1000) List<Cloud> clouds,
         @Written Weather weather,
-        @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed) {
+        @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
+        @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes) {
+
+    /**
+     * A weather at a time.
+     *
+     * @param timeSeconds simulated time
+     */
+    public record WeatherKeyframe(
+            @Written(required = true, min = 0, max = 1e9) double timeSeconds,
+            @Written(required = true, prototype = "\"few\"") Weather weather) {}
 
     /** Creates an environment without weather. */
     public Environment(
             Sun sun, Sky sky, Vec3 ambient, Exposure exposureStops, ToneCurve toneCurve, Fog fog, List<Cloud> clouds) {
-        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, null, 0);
+        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, null, 0, List.of());
+    }
+
+    /** Creates an environment with one weather. */
+    public Environment(
+            Sun sun,
+            Sky sky,
+            Vec3 ambient,
+            Exposure exposureStops,
+            ToneCurve toneCurve,
+            Fog fog,
+            List<Cloud> clouds,
+            Weather weather,
+            long weatherSeed) {
+        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, List.of());
     }
 
     public Environment with(Sun newSun) {
-        return new Environment(newSun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
+        return new Environment(
+                newSun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
     }
 
     public Environment with(Sky newSky) {
-        return new Environment(sun, newSky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
+        return new Environment(
+                sun, newSky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
     }
 
     public Environment with(Exposure exposure) {
-        return new Environment(sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed);
+        return new Environment(
+                sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
     }
 
     public Environment withClouds(List<Cloud> written) {
@@ -48,7 +76,8 @@ public record Environment(
     }
 
     public Environment withAmbient(Vec3 radiance) {
-        return new Environment(sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed);
+        return new Environment(
+                sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
     }
 
     public Environment withFog(Fog newFog) {

@@ -179,7 +179,7 @@ public final class Renderer implements AutoCloseable {
         gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = chain.surface(picture);
         RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
-        shared.follow(frameState);
+        shared.follow(frameState, view);
         if (!passes.isEmpty()) {
             begin(view, frameState, surface, drawn);
             drawOnce(listener);

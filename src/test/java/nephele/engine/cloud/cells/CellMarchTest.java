@@ -3,7 +3,6 @@ package nephele.engine.cloud.cells;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.field.EllipsoidField;
@@ -25,12 +24,8 @@ class CellMarchTest {
     private static final CloudLight WHITE = new CloudLight(CloudOptics.of(1, 0.85));
 
     private static CellStack stack(ExtinctionField field, CellBox cells, CloudLight physics, Vec3 towardsSun) {
-        List<DensityCells> density = DensityCells.of(field, List.of(cells), null, Double.POSITIVE_INFINITY);
-        return new CellStack(
-                density,
-                StackBuilder.lit(density, physics, new StackBuilder.Light(towardsSun, DepthBeyond.NOTHING)),
-                physics,
-                Double.POSITIVE_INFINITY);
+        DensityCells density = DensityCells.of(field, cells, DensityCells.Sampling.PLAIN);
+        return CellStack.finite(density, physics, LightCells.Around.sun(towardsSun));
     }
 
     /** Plane albedo by adding-doubling (src/test/resources, slab_truth.csv); the beam at cosine 1 and at 0.5. */

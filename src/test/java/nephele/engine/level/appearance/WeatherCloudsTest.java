@@ -72,7 +72,7 @@ class WeatherCloudsTest {
         "SCATTERED, cumulus, 2.5, 4, 900, 2800",
         "BROKEN, stratocumulus, 5, 7, 900, 1800",
         "OVERCAST, stratus, 8, 8, 600, 1600",
-        "STORM, cumulonimbus, 2, 4, 600, 10700",
+        "STORM, cumulonimbus, 6, 8, 600, 10700",
         "CIRRUS, cirrus, 4, 8, 8000, 10200"
     })
     void coverAndAltitudeAreThoseOfTheName(

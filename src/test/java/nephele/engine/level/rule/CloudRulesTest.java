@@ -89,6 +89,25 @@ class CloudRulesTest {
     }
 
     @Test
+    void keyframesOfTheWeatherAreInOrderAndStandAlone() {
+        String frames = "\"weatherKeyframes\": [{\"timeSeconds\": 0, \"weather\": \"few\"},"
+                + " {\"timeSeconds\": 600, \"weather\": \"storm\"}]";
+        assertEquals(List.of(), lines(frames));
+        require(frames.replace("600", "0"), "weatherKeyframes[1].timeSeconds", "must be later");
+        require("\"weather\": \"few\", " + frames, "weather", "leave this out");
+        require(
+                frames + ", " + clouds(layer("weather-scud", "")),
+                "clouds[0].id",
+                "is the id of a cloud of the weather");
+    }
+
+    @Test
+    void aBackLobeWithoutShareIsTold() {
+        require(clouds(layer("c", ", 'phaseBackG': -0.3")), "clouds[0].phaseBackG", "warning: has no effect");
+        assertEquals(List.of(), lines(clouds(layer("c", ", 'phaseBackG': -0.3, 'phaseBackShare': 0.2"))));
+    }
+
+    @Test
     void aLayerUnderTheGroundOfARoundPlanetIsTold() {
         String low = layer("c", "").replace("900", "-900");
         assertEquals(List.of(), lines(clouds(low)));

@@ -49,7 +49,7 @@ class OverPlanetTest {
         Vec3 towards = Directions.unit(onGround.directionTowardsSun());
         double expected = onGround.irradiance().y();
         double found = 0;
-        for (DistantLight light : OverPlanet.of(environment).lights()) {
+        for (DistantLight light : OverPlanet.of(environment, 1).lights()) {
             Vec3 irradiance = light.irradiance(Vec3.ZERO);
             if (light.towards().minus(towards).length() < 1e-9) {
                 assertEquals(
@@ -66,14 +66,14 @@ class OverPlanetTest {
 
     @Test
     void theMoonShinesByNightOnly() {
-        assertEquals(1, OverPlanet.of(at(FULL, 12)).lights().size());
-        assertEquals(2, OverPlanet.of(at(FULL, 23)).lights().size());
+        assertEquals(1, OverPlanet.of(at(FULL, 12), 1).lights().size());
+        assertEquals(2, OverPlanet.of(at(FULL, 23), 1).lights().size());
         double half = moonlight(at(HALF, 19));
         assertTrue(half > 0 && half < 0.3 * moonlight(at(FULL, 23)), "a half moon gives less than half of its light");
     }
 
     private static double moonlight(Environment night) {
-        return OverPlanet.of(night)
+        return OverPlanet.of(night, 1)
                 .lights()
                 .get(1)
                 .irradiance(new Vec3(0, 30_000, 0))
@@ -86,7 +86,7 @@ class OverPlanetTest {
         Environment environment = at(dayOfYear, hours);
         SkyRadiance eyes =
                 SkyRadiance.of(environment, id -> null, ColourDecoding.SRGB).orElseThrow();
-        OverPlanet paths = OverPlanet.of(environment);
+        OverPlanet paths = OverPlanet.of(environment, 1);
         var random = new SplittableRandom(2);
         for (int i = 0; i < 40; i++) {
             Vec3 d = Directions.unit(
@@ -102,7 +102,7 @@ class OverPlanetTest {
     void aCloudIsLitByTheMoonAsByADirectionalLight() {
         Environment night = at(FULL, 23.5);
         Sun moon = Daylight.onGround(night);
-        OverPlanet planet = OverPlanet.of(night);
+        OverPlanet planet = OverPlanet.of(night, 1);
         var field = new UniformField(new Aabb(-200, 20, -200, 200, 60, 200), 0.03);
         var media = new CloudMedia(List.of(new CloudMedium(field, 1, new HenyeyGreenstein(0.6))));
         var around =

@@ -1,22 +1,19 @@
 package nephele.engine.cloud.cells;
 
 import nephele.engine.cloud.light.AxisDepths;
-import nephele.engine.math.Ray;
 
-/** Optical depths from the centres of coarse cells to the outside: sums along the axes, and walks in any direction. */
+/** Optical depths from the centres of coarse cells to the outside along the axes. */
 final class CellDepths {
     private final DensityCells density;
     private final CellBox cells;
-    private final DepthBeyond beyond;
     /** Depth towards −x, −y, −z of each centre, three values a cell. */
     private final float[] minus;
 
     private final float[] plus;
 
-    CellDepths(DensityCells density, CellBox cells, DepthBeyond beyond) {
+    CellDepths(DensityCells density, CellBox cells) {
         this.density = density;
         this.cells = cells;
-        this.beyond = beyond;
         float[] perMetre = means();
         minus = new float[3 * cells.count()];
         plus = new float[3 * cells.count()];
@@ -70,31 +67,5 @@ final class CellDepths {
     AxisDepths axes(int i, int j, int k) {
         int at = 3 * cells.index(i, j, k);
         return new AxisDepths(plus[at], minus[at], plus[at + 1], minus[at + 1], plus[at + 2], minus[at + 2]);
-    }
-
-    Walk walk() {
-        return new Walk();
-    }
-
-    /** Finds depths along rays. For one thread. */
-    final class Walk {
-        private final CellSums sums = new CellSums(density);
-
-        /** Returns the optical depth from the centre of a cell to the outside, in a unit direction. */
-        double from(int i, int j, int k, double dx, double dy, double dz) {
-            double x = cells.centreX(i);
-            double y = cells.centreY(j);
-            double z = cells.centreZ(k);
-            var box = cells.box();
-            double length = Math.min(
-                    exit(x, dx, box.minX(), box.maxX()),
-                    Math.min(exit(y, dy, box.minY(), box.maxY()), exit(z, dz, box.minZ(), box.maxZ())));
-            return sums.along(new Ray(x, y, z, dx, dy, dz), length)
-                    + beyond.depth(x + length * dx, y + length * dy, z + length * dz, dx, dy, dz);
-        }
-
-        private double exit(double from, double direction, double min, double max) {
-            return direction == 0 ? Double.POSITIVE_INFINITY : ((direction > 0 ? max : min) - from) / direction;
-        }
     }
 }

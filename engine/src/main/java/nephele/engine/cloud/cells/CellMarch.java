@@ -2,14 +2,14 @@ package nephele.engine.cloud.cells;
 
 import java.util.List;
 import nephele.engine.cloud.DeltaScaling;
+import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
 /**
- * Marches a ray through a cloud's cells, the twin of {@code march.glsl}. Each step is integrated exactly for a constant
+ * Marches a ray through a cloud's cells, the twin of {@code cloud-march.glsl}. Each step is integrated exactly for a constant
  * source, so that a cloud in even light neither gains nor loses energy at any number of steps. Not for several threads.
  */
 public final class CellMarch {
@@ -23,9 +23,9 @@ public final class CellMarch {
     private final OutsideOfCloud outside;
     private final List<CellPlace> dense;
     private final List<CellPlace> lit;
-    private final Vec3 centre;
-    private final double halfX;
-    private final double halfZ;
+    private final FocusedStack boxes;
+    private final ExtinctionField exact;
+    private final double[] light = new double[LightCells.VALUES];
     private double transmittance;
     private double scaledTransmittance;
     private double sunlight;
@@ -34,6 +34,7 @@ public final class CellMarch {
     private double lightAt;
     private double covered;
     private int fetches;
+    private double lastDiffuse;
 
     /**
      * The light around a cloud.
@@ -44,17 +45,26 @@ public final class CellMarch {
      */
     public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {}
 
+    /** Creates a march whose focus is in the middle of the narrowest box. */
     public CellMarch(CellStack cloud, OutsideOfCloud outside) {
+        this(cloud, outside, cloud.narrowest().box().centre());
+    }
+
+    /** @param focus of a layer's boxes; its y does not count */
+    public CellMarch(CellStack cloud, OutsideOfCloud outside, Vec3 focus) {
+        this(cloud, outside, focus, null);
+    }
+
+    /** @param exact takes the place of the cells' density; {@code null} for the cells' */
+    public CellMarch(CellStack cloud, OutsideOfCloud outside, Vec3 focus, ExtinctionField exact) {
         this.cloud = cloud;
         this.outside = outside;
+        this.exact = exact;
         dense = cloud.density().stream()
                 .map(cells -> new CellPlace(cells.cells()))
                 .toList();
         lit = cloud.light().stream().map(cells -> new CellPlace(cells.cells())).toList();
-        Aabb box = cloud.narrowest().box();
-        centre = new Vec3((box.minX() + box.maxX()) / 2, box.minY(), (box.minZ() + box.maxZ()) / 2);
-        halfX = (box.maxX() - box.minX()) / 2;
-        halfZ = (box.maxZ() - box.minZ()) / 2;
+        boxes = new FocusedStack(cloud, focus.x(), focus.z());
     }
 
     /**
@@ -72,7 +82,7 @@ public final class CellMarch {
         covered = 0;
         lightAt = 0;
         fetches = 0;
-        StackSpan inside = StackSpan.of(cloud, ray);
+        StackSpan inside = boxes.span(ray);
         double start = Math.max(fromMetres, inside.fromMetres());
         double end = Math.min(toMetres, inside.toMetres());
         double turned = 2 - 2 * dot(ray, outside.towardsSun());
@@ -89,32 +99,15 @@ public final class CellMarch {
         finish();
     }
 
-    /** Returns which cells are around a place. */
-    private int level(Ray ray, double at) {
-        double x = Math.abs(ray.originX() + at * ray.directionX() - centre.x()) / halfX;
-        double z = Math.abs(ray.originZ() + at * ray.directionZ() - centre.z()) / halfZ;
-        double wide = Math.max(x, z);
-        int level = wide <= 1 ? 0 : (int) Math.ceil(Math.log(wide) / Math.log(CellStack.WIDENING) - 1e-6);
-        return Math.min(cloud.levels() - 1, level);
-    }
-
     private void step(Ray ray, double from, double to, double turned) {
         double middle = (from + to) / 2;
-        int level = level(ray, middle);
-        place(dense.get(level), ray, middle);
-        fetches++;
-        double density = dense.get(level).of(cloud.density().get(level).densities(), 1, 0);
-        if (!(density > 0) || !(to > from)) {
+        double depth = perMetre(ray, middle) * (to - from);
+        if (!(depth > 0)) {
             return;
         }
-        double depth = density * cloud.greatestPerMetre() * (to - from);
         double mean = meanDepth(depth);
-        double lightMetres = from + mean / depth * (to - from);
-        int lightLevel = level(ray, lightMetres);
-        CellPlace place = lit.get(lightLevel);
-        place(place, ray, lightMetres);
-        float[] light = cloud.light().get(lightLevel).values();
-        double sunDepth = place.of(light, LightCells.VALUES, 0);
+        findLight(ray, from + mean / depth * (to - from));
+        double sunDepth = light[0];
         CloudLight physics = cloud.physics();
         CloudOptics optics = physics.optics();
         DeltaScaling medium = physics.medium();
@@ -125,22 +118,59 @@ public final class CellMarch {
         double eyeDepth = -Math.log(transmittance);
         double narrow = physics.smallAngles().at(turned, sunDepth + eyeDepth + mean) * taken * Math.exp(mean);
         double diffuse = (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
-                + Math.max(
-                        0,
-                        place.of(light, LightCells.VALUES, 1)
-                                + medium.g() * cosine * place.of(light, LightCells.VALUES, 2));
+                + Math.max(0, light[1] + medium.g() * cosine * light[2]);
         lastDiffuse = medium.albedo() * diffuse;
         sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
         double even = transmittance * taken * optics.albedo();
-        above += even * place.of(light, LightCells.VALUES, 3);
-        below += even * place.of(light, LightCells.VALUES, 4);
+        above += even * light[3];
+        below += even * light[4];
         covered += transmittance * taken;
         lightAt += transmittance * taken * middle;
         transmittance *= 1 - taken;
         scaledTransmittance *= 1 - scaledTaken;
     }
 
-    private double lastDiffuse;
+    private double perMetre(Ray ray, double at) {
+        fetches++;
+        if (exact != null) {
+            return exact.perMetre(
+                    ray.originX() + at * ray.directionX(), height(ray, at), ray.originZ() + at * ray.directionZ());
+        }
+        findBox(ray, at);
+        double density = density(boxes.level(), ray, at);
+        if (boxes.next() > 0) {
+            density += boxes.next() * (density(boxes.level() + 1, ray, at) - density);
+        }
+        return density * cloud.greatestPerMetre();
+    }
+
+    private double density(int level, Ray ray, double at) {
+        CellPlace place = dense.get(level);
+        place(place, ray, at);
+        return place.of(cloud.density().get(level).densities(), 1, 0);
+    }
+
+    private void findLight(Ray ray, double at) {
+        findBox(ray, at);
+        findLight(boxes.level(), ray, at, 1);
+        if (boxes.next() > 0) {
+            findLight(boxes.level() + 1, ray, at, boxes.next());
+        }
+    }
+
+    /** Mixes the light of a box into what has been found. */
+    private void findLight(int level, Ray ray, double at, double share) {
+        CellPlace place = lit.get(level);
+        place(place, ray, at);
+        for (int value = 0; value < LightCells.VALUES; value++) {
+            double found = place.of(cloud.light().get(level).values(), LightCells.VALUES, value);
+            light[value] = share == 1 ? found : light[value] + share * (found - light[value]);
+        }
+    }
+
+    private void findBox(Ray ray, double at) {
+        boxes.at(ray.originX() + at * ray.directionX(), ray.originZ() + at * ray.directionZ());
+    }
 
     /** Fills up what the early end has left. */
     private void finish() {
@@ -164,12 +194,12 @@ public final class CellMarch {
     }
 
     private void place(CellPlace place, Ray ray, double at) {
+        place.at(ray.originX() + at * ray.directionX(), height(ray, at), ray.originZ() + at * ray.directionZ());
+    }
+
+    private double height(Ray ray, double at) {
         double level = ray.directionX() * ray.directionX() + ray.directionZ() * ray.directionZ();
-        double rise = at * at * level / (2 * cloud.planetRadiusMetres());
-        place.at(
-                ray.originX() + at * ray.directionX(),
-                ray.originY() + at * ray.directionY() + rise,
-                ray.originZ() + at * ray.directionZ());
+        return ray.originY() + at * ray.directionY() + at * at * level / (2 * cloud.planetRadiusMetres());
     }
 
     private static double dot(Ray ray, Vec3 v) {

@@ -4,22 +4,49 @@ import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
 
 /**
- * A cloud as it is marched: boxes of cells of extinction and light. A finite cloud has one box. A layer has several
- * around the same point of the same heights, each four times as wide as the one before; a place belongs to the narrowest
- * that contains it.
+ * A cloud as it is marched: boxes of cells of extinction and light. A finite cloud has one box. A layer has several of
+ * the same heights, each {@value #WIDENING} times as wide as the one before; which one serves a place depends on its
+ * distance from a focus, and near the end of each box's reach the next one takes over gradually.
  *
  * @param density from the narrowest box on, of one scale
  * @param light of the same boxes
  * @param planetRadiusMetres of the planet around which a layer bends; infinite for a flat one
+ * @param reachMetres distance from the focus up to which the narrowest box serves; infinite for a finite cloud
  */
 public record CellStack(
-        List<DensityCells> density, List<LightCells> light, CloudLight physics, double planetRadiusMetres) {
+        List<DensityCells> density,
+        List<LightCells> light,
+        CloudLight physics,
+        double planetRadiusMetres,
+        double reachMetres) {
     /** Widths of successive boxes. */
-    public static final int WIDENING = 4;
+    public static final int WIDENING = 3;
 
     public CellStack {
         density = List.copyOf(density);
         light = List.copyOf(light);
+    }
+
+    /** Returns a finite cloud. */
+    public static CellStack finite(DensityCells density, CloudLight physics, LightCells.Around around) {
+        List<DensityCells> all = List.of(density);
+        return new CellStack(
+                all,
+                LightCells.of(all, false, physics, around),
+                physics,
+                Double.POSITIVE_INFINITY,
+                Double.POSITIVE_INFINITY);
+    }
+
+    /** Returns a layer in the boxes of a {@link LayerGrid}. */
+    public static CellStack layer(
+            List<DensityCells> density, CloudLight physics, LightCells.Around around, double planetRadiusMetres) {
+        return new CellStack(
+                density,
+                LightCells.of(density, true, physics, around),
+                physics,
+                planetRadiusMetres,
+                LayerGrid.REACH * density.get(0).cells().sizeX());
     }
 
     /** Returns the box of the narrowest cells. */
@@ -31,18 +58,13 @@ public record CellStack(
         return density.size();
     }
 
-    /** Returns true if there is nothing to draw. */
-    public boolean isEmpty() {
-        return density.stream().allMatch(DensityCells::isEmpty);
+    /** Returns true if the cells end at no side. */
+    public boolean isLayer() {
+        return reachMetres < Double.POSITIVE_INFINITY;
     }
 
     /** Returns the extinction that density 1 stands for. */
     public double greatestPerMetre() {
         return density.get(0).greatestPerMetre();
-    }
-
-    /** Returns the same cells in other light. */
-    public CellStack lit(List<LightCells> now) {
-        return new CellStack(density, now, physics, planetRadiusMetres);
     }
 }

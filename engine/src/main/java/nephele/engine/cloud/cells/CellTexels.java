@@ -7,20 +7,31 @@ import java.nio.FloatBuffer;
 public final class CellTexels {
     private CellTexels() {}
 
-    /** Puts a slice: density, distance divided by {@link DensityCells#FARTHEST}, what absorption leaves, 255. */
-    public static void putDensity(DensityCells density, LightCells lightOfBox, int k, ByteBuffer texels) {
+    /**
+     * Puts a slice of a box between two times: density at the earlier time, distance divided by {@link
+     * DensityCells#FARTHEST}, what absorption leaves, density at the later time.
+     */
+    public static void putDensity(CellStack from, CellStack to, int box, int k, ByteBuffer texels) {
+        DensityCells density = from.density().get(box);
+        DensityCells later = to.density().get(box);
         CellBox cells = density.cells();
+        LightCells lightOfBox = from.light().get(box);
+        boolean absorbs = from.physics().optics().albedo() < 1;
         var lit = new CellPlace(lightOfBox.cells());
         float[] light = lightOfBox.values();
         for (int j = 0; j < cells.ny(); j++) {
             for (int i = 0; i < cells.nx(); i++) {
                 int at = cells.index(i, j, k);
-                lit.at(cells.centreX(i), cells.centreY(j), cells.centreZ(k));
-                double left = lit.of(light, LightCells.VALUES, 3) + lit.of(light, LightCells.VALUES, 4);
+                double left = 1;
+                if (absorbs) {
+                    lit.at(cells.centreX(i), cells.centreY(j), cells.centreZ(k));
+                    left = lit.of(light, LightCells.VALUES, 3) + lit.of(light, LightCells.VALUES, 4);
+                }
+                int distance = Math.min(density.distances()[at], later.distances()[at]);
                 texels.put((byte) Math.round(255 * density.densities()[at]))
-                        .put((byte) (255 * density.distances()[at] / DensityCells.FARTHEST))
+                        .put((byte) (255 * distance / DensityCells.FARTHEST))
                         .put((byte) Math.round(255 * Math.min(1, left)))
-                        .put((byte) 255);
+                        .put((byte) Math.round(255 * later.densities()[at]));
             }
         }
     }

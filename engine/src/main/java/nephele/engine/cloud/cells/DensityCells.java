@@ -1,7 +1,5 @@
 package nephele.engine.cloud.cells;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.math.Aabb;
@@ -14,95 +12,148 @@ public final class DensityCells {
     /** Distances are counted up to here, in cells. */
     public static final int FARTHEST = 32;
 
-    private static final int MOST_SAMPLES = 4;
+    private static final int MOST_SAMPLES = 3;
 
     private final CellBox cells;
     private final float[] densities;
     private final byte[] distances;
     private final double greatestPerMetre;
 
-    private DensityCells(CellBox cells, float[] perMetre, float greatestPerMetre, float[] occupied) {
+    private DensityCells(CellBox cells, float[] densities, byte[] distances, double greatestPerMetre) {
+        this.cells = cells;
+        this.densities = densities;
+        this.distances = distances;
+        this.greatestPerMetre = greatestPerMetre;
+    }
+
+    private DensityCells(CellBox cells, float[] perMetre, double greatestPerMetre, float[] occupied) {
         this.cells = cells;
         this.greatestPerMetre = greatestPerMetre;
         densities = perMetre;
         for (int at = 0; at < perMetre.length && greatestPerMetre > 0; at++) {
-            densities[at] = Math.round(255 * perMetre[at] / greatestPerMetre) / 255f;
+            densities[at] = Math.round(255 * Math.min(1, perMetre[at] / greatestPerMetre)) / 255f;
         }
         distances = EmptyDistance.of(cells, occupied == null ? densities : occupied, FARTHEST);
     }
 
-    /** An upper bound of a field's extinction in a box. */
-    @FunctionalInterface
-    public interface Bound {
-        double perMetre(Aabb box);
+    /**
+     * How a field is sampled.
+     *
+     * @param finestMetres size of what must not be missed between two samples
+     * @param greatestPerMetre what density 1 stands for; 0 for the greatest sample
+     */
+    public record Sampling(double finestMetres, double greatestPerMetre) {
+        /** Takes one sample a cell, and density 1 for the greatest. */
+        public static final Sampling PLAIN = new Sampling(Double.POSITIVE_INFINITY, 0);
     }
 
-    /**
-     * Samples a field on all processors.
-     *
-     * @param boxes of cells that share one scale of densities
-     * @param bound tells where the field can have any extinction; {@code null} if the samples tell it
-     * @param finestMetres size of what must not be missed between two samples
-     */
-    public static List<DensityCells> of(ExtinctionField field, List<CellBox> boxes, Bound bound, double finestMetres) {
-        List<float[]> sampled = boxes.stream()
-                .map(cells -> sampled(field, cells, perEdge(cells, finestMetres)))
-                .toList();
-        float most = 0;
-        for (float[] values : sampled) {
-            for (float value : values) {
-                most = Math.max(most, value);
+    /** A field whose columns are made of bodies in plan, by their depth inside of one. */
+    public interface Columns {
+        /** Returns the depth of a column. */
+        double depth(double x, double z);
+
+        /** Returns an upper bound of the depths in a rectangle, given by its centre and half its sides. */
+        double greatestDepth(double x, double z, double halfX, double halfZ);
+
+        /** Returns the least depth at which there can be extinction between two heights. */
+        double leastDepth(double fromY, double toY);
+
+        /** Returns the extinction at a point of a column. */
+        double perMetre(double depth, double x, double y, double z);
+    }
+
+    /** Samples a field on all processors. */
+    public static DensityCells of(ExtinctionField field, CellBox cells, Sampling sampling) {
+        float[] sampled = sampled(field, cells, sampling.finestMetres());
+        double scale = sampling.greatestPerMetre();
+        if (!(scale > 0)) {
+            for (float value : sampled) {
+                scale = Math.max(scale, value);
             }
         }
-        List<DensityCells> all = new ArrayList<>();
-        for (int i = 0; i < boxes.size(); i++) {
-            float[] occupied = bound == null ? null : occupied(boxes.get(i), bound);
-            all.add(new DensityCells(boxes.get(i), sampled.get(i), most, occupied));
-        }
-        return all;
+        return new DensityCells(cells, sampled, scale, null);
     }
 
-    private static int perEdge(CellBox cells, double finestMetres) {
-        return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(cells.sizeX() / finestMetres)));
-    }
-
-    private static float[] occupied(CellBox cells, Bound bound) {
+    /** Samples columns on all processors; they tell, too, where there can be any extinction. */
+    public static DensityCells of(Columns field, CellBox cells, Sampling sampling) {
+        float[] perMetre = new float[cells.count()];
         float[] occupied = new float[cells.count()];
+        double[] least = new double[cells.ny()];
+        for (int j = 0; j < cells.ny(); j++) {
+            Aabb row = cells.cell(0, j, 0);
+            least[j] = field.leastDepth(row.minY(), row.maxY());
+        }
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
-            for (int j = 0; j < cells.ny(); j++) {
-                for (int i = 0; i < cells.nx(); i++) {
-                    occupied[cells.index(i, j, k)] = (float) bound.perMetre(cells.cell(i, j, k));
+            for (int i = 0; i < cells.nx(); i++) {
+                double greatest =
+                        field.greatestDepth(cells.centreX(i), cells.centreZ(k), cells.sizeX() / 2, cells.sizeZ() / 2);
+                for (int j = 0; j < cells.ny(); j++) {
+                    occupied[cells.index(i, j, k)] = greatest > least[j] ? 1 : 0;
                 }
+                addColumn(field, cells, sampling.finestMetres(), least, perMetre, i, k);
             }
         });
-        return occupied;
+        return new DensityCells(cells, perMetre, sampling.greatestPerMetre(), occupied);
     }
 
-    private static float[] sampled(ExtinctionField field, CellBox cells, int perEdge) {
+    private static void addColumn(
+            Columns field, CellBox cells, double finestMetres, double[] least, float[] perMetre, int i, int k) {
+        int across = perEdge(Math.max(cells.sizeX(), cells.sizeZ()), finestMetres);
+        int up = perEdge(cells.sizeY(), finestMetres);
+        for (int n = 0; n < across * across; n++) {
+            double x = cells.centreX(i) + offset(n % across, across) * cells.sizeX();
+            double z = cells.centreZ(k) + offset(n / across, across) * cells.sizeZ();
+            double depth = field.depth(x, z);
+            for (int j = 0; j < cells.ny(); j++) {
+                if (depth > least[j]) {
+                    double sum = 0;
+                    for (int m = 0; m < up; m++) {
+                        double y = cells.centreY(j) + offset(m, up) * cells.sizeY();
+                        sum += field.perMetre(depth, x, y, z);
+                    }
+                    perMetre[cells.index(i, j, k)] += sum / (up * across * across);
+                }
+            }
+        }
+    }
+
+    private static int perEdge(double edge, double finestMetres) {
+        return (int) Math.max(1, Math.min(MOST_SAMPLES, Math.ceil(edge / finestMetres)));
+    }
+
+    private static float[] sampled(ExtinctionField field, CellBox cells, double finestMetres) {
         float[] perMetre = new float[cells.count()];
+        int across = perEdge(Math.max(cells.sizeX(), cells.sizeZ()), finestMetres);
+        int up = perEdge(cells.sizeY(), finestMetres);
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
-                    perMetre[cells.index(i, j, k)] = (float) mean(field, cells, perEdge, i, j, k);
+                    perMetre[cells.index(i, j, k)] = (float) mean(field, cells, across, up, i, j, k);
                 }
             }
         });
         return perMetre;
     }
 
-    private static double mean(ExtinctionField field, CellBox cells, int perEdge, int i, int j, int k) {
+    private static double mean(ExtinctionField field, CellBox cells, int across, int up, int i, int j, int k) {
         double sum = 0;
-        for (int n = 0; n < perEdge * perEdge * perEdge; n++) {
-            double x = cells.centreX(i) + offset(n % perEdge, perEdge) * cells.sizeX();
-            double y = cells.centreY(j) + offset(n / perEdge % perEdge, perEdge) * cells.sizeY();
-            double z = cells.centreZ(k) + offset(n / perEdge / perEdge, perEdge) * cells.sizeZ();
+        int count = across * across * up;
+        for (int n = 0; n < count; n++) {
+            double x = cells.centreX(i) + offset(n % across, across) * cells.sizeX();
+            double y = cells.centreY(j) + offset(n / across / across, up) * cells.sizeY();
+            double z = cells.centreZ(k) + offset(n / across % across, across) * cells.sizeZ();
             sum += field.perMetre(x, y, z);
         }
-        return sum / (perEdge * perEdge * perEdge);
+        return sum / count;
     }
 
     private static double offset(int index, int perEdge) {
         return (index + 0.5) / perEdge - 0.5;
+    }
+
+    /** Returns the same densities with a share of the extinction. */
+    public DensityCells scaled(double share) {
+        return share == 1 ? this : new DensityCells(cells, densities, distances, share * greatestPerMetre);
     }
 
     public CellBox cells() {

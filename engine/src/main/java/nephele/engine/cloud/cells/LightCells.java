@@ -1,5 +1,7 @@
 package nephele.engine.cloud.cells;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.light.AxisDepths;
 import nephele.engine.cloud.light.CloudLight;
@@ -10,6 +12,15 @@ public final class LightCells {
     /** Sun-ward depth, diffuse mean, diffuse slope, share from above, share from below. */
     static final int VALUES = 5;
 
+    /** Cells of density along each edge of a cell of light. */
+    private static final int DIVISOR = 2;
+
+    /** Cells of density between one with some and the farthest cell of light that is mixed in there. */
+    private static final int FARTHEST_LIT = 2 * DIVISOR + 1;
+
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
+
     private final CellBox cells;
     private final float[] values;
 
@@ -19,28 +30,107 @@ public final class LightCells {
     }
 
     /**
-     * Computes the light on all processors.
+     * The light around a cloud.
      *
-     * @param divisor cells of the density along each edge of one cell of light
      * @param towardsSun unit
+     * @param others clouds that shade it
      */
-    public static LightCells of(
-            DensityCells density, int divisor, CloudLight light, Vec3 towardsSun, DepthBeyond beyond) {
-        CellBox cells = density.cells().coarser(divisor);
-        var depths = new CellDepths(density, cells, beyond);
-        float[] values = new float[VALUES * cells.count()];
-        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
-            var walk = depths.walk();
-            for (int j = 0; j < cells.ny(); j++) {
-                for (int i = 0; i < cells.nx(); i++) {
-                    AxisDepths axes = depths.axes(i, j, k);
-                    double sun = walk.from(i, j, k, towardsSun.x(), towardsSun.y(), towardsSun.z());
-                    double shade = walk.from(i, j, k, -towardsSun.x(), -towardsSun.y(), -towardsSun.z());
-                    put(values, VALUES * cells.index(i, j, k), light.at(axes, sun, shade));
+    public record Around(Vec3 towardsSun, List<ShadingCloud> others) {
+        public static Around sun(Vec3 towardsSun) {
+            return new Around(towardsSun, List.of());
+        }
+    }
+
+    /** Returns the number and the box of the cells of light in a box of cells of density. */
+    public static CellBox cellsIn(CellBox density) {
+        return density.coarser(DIVISOR);
+    }
+
+    /**
+     * Computes the light in all boxes of a cloud on all processors.
+     *
+     * @param isLayer whether the cells end at no side
+     */
+    public static List<LightCells> of(List<DensityCells> density, boolean isLayer, CloudLight physics, Around around) {
+        List<LightCells> lit = new ArrayList<>();
+        for (int level = 0; level < density.size(); level++) {
+            CellBox cells = cellsIn(density.get(level).cells());
+            float[] values = new float[VALUES * cells.count()];
+            var sums = new CellDepths(density.get(level), cells);
+            int ofLevel = level;
+            IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+                var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, ofLevel, around);
+                for (int j = 0; j < cells.ny(); j++) {
+                    for (int i = 0; i < cells.nx(); i++) {
+                        if (isNear(density.get(ofLevel), cells, i, j, k)) {
+                            put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
+                        }
+                    }
                 }
+            });
+            lit.add(new LightCells(cells, values));
+        }
+        return lit;
+    }
+
+    /** Returns false for cells so far from all extinction that no lookup of light there meets any. */
+    private static boolean isNear(DensityCells density, CellBox cells, int i, int j, int k) {
+        CellBox dense = density.cells();
+        int x = i * dense.nx() / cells.nx();
+        int y = j * dense.ny() / cells.ny();
+        int z = k * dense.nz() / cells.nz();
+        return density.distances()[dense.index(x, y, z)] < FARTHEST_LIT;
+    }
+
+    /** Finds the light in a slice of cells. For one thread. */
+    private static final class Slice {
+        private final CellBox cells;
+        private final CellDepths sums;
+        private final StackDepths depths;
+        private final boolean isLayer;
+        private final int level;
+        private final Around around;
+        private final List<ShadingCloud.Walk> others;
+
+        private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, int level, Around around) {
+            this.cells = cells;
+            this.sums = sums;
+            this.depths = depths;
+            this.isLayer = isLayer;
+            this.level = level;
+            this.around = around;
+            others = around.others().stream().map(ShadingCloud::walk).toList();
+        }
+
+        private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics) {
+            double x = cells.centreX(i);
+            double y = cells.centreY(j);
+            double z = cells.centreZ(k);
+            AxisDepths axes = axes(i, j, k, x, y, z);
+            Vec3 sun = around.towardsSun();
+            double sunDepth = depths.from(level, x, y, z, sun.x(), sun.y(), sun.z());
+            double shadeDepth = depths.from(level, x, y, z, -sun.x(), -sun.y(), -sun.z());
+            for (ShadingCloud.Walk other : others) {
+                double edge = cells.sizeX() / DIVISOR;
+                axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
+                sunDepth += other.from(x, y, z, edge, sun);
+                shadeDepth += other.from(x, y, z, edge, sun.negated());
             }
-        });
-        return new LightCells(cells, values);
+            return physics.at(axes, sunDepth, shadeDepth);
+        }
+
+        private AxisDepths axes(int i, int j, int k, double x, double y, double z) {
+            AxisDepths inBox = sums.axes(i, j, k);
+            return isLayer
+                    ? new AxisDepths(
+                            depths.nearBy(level, x, y, z, 1, 0, 0),
+                            depths.nearBy(level, x, y, z, -1, 0, 0),
+                            inBox.y(),
+                            inBox.minusY(),
+                            depths.nearBy(level, x, y, z, 0, 0, 1),
+                            depths.nearBy(level, x, y, z, 0, 0, -1))
+                    : inBox;
+        }
     }
 
     private static void put(float[] values, int at, CloudLight.AtPoint light) {

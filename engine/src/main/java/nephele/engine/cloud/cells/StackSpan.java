@@ -4,15 +4,14 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 
 /**
- * The part of a ray in a stack of cells. The twin of {@code insideCloud} in {@code cloud-march.glsl}. Where a layer bends
+ * The part of a ray in the bounds of a cloud. The twin of {@code insideCloud} in {@code cloud-march.glsl}. Where a layer bends
  * around the planet, a ray at elevation e has the height y + t sin e + t² cos² e / 2R; that holds within 0.3 m up to 30 km
  * and 40 m up to 150 km.
  */
 record StackSpan(double fromMetres, double toMetres) {
-    static StackSpan of(CellStack cloud, Ray ray) {
-        Aabb box = cloud.density().get(cloud.levels() - 1).cells().box();
+    static StackSpan of(Aabb box, double planetRadiusMetres, Ray ray) {
         double level = ray.directionX() * ray.directionX() + ray.directionZ() * ray.directionZ();
-        double bend = level / (2 * cloud.planetRadiusMetres());
+        double bend = level / (2 * planetRadiusMetres);
         StackSpan heights =
                 betweenHeights(bend, ray.directionY(), ray.originY() - box.minY(), ray.originY() - box.maxY());
         return behindPlanet(heights, bend, ray)

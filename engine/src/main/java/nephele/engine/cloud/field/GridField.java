@@ -49,6 +49,15 @@ public final class GridField implements ExtinctionField {
         return new GridField(grid, tile, extinctionPerMetre, GridAxis.Edge.REPEATED, slackMetres);
     }
 
+    /** Returns the greatest extinction anywhere. */
+    public double greatestPerMetre() {
+        float greatest = 0;
+        for (float density : grid.values()) {
+            greatest = Math.max(greatest, density);
+        }
+        return extinctionPerMetre * greatest;
+    }
+
     @Override
     public double perMetre(double x, double y, double z) {
         return bounds.contains(x, y, z)

@@ -11,7 +11,11 @@ import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Weather;
 import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.level.appearance.WeatherClouds.ChangingCloud;
+import nephele.engine.level.appearance.WeatherCourse;
+import nephele.engine.math.Vec3;
 
 /**
  * All clouds of an environment, those of its weather included, with their pictures, grids and tables; clouds with the
@@ -19,11 +23,16 @@ import nephele.engine.level.appearance.WeatherClouds;
  */
 public final class LoadedClouds {
     private final List<Cloud> clouds;
+    private final List<Weather> weathers;
+    private final WeatherCourse course;
     private final List<CloudFiles> files;
     private final boolean isRound;
 
-    private LoadedClouds(List<Cloud> clouds, List<CloudFiles> files, boolean isRound) {
+    private LoadedClouds(
+            List<Cloud> clouds, List<Weather> weathers, WeatherCourse course, List<CloudFiles> files, boolean isRound) {
         this.clouds = clouds;
+        this.weathers = weathers;
+        this.course = course;
         this.files = files;
         this.isRound = isRound;
     }
@@ -34,18 +43,58 @@ public final class LoadedClouds {
      * @throws AssetException if a picture or grid is unusable
      */
     public static LoadedClouds of(Environment environment, AssetSource assets) throws AssetException {
-        List<Cloud> clouds = WeatherClouds.all(environment);
+        List<ChangingCloud> changing = WeatherClouds.changing(environment);
+        List<Cloud> clouds = changing.stream().map(ChangingCloud::cloud).toList();
+        List<Weather> weathers = new ArrayList<>();
+        changing.forEach(cloud -> weathers.add(cloud.weather()));
         Map<Long, CloudTables> tables = new HashMap<>();
         List<CloudFiles> files = new ArrayList<>();
         for (Cloud cloud : clouds) {
             files.add(CloudFiles.of(cloud, assets, seed -> tables.computeIfAbsent(seed, CloudTables::of)));
         }
-        return new LoadedClouds(clouds, List.copyOf(files), environment.sky() instanceof Sky.Atmosphere);
+        return new LoadedClouds(
+                clouds,
+                weathers,
+                WeatherCourse.of(environment),
+                List.copyOf(files),
+                environment.sky() instanceof Sky.Atmosphere);
     }
 
     /** Returns the clouds, those of the weather last. */
     public List<Cloud> clouds() {
         return clouds;
+    }
+
+    /** Returns the same clouds without wind: as an observer sees them who drifts with each. */
+    public LoadedClouds withoutWind() {
+        List<Cloud> still = clouds.stream().map(LoadedClouds::withoutWind).toList();
+        return new LoadedClouds(still, weathers, course, files, isRound);
+    }
+
+    private static Cloud withoutWind(Cloud cloud) {
+        return cloud.with(new Cloud.Motion(Vec3.ZERO, cloud.motion().evolutionSeconds()));
+    }
+
+    /** Returns the field that a cloud has at some time if its weather has come wholly. */
+    public ExtinctionField field(int index, double seconds) {
+        return field(clouds.get(index), files.get(index), seconds);
+    }
+
+    /** Returns the share of a cloud's extinction that its weather gives it at a time, 0 to 1. */
+    public double share(int index, double seconds) {
+        Weather weather = weathers.get(index);
+        return weather == null ? 1 : course.share(weather, seconds);
+    }
+
+    /** Returns the weather over time. */
+    public WeatherCourse course() {
+        return course;
+    }
+
+    private Cloud present(int index, double seconds) {
+        double share = share(index, seconds);
+        Cloud cloud = clouds.get(index);
+        return share == 1 ? cloud : cloud.withExtinction(share * cloud.extinctionPerMetre());
     }
 
     /**
@@ -56,9 +105,24 @@ public final class LoadedClouds {
     public List<CloudMedium> at(double seconds) {
         List<CloudMedium> media = new ArrayList<>();
         for (int i = 0; i < clouds.size(); i++) {
-            media.add(CloudMedium.of(clouds.get(i), field(clouds.get(i), files.get(i), seconds)));
+            media.add(CloudMedium.of(clouds.get(i), field(present(i, seconds), files.get(i), seconds)));
         }
         return List.copyOf(media);
+    }
+
+    /**
+     * Returns the share of its light that the clouds leave the plain around a place, on the mean.
+     *
+     * @param seconds simulated time
+     * @param sunSine of the sun's elevation
+     * @param groundAlbedo of the plain
+     */
+    public double groundShare(double seconds, Vec3 place, double sunSine, double groundAlbedo) {
+        List<ExtinctionField> fields = new ArrayList<>();
+        for (int i = 0; i < clouds.size(); i++) {
+            fields.add(CloudFields.flat(present(i, seconds), files.get(i), seconds, 0));
+        }
+        return GroundShade.share(GroundShade.present(clouds, fields, seconds), place, sunSine, groundAlbedo);
     }
 
     private ExtinctionField field(Cloud cloud, CloudFiles loaded, double seconds) {

@@ -52,10 +52,25 @@ public final class ProfiledNoise implements NoiseDensity {
         return bodies.depth(x, z);
     }
 
+    /** Returns an upper bound of {@link #bodyDepth} in a rectangle, given by its centre and half its sides. */
+    public double greatestBodyDepth(double x, double z, double halfX, double halfZ) {
+        return bodies.greatest(x, z, halfX, halfZ);
+    }
+
+    /** Returns the least depth inside of a body at which there is cloud at some height, in metres over the base. */
+    public double leastDepth(double fromY, double toY) {
+        return profile.leastRise(fromY / heightMetres, toY / heightMetres);
+    }
+
     @Override
     public double at(double x, double y, double z) {
+        return at(bodies.depth(x, z), x, y, z);
+    }
+
+    /** Returns the density at a point of a column. @param bodyDepth of the column */
+    public double at(double bodyDepth, double x, double y, double z) {
         double height = y / heightMetres;
-        double inside = bodies.depth(x, z) - profile.rise(height);
+        double inside = bodyDepth - profile.rise(height);
         if (!(inside > 0)) {
             return 0;
         }

@@ -6,6 +6,11 @@ package nephele.engine.cloud.light;
  * @param x towards +x, {@code minusX} towards −x; the others likewise; +y is up
  */
 public record AxisDepths(double x, double minusX, double y, double minusY, double z, double minusZ) {
+    /** Returns the depths with others added that lie above and below the cloud. */
+    public AxisDepths with(double above, double below) {
+        return new AxisDepths(x, minusX, y + above, minusY + below, z, minusZ);
+    }
+
     /**
      * Returns the thickness of the slab that the cloud resembles at the point: Σ 1/τ² over the axes is that of a slab in
      * any orientation, and a ball's is less than its diameter since light leaks from all its sides.

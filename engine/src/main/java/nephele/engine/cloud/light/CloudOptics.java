@@ -2,6 +2,7 @@ package nephele.engine.cloud.light;
 
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.level.Cloud;
 
 /**
  * How a cloud scatters light: its albedo and a phase function of two lobes after Henyey and Greenstein.
@@ -13,6 +14,12 @@ import nephele.engine.cloud.HenyeyGreenstein;
  */
 public record CloudOptics(double albedo, double g, double backG, double backShare) {
     private static final int MOST_MIXED = 40;
+
+    /** Returns the optics of a cloud of a level. */
+    public static CloudOptics of(Cloud cloud) {
+        Cloud.BackLobe back = cloud.backLobe();
+        return new CloudOptics(cloud.albedo(), cloud.phaseG(), back.phaseBackG(), back.phaseBackShare());
+    }
 
     /** Returns optics with one lobe. */
     public static CloudOptics of(double albedo, double g) {

@@ -41,12 +41,8 @@ public final class EvolvingNoise {
      * @param generation of the noise, at least 0; a fraction is between two of them
      */
     public EvolvingNoise(PeriodicTable table, Layout layout, long seed, double generation) {
-        this(table, new TableMaxima(table), layout, seed, generation);
-    }
-
-    private EvolvingNoise(PeriodicTable table, TableMaxima maxima, Layout layout, long seed, double generation) {
         this.table = table;
-        this.maxima = maxima;
+        maxima = table.maxima();
         this.layout = layout;
         double whole = Math.floor(generation);
         double angle = (generation - whole) * Math.PI / 2;

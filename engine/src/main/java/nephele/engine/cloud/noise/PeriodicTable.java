@@ -13,6 +13,7 @@ public final class PeriodicTable {
     private final int mask;
     private final int layerMask;
     private final short[] values;
+    private volatile TableMaxima maxima;
 
     /**
      * @param size values along an edge of the base; a power of two
@@ -68,6 +69,16 @@ public final class PeriodicTable {
     /** Returns a copy of the values as a texture takes them: unsigned, x fastest, then y, then z. */
     public short[] unorm16() {
         return values.clone();
+    }
+
+    /** Returns the greatest values of blocks, found once. */
+    TableMaxima maxima() {
+        TableMaxima found = maxima;
+        if (found == null) {
+            found = new TableMaxima(this);
+            maxima = found;
+        }
+        return found;
     }
 
     /** Returns a value of the table, 0 to 65535; indices are taken modulo the size. */

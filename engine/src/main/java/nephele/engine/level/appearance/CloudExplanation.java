@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.WordFormats;
 
-/** The lines of {@code explain} about clouds: how many are drawn, and which ones a weather adds. */
+/** The lines of {@code explain} about clouds: how they are drawn, and which ones a weather adds. */
 public final class CloudExplanation {
     private CloudExplanation() {}
 
@@ -17,6 +18,10 @@ public final class CloudExplanation {
         int count = WeatherClouds.all(environment).size();
         if (count > 0) {
             lines.add("clouds: " + count + " drawn as volumes");
+        }
+        for (WeatherKeyframe keyframe : environment.weatherKeyframes()) {
+            lines.add("environment.weatherKeyframes: " + WordFormats.Choice.word(keyframe.weather()) + " from "
+                    + keyframe.timeSeconds() + " s on");
         }
         if (environment.weather() != null) {
             List<Cloud> meant = WeatherClouds.of(environment.weather(), environment.weatherSeed());

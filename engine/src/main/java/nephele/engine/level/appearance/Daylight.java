@@ -86,20 +86,28 @@ public final class Daylight {
      * as the horizon hides. At night the moon is in its place. Itself without an atmosphere; {@code null} without a sun.
      */
     public static Sun onGround(Environment environment) {
+        return atHeight(environment, 0);
+    }
+
+    /** Returns the sun as it shines at a height, which is above the ground's horizon when that is already in shade. */
+    public static Sun atHeight(Environment environment, double metres) {
+        double height = Math.max(0, metres);
+        double dip = Math.acos(Air.PLANET_RADIUS_METRES / (Air.PLANET_RADIUS_METRES + height));
+        double lowest = -Math.sin(dip);
         Sun sun = environment.sun();
         if (sun == null || !(environment.sky() instanceof Sky.Atmosphere sky)) {
             return sun;
         }
         Moonlight moon = Moonlight.of(sky, sun);
         if (moon.shines()) {
-            Vec3 through =
-                    air(sky).transmittance(0, Math.max(0, moon.towardsMoon().y()));
+            Vec3 through = air(sky).transmittance(
+                            height, Math.max(lowest, moon.towardsMoon().y()));
             return new Sun(
                     moon.towardsMoon(), product(sun.irradiance(), moon.irradiance(), through), sun.castsShadow());
         }
         double sine = Directions.unit(sun.directionTowardsSun()).y();
-        Vec3 through = air(sky).transmittance(0, Math.max(0, sine));
-        double seen = shareAboveHorizon(Math.asin(sine));
+        Vec3 through = air(sky).transmittance(height, Math.max(lowest, sine));
+        double seen = shareAboveHorizon(Math.asin(sine) + dip);
         return new Sun(
                 sun.directionTowardsSun(), product(sun.irradiance(), through.scaled(seen), ONE), sun.castsShadow());
     }

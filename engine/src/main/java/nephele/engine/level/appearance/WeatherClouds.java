@@ -13,13 +13,26 @@ public final class WeatherClouds {
 
     private WeatherClouds() {}
 
-    /** Returns the written clouds, followed by those of the weather. */
+    /** Returns the written clouds, followed by those of the weather or of all weathers of the keyframes. */
     public static List<Cloud> all(Environment environment) {
-        if (environment.weather() == null) {
-            return environment.clouds();
-        }
-        List<Cloud> all = new ArrayList<>(environment.clouds());
-        all.addAll(of(environment.weather(), environment.weatherSeed()));
+        return WeatherCourse.of(environment).weathers().isEmpty()
+                ? environment.clouds()
+                : changing(environment).stream().map(ChangingCloud::cloud).toList();
+    }
+
+    /**
+     * A cloud of an environment over time.
+     *
+     * @param weather whose cloud it is; {@code null} for a written one
+     */
+    public record ChangingCloud(Cloud cloud, Weather weather) {}
+
+    /** Returns the written clouds, followed by those of the weather or of all weathers of the keyframes. */
+    public static List<ChangingCloud> changing(Environment environment) {
+        List<ChangingCloud> all = new ArrayList<>();
+        environment.clouds().forEach(cloud -> all.add(new ChangingCloud(cloud, null)));
+        WeatherCourse.of(environment).weathers().forEach(weather -> of(weather, environment.weatherSeed())
+                .forEach(cloud -> all.add(new ChangingCloud(cloud, weather))));
         return List.copyOf(all);
     }
 
@@ -37,7 +50,7 @@ public final class WeatherClouds {
             case SCATTERED -> List.of(layers.mediocris(), layers.thinCirrus());
             case BROKEN -> List.of(layers.stratocumulus(), layers.altocumulus());
             case OVERCAST -> List.of(layers.scud(0.35), layers.stratus());
-            case STORM -> List.of(layers.scud(0.25), layers.cumulonimbus());
+            case STORM -> List.of(layers.scud(0.4), layers.cumulonimbus());
             case CIRRUS -> List.of(layers.cirrus());
         };
     }

@@ -69,7 +69,8 @@ final class WeatherLayers {
 
     /** Towers with anvils. */
     Cloud cumulonimbus() {
-        var noise = noise(between(1, 1200, 1500, 50), between(2, 0.3, 0.38, 0.01), 0.6, CloudProfile.CUMULONIMBUS, 0.8);
+        var noise =
+                noise(between(1, 1200, 1500, 50), between(2, 0.88, 0.94, 0.01), 0.6, CloudProfile.CUMULONIMBUS, 0.8);
         return water(
                 "cumulonimbus",
                 new Cloud.Extent.Layer(between(3, 600, 900, 50), between(4, 8500, 9800, 100)),

@@ -1,6 +1,5 @@
 package nephele.engine.level.rule;
 
-import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -12,6 +11,7 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.level.appearance.WeatherCourse;
 
 /** Rules for clouds that show nothing, or other than what their author means. */
 final class CloudRules {
@@ -24,15 +24,19 @@ final class CloudRules {
     /** A weather's clouds and the written ones have different ids. */
     static final LevelRule WEATHER = (level, assets, report) -> {
         Environment environment = level.environment();
-        if (environment.weather() == null) {
+        if (!environment.weatherKeyframes().isEmpty()) {
+            keyframes(environment, report);
+        } else if (environment.weather() == null) {
             if (environment.weatherSeed() != 0) {
                 report.accept(Problem.warning(
                         "environment.weatherSeed", "has no effect without weather: give one, or leave it out"));
             }
             return;
         }
-        List<Cloud> meant = WeatherClouds.of(environment.weather(), environment.weatherSeed());
-        Set<String> taken = meant.stream().map(Cloud::id).collect(Collectors.toSet());
+        Set<String> taken = WeatherCourse.of(environment).weathers().stream()
+                .flatMap(weather -> WeatherClouds.of(weather, environment.weatherSeed()).stream())
+                .map(Cloud::id)
+                .collect(Collectors.toSet());
         LevelRule.each("environment.clouds", environment.clouds(), (path, cloud) -> {
             if (taken.contains(cloud.id())) {
                 report.accept(Problem.error(
@@ -52,9 +56,31 @@ final class CloudRules {
 
     private CloudRules() {}
 
+    private static void keyframes(Environment environment, Consumer<Problem> report) {
+        if (environment.weather() != null) {
+            report.accept(Problem.error(
+                    "environment.weather",
+                    "the weather has weatherKeyframes: leave this out, or write it as a keyframe at 0"));
+        }
+        double before = -1;
+        for (int i = 0; i < environment.weatherKeyframes().size(); i++) {
+            double time = environment.weatherKeyframes().get(i).timeSeconds();
+            if (!(time > before)) {
+                report.accept(Problem.error(
+                        "environment.weatherKeyframes[" + i + "].timeSeconds",
+                        "must be later than the keyframe before: sort them, one for each time"));
+            }
+            before = time;
+        }
+    }
+
     private record Check(Environment environment, Consumer<Problem> report) {
         void cloud(String path, Cloud cloud) {
             motion(path, cloud);
+            Cloud.BackLobe back = cloud.backLobe();
+            if (back.phaseBackG() != 0 && back.phaseBackShare() == 0) {
+                warn(path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out");
+            }
             if (cloud.extent() instanceof Cloud.Extent.Layer layer) {
                 layer(path, layer);
             }

@@ -9,7 +9,9 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.CloudMedia;
 import nephele.engine.reference.volume.OutsideLight;
 import nephele.engine.reference.volume.Surroundings;
@@ -38,15 +40,24 @@ public final class LevelClouds {
      */
     public static Optional<LevelClouds> of(
             Environment environment, AssetSource assets, double seconds, Optional<SkyRadiance> sky) {
-        List<CloudMedium> media = LoadedClouds.of(environment, assets).at(seconds).stream()
+        LoadedClouds loaded = LoadedClouds.of(environment, assets);
+        List<CloudMedium> media = loaded.at(seconds).stream()
                 .filter(medium -> !medium.field().isEmpty())
                 .toList();
         if (media.isEmpty()) {
             return Optional.empty();
         }
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
-        Surroundings open = isRound ? OverPlanet.of(environment) : plain(environment.sun(), sky.orElse(BLACK));
+        Surroundings open = isRound
+                ? OverPlanet.of(environment, groundShare(environment, loaded, seconds))
+                : plain(environment.sun(), sky.orElse(BLACK));
         return Optional.of(new LevelClouds(new CloudMedia(media), open));
+    }
+
+    private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
+        var sky = (Sky.Atmosphere) environment.sky();
+        double sine = Directions.unit(environment.sun().directionTowardsSun()).y();
+        return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
     }
 
     private static Surroundings plain(Sun sun, SkyRadiance sky) {

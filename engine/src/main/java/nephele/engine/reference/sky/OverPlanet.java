@@ -20,7 +20,7 @@ import nephele.engine.reference.volume.Surroundings;
 
 /**
  * The light around clouds in the air of a round planet. Sun and moon that reach a place are dimmed by the air above it,
- * the sky is that of the place's own height, zenith, sun and moon; clouds shade no air.
+ * the sky is that of the place's own height, zenith, sun and moon; clouds shade no air, and the ground on the mean.
  */
 final class OverPlanet implements Surroundings {
     private final Sky.Atmosphere atmosphere;
@@ -28,6 +28,7 @@ final class OverPlanet implements Surroundings {
     private final Scattered sun;
     private final Optional<Scattered> moon;
     private final List<DistantLight> lights;
+    private final double groundShare;
 
     /**
      * A light that the air scatters.
@@ -49,7 +50,8 @@ final class OverPlanet implements Surroundings {
         }
     }
 
-    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun) {
+    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundShare) {
+        this.groundShare = groundShare;
         this.atmosphere = atmosphere;
         outside = sun.irradiance();
         Air air = Daylight.air(atmosphere);
@@ -66,9 +68,12 @@ final class OverPlanet implements Surroundings {
         }
     }
 
-    /** @param environment with a sky of kind atmosphere and the sun of the time */
-    static OverPlanet of(Environment environment) {
-        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun());
+    /**
+     * @param environment with a sky of kind atmosphere and the sun of the time
+     * @param groundShare share of its light that the ground keeps under the clouds
+     */
+    static OverPlanet of(Environment environment, double groundShare) {
+        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
     }
 
     private static Vec3 product(Vec3 a, Vec3 b) {
@@ -86,7 +91,9 @@ final class OverPlanet implements Surroundings {
         Vec3 zenith = place.zenith();
         Vec3 glow = Heavens.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
         Vec3 sum = sun.from(place, direction).plus(product(glow, outside));
-        return moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
+        Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
+        boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
+        return meetsGround ? all.scaled(groundShare) : all;
     }
 
     @Override

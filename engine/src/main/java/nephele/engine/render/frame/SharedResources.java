@@ -10,7 +10,6 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.cloud.drawn.DrawnClouds;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -52,7 +51,7 @@ public final class SharedResources implements GlObject {
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
-    private DrawnClouds clouds;
+    private FrameClouds clouds;
     private int cuts;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
@@ -104,8 +103,11 @@ public final class SharedResources implements GlObject {
     }
 
     /** Begins a frame: derives the environment's values again if the environment has changed. */
-    public void follow(FrameState frameState) {
+    public void follow(FrameState frameState, View view) {
         surroundings.follow(frameState.environment());
+        if (clouds != null) {
+            clouds.follow(frameState, view.eye());
+        }
         if (surfaceLight != null) {
             surfaceLight.follow(frameState.environment());
         }
@@ -166,9 +168,9 @@ public final class SharedResources implements GlObject {
     }
 
     /** Returns the level's clouds; all techniques draw these. */
-    public DrawnClouds clouds() {
+    public FrameClouds clouds() {
         if (clouds == null) {
-            clouds = DrawnClouds.of(scene.level().environment(), scene.assets());
+            clouds = own(new FrameClouds(scene));
         }
         return clouds;
     }

@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SmoothSky;
+import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -46,6 +47,8 @@ public final class SurfaceLight implements GlObject {
     private final PunctualLighting lights;
     private final DynamicShadows dynamicShadows;
     private Environment followed;
+    /** {@code null} before the first frame, and without clouds. */
+    private CloudInterval cloudsFollowed;
     /** The atmosphere's tables; {@code null} for another sky. */
     private AirTables airTables;
 
@@ -67,7 +70,12 @@ public final class SurfaceLight implements GlObject {
      * @param now has a sun, sky or constant only if the level has
      */
     void follow(Environment now) {
-        if (now == followed) {
+        CloudInterval clouds = shared.clouds().now();
+        boolean isSame = clouds == null
+                || cloudsFollowed != null
+                        && clouds.from() == cloudsFollowed.from()
+                        && clouds.share() == cloudsFollowed.share();
+        if (now == followed && isSame) {
             return;
         }
         sun.put(Daylight.onGround(now), block);
@@ -76,11 +84,14 @@ public final class SurfaceLight implements GlObject {
             block.ambient(now.ambient());
         }
         if (LightRequirements.skyShines(level)
-                && (followed == null || !SkyOfLevel.of(shared, now).equals(SkyOfLevel.of(shared, followed)))) {
+                && (!isSame
+                        || followed == null
+                        || !SkyOfLevel.of(shared, now).equals(SkyOfLevel.of(shared, followed)))) {
             block.sky(irradiance(now));
         }
         block.upload();
         followed = now;
+        cloudsFollowed = clouds;
     }
 
     /** @param sun {@code null} if the sky does not depend on it */
@@ -93,9 +104,9 @@ public final class SurfaceLight implements GlObject {
 
     /** Returns the sky's light on surfaces in an environment. */
     public SkyIrradiance irradiance(Environment now) {
-        return shared.clouds().all().isEmpty()
-                ? clearIrradiance(now)
-                : CloudedIrradiance.of(shared, now, clearIrradiance(now));
+        CloudInterval clouds = shared.clouds().now();
+        SkyIrradiance clear = clearIrradiance(now);
+        return clouds == null ? clear : CloudedIrradiance.of(clouds, now, clear);
     }
 
     /** Returns the light of the sky without clouds. */

@@ -2,12 +2,16 @@
 #include "cloud-span.glsl"
 
 // Boxes of cells stand on top of each other, the narrowest lowest.
-uniform sampler3D cloudDensity; // r: density, g: distance to the nearest cell with some, b: light that absorption leaves
-uniform sampler3D cloudLight; // sun-ward depth, diffuse mean, diffuse slope, share from above
+uniform sampler3D cloudDensity; // r, a: density at the last and the next sampled time; g: distance to the nearest cell with
+                                // some; b: light that absorption leaves
+uniform sampler3D cloudLight; // at the last time: sun-ward depth, diffuse mean, diffuse slope, share from above
+uniform sampler3D cloudLightToCome; // at the next time
 uniform sampler2D smallAngles; // by separation and depth
-uniform vec4 cells; // x, y: rows of a box in cloudDensity and cloudLight; z: boxes; w: metres of a cell of the narrowest
-uniform vec3 cloudBase; // middle of the narrowest box's lower side, relative to the eye, metres
-uniform vec3 cloudHalf; // x, z: half of its sides; y: height of all boxes, metres
+uniform vec4 boxes[MOST_BOXES]; // xy: middle, relative to the eye; zw: 1 / widths
+uniform vec4 cells; // x, y: rows of a box in cloudDensity and cloudLight; z: boxes; w: share of the next time
+uniform vec4 cellEdges; // xyz: edges of a cell of the narrowest box; w: the shortest
+uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
+uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of all boxes, metres
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
 uniform vec4 phase; // scaled cosine; deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
 uniform vec3 cloudSun; // towards the sun
@@ -19,6 +23,9 @@ const float GROWTH = 0.01; // metres of a step per metre of distance
 const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
 const float SEPARATIONS = 64.0;
 const float DEPTHS = 64.0;
+const float WIDENING = 3.0; // widths of successive boxes
+const float PER_LOG2 = 0.63092975; // 1 / log2(WIDENING)
+const float FADING = 0.25; // share of a box's reach, as a logarithm, in which the next one takes over
 
 struct CloudRay {
     float transmittance;
@@ -30,7 +37,7 @@ struct CloudRay {
 
 // The part of a ray of unit direction in the cloud's boxes.
 vec2 insideCloud(vec3 ray) {
-    float widest = exp2(2.0 * (cells.z - 1.0));
+    float widest = pow(WIDENING, cells.z - 1.0);
     vec2 inside = spanInside(ray, cloudBase, cloudHalf * vec3(widest, 1.0, widest), phase.z);
     if (phase.z > 0.0 && stepping.z >= 0.0) {
         inside.y = min(inside.y, sooner(dot(ray.xz, ray.xz) * phase.z, ray.y, stepping.z)); // the planet hides the rest
@@ -38,11 +45,18 @@ vec2 insideCloud(vec3 ray) {
     return inside;
 }
 
-// Which cells are around a place.
-float boxOf(vec3 place) {
+// The box that serves a place, and the share that the next wider one has already.
+vec2 boxOf(vec3 place) {
     vec2 apart = abs(place.xz - cloudBase.xz) / cloudHalf.xz;
-    float wide = max(apart.x, apart.y);
-    return wide <= 1.0 ? 0.0 : min(cells.z - 1.0, ceil(0.5 * log2(wide) - 1e-6));
+    float widenings = PER_LOG2 * log2(max(1e-6, max(apart.x, apart.y)));
+    float box = min(cells.z - 1.0, ceil(max(0.0, widenings) - 1e-6));
+    float next = box + 1.0 < cells.z ? clamp((widenings - box + FADING) / FADING, 0.0, 1.0) : 0.0;
+    return vec2(box, next);
+}
+
+vec2 acrossBox(vec3 place, float box) {
+    vec4 there = boxes[int(box)];
+    return (place.xz - there.xy) * there.zw + 0.5;
 }
 
 #ifdef NOISE
@@ -50,11 +64,26 @@ float boxOf(vec3 place) {
 #endif
 
 // The coordinates of a place in a stack of boxes of so many rows.
-vec3 texelOf(vec3 place, float bend, float at, float rows) {
-    float box = boxOf(place);
-    vec2 across = (place.xz - cloudBase.xz) / (2.0 * cloudHalf.xz) * exp2(-2.0 * box) + 0.5;
-    float up = clamp((place.y + bend * at * at - cloudBase.y) / cloudHalf.y, 0.5 / rows, 1.0 - 0.5 / rows);
+vec3 texelOf(vec3 place, float height, float box, float rows) {
+    float up = clamp((height - cloudBase.y) / cloudHalf.y, 0.5 / rows, 1.0 - 0.5 / rows);
+    vec2 across = acrossBox(place, box);
     return vec3(across.x, (box + up) / cells.z, across.y);
+}
+
+float cellDensity(vec4 cell) {
+    return mix(cell.r, cell.a, cells.w);
+}
+
+vec4 lightOf(vec3 place, float height, float box) {
+    vec3 texel = texelOf(place, height, box, cells.y);
+    vec4 light = textureLod(cloudLight, texel, 0.0);
+    return cells.w > 0.0 ? mix(light, textureLod(cloudLightToCome, texel, 0.0), cells.w) : light;
+}
+
+vec4 lightAt(vec3 place, float rise) {
+    vec2 box = boxOf(place);
+    vec4 light = lightOf(place, place.y + rise, box.x);
+    return box.y > 0.0 ? mix(light, lightOf(place, place.y + rise, box.x + 1.0), box.y) : light;
 }
 
 // Light that turns once by any angle or often by small ones, per optical depth.
@@ -102,36 +131,40 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     float at = visible.x;
     float share = offset;
     while (at < visible.y && scaled > OPAQUE) {
-        float stepMetres = stepping.x * max(cells.w, GROWTH * at);
+        float stepMetres = stepping.x * max(cellEdges.w, GROWTH * at);
         float from = at;
         float to = min(at + share * stepMetres, visible.y);
         float middle = 0.5 * (from + to);
-        vec3 cell = textureLod(cloudDensity, texelOf(middle * direction, bend, middle, cells.x), 0.0).rgb;
+        vec3 place = middle * direction;
+        float rise = bend * middle * middle;
+        vec2 box = boxOf(place);
+        vec4 cell = textureLod(cloudDensity, texelOf(place, place.y + rise, box.x, cells.x), 0.0);
         at = to;
         share = 1.0;
-#ifdef NOISE
-        bool isEmpty = cell.g * FARTHEST >= 1.0;
-#else
-        bool isEmpty = cell.r <= 0.0;
-#endif
-        if (isEmpty) {
+        if (cell.g * FARTHEST >= 1.0) {
             // Whole steps, so that the samples of neighbouring rays stay side by side.
-            float emptyMetres = cell.g * FARTHEST * cells.w * exp2(2.0 * boxOf(middle * direction));
+            vec3 edges = cellEdges.xyz * vec3(1.0, 0.0, 1.0) * pow(WIDENING, box.x) + vec3(0.0, cellEdges.y, 0.0);
+            vec3 perMetre = abs(direction) / edges;
+            float emptyMetres = cell.g * FARTHEST / max(perMetre.x, max(perMetre.y, perMetre.z));
             at += stepMetres * max(0.0, floor(emptyMetres / stepMetres - 1.0));
             continue;
         }
 #ifdef NOISE
-        float density = noiseDensity(middle * direction, bend * middle * middle);
+        float density = noiseDensity(place, rise, box);
+#else
+        float density = cellDensity(cell);
+        if (box.y > 0.0) {
+            vec4 wider = textureLod(cloudDensity, texelOf(place, place.y + rise, box.x + 1.0, cells.x), 0.0);
+            density = mix(density, cellDensity(wider), box.y);
+        }
+#endif
         if (density <= 0.0) {
             continue;
         }
-#else
-        float density = cell.r;
-#endif
         float depth = density * medium.x * (to - from);
         float mean = meanDepth(depth);
         float lit = from + mean / max(depth, 1e-20) * (to - from);
-        vec4 light = textureLod(cloudLight, texelOf(lit * direction, bend, lit, cells.y), 0.0);
+        vec4 light = lightAt(lit * direction, bend * lit * lit);
         float taken = 1.0 - exp(-depth);
         float scaledTaken = 1.0 - exp(-medium.y * depth);
 #ifdef OCTAVES

@@ -2,7 +2,8 @@
 uniform sampler3D shapeTable;
 uniform sampler3D detailTable;
 uniform sampler2D profileTable; // by height: rise, billows, sharpness, body
-uniform sampler2DArray planTable; // depth of columns inside of bodies, from -1 to 1; a layer for each box
+uniform sampler2DArray planTable; // depth of columns inside of bodies, from -1 to 1, at the last and the next sampled
+                                  // time; a layer for each box
 uniform vec4 shapePlace; // xyz: the eye's place in periods, for the generation that fades; w: periods a metre
 uniform vec4 detailPlace;
 uniform vec3 shapeComing; // the same for the generation that comes
@@ -23,14 +24,21 @@ float evolved(sampler3D table, vec3 metres, vec4 fading, vec3 coming, vec2 weigh
 #endif
 }
 
-// place: relative to the eye; rise: what the planet's curvature adds to its height
-float noiseDensity(vec3 place, float rise) {
+float bodyDepth(vec3 place, float box) {
+    vec2 depths = textureLod(planTable, vec3(acrossBox(place, box), box), 0.0).rg;
+    return 2.0 * mix(depths.x, depths.y, cells.w) - 1.0;
+}
+
+// place: relative to the eye; rise: what the planet's curvature adds to its height; box: what boxOf returns
+float noiseDensity(vec3 place, float rise, vec2 box) {
     vec3 bent = place + vec3(0.0, rise, 0.0);
-    float box = boxOf(place);
-    vec2 across = (place.xz - cloudBase.xz) / (2.0 * cloudHalf.xz) * exp2(-2.0 * box) + 0.5;
     float height = clamp((bent.y - cloudBase.y) / cloudHalf.y, 0.0, 1.0);
     vec4 profile = textureLod(profileTable, vec2((height * (KNOTS - 1.0) + 0.5) / KNOTS, 0.5), 0.0);
-    float inside = 2.0 * textureLod(planTable, vec3(across, box), 0.0).r - 1.0 - profile.r;
+    float inside = bodyDepth(place, box.x);
+    if (box.y > 0.0) {
+        inside = mix(inside, bodyDepth(place, box.x + 1.0), box.y);
+    }
+    inside -= profile.r;
     if (inside <= 0.0) {
         return 0.0;
     }

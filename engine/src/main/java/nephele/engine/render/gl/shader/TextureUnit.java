@@ -22,6 +22,7 @@ public enum TextureUnit {
     CLOUD_DETAIL(5),
     CLOUD_PROFILE(6),
     CLOUD_PLAN(14),
+    CLOUD_LIGHT_TO_COME(9),
     /** What {@code spread.frag} reads: rays of this frame, their distances, and the layer before. */
     SPREAD_FRESH(0),
     SPREAD_METRES(1),

@@ -5,6 +5,8 @@ import java.nio.FloatBuffer;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.cells.CellTexels;
+import nephele.engine.cloud.cells.LightCells;
+import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.light.SmallAngleScattering;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -13,20 +15,20 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import org.lwjgl.system.MemoryUtil;
 
-/** The cells of a cloud on the GPU, as {@code cloud-march.glsl} reads them. */
+/** The cells of a cloud at two sampled times on the GPU, as {@code cloud-march.glsl} reads them. */
 public final class CloudTextures {
     private final Texture density;
-    private final Texture light;
     private final Texture smallAngles;
+    private Texture last;
+    private Texture next;
+    private CellStack lastShown;
+    private CellStack nextShown;
 
-    public CloudTextures(LoadContext context, CellStack cloud) {
-        density = volume(context, "cloud density", PixelFormat.RGBA8, cloud.narrowest(), cloud.levels());
-        light = volume(
-                context,
-                "cloud light",
-                PixelFormat.RGBA16F,
-                cloud.light().get(0).cells(),
-                cloud.levels());
+    public CloudTextures(LoadContext context, CloudSource cloud) {
+        CellBox cells = cloud.narrowest();
+        density = volume(context, "cloud density", PixelFormat.RGBA8, cells, cloud.levels());
+        last = volume(context, "cloud light", PixelFormat.RGBA16F, LightCells.cellsIn(cells), cloud.levels());
+        next = volume(context, "cloud light to come", PixelFormat.RGBA16F, LightCells.cellsIn(cells), cloud.levels());
         smallAngles = context.own(new Texture(
                 context.gl(),
                 "small-angle scattering",
@@ -35,8 +37,6 @@ public final class CloudTextures {
                 Texture.Extent.flat(SmallAngleScattering.SEPARATIONS, SmallAngleScattering.DEPTHS),
                 Sampling.LINEAR_CLAMP));
         uploadSmallAngles(cloud.physics().smallAngles().values());
-        uploadDensity(cloud);
-        uploadLight(cloud);
     }
 
     private static Texture volume(LoadContext context, String name, PixelFormat format, CellBox cells, int boxes) {
@@ -56,22 +56,41 @@ public final class CloudTextures {
         MemoryUtil.memFree(texels);
     }
 
-    /** Replaces the cells, after their place or the cloud has changed; their number is the same. */
-    public void uploadDensity(CellStack cloud) {
-        CellBox cells = cloud.narrowest();
+    /** Shows the cells of two times; uploads only what is not there yet. */
+    public void show(CellStack from, CellStack to) {
+        if (from == lastShown && to == nextShown) {
+            return;
+        }
+        if (from == nextShown) {
+            Texture passed = last;
+            last = next;
+            next = passed;
+            nextShown = null;
+        } else if (from != lastShown) {
+            uploadLight(last, from);
+        }
+        if (to != nextShown && to != from) {
+            uploadLight(next, to);
+        }
+        uploadDensity(from, to);
+        lastShown = from;
+        nextShown = to;
+    }
+
+    private void uploadDensity(CellStack from, CellStack to) {
+        CellBox cells = from.narrowest();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * cells.nx() * cells.ny());
-        for (int box = 0; box < cloud.levels(); box++) {
+        for (int box = 0; box < from.levels(); box++) {
             var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
             for (int k = 0; k < cells.nz(); k++) {
-                CellTexels.putDensity(cloud.density().get(box), cloud.light().get(box), k, texels.clear());
+                CellTexels.putDensity(from, to, box, k, texels.clear());
                 density.upload(k, rows, texels.flip());
             }
         }
         MemoryUtil.memFree(texels);
     }
 
-    /** Replaces the light, after the sun has moved. */
-    public void uploadLight(CellStack cloud) {
+    private static void uploadLight(Texture light, CellStack cloud) {
         CellBox cells = cloud.light().get(0).cells();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * Float.BYTES * cells.nx() * cells.ny());
         for (int box = 0; box < cloud.levels(); box++) {
@@ -86,7 +105,8 @@ public final class CloudTextures {
 
     public void bind() {
         density.bind(TextureUnit.CLOUD_DENSITY);
-        light.bind(TextureUnit.CLOUD_LIGHT);
+        last.bind(TextureUnit.CLOUD_LIGHT);
+        next.bind(TextureUnit.CLOUD_LIGHT_TO_COME);
         smallAngles.bind(TextureUnit.SMALL_ANGLES);
     }
 }

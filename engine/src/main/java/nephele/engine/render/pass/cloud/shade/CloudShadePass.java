@@ -3,10 +3,8 @@ package nephele.engine.render.pass.cloud.shade;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
-import nephele.engine.cloud.drawn.DrawnClouds;
-import nephele.engine.math.Aabb;
-import nephele.engine.math.Vec3;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.SunShares;
 import nephele.engine.render.frame.CloudShadeRegion;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -22,28 +20,25 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import org.lwjgl.system.MemoryUtil;
 
-/** Publishes the shade of clouds on the level, computed when the clouds or the sun have moved. */
+/** Publishes the shade of clouds on the level. */
 public final class CloudShadePass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy);
 
-    private static final int ACROSS = 48;
-    private static final int LAYERS = 6;
-
     private final SharedResources shared;
-    private final Aabb region;
+    private final SunShares.Size size;
     private final Texture texture;
-    private DrawnClouds shown;
+    private CloudInterval shown;
 
     private CloudShadePass(LoadContext context) {
         shared = context.shared();
-        region = CloudShadeRegion.of(context.scene().statics());
+        size = SunShares.Size.of(CloudShadeRegion.of(context.scene().statics()));
         texture = context.own(new Texture(
                 context.gl(),
                 "cloud shade",
                 Texture.Shape.VOLUME,
                 PixelFormat.R16,
-                new Texture.Extent(ACROSS, LAYERS, ACROSS),
+                new Texture.Extent(size.x(), size.y(), size.z()),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -60,33 +55,22 @@ public final class CloudShadePass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        if (shared.clouds() != shown) {
-            shown = shared.clouds();
+        CloudInterval now = shared.clouds().now();
+        if (shown == null || now.from() != shown.from() || now.share() != shown.share()) {
+            shown = now;
             upload();
         }
         shared.publish(Target.CLOUD_SHADE, texture);
     }
 
     private void upload() {
-        short[] shares = new short[ACROSS * LAYERS * ACROSS];
-        IntStream.range(0, ACROSS).parallel().forEach(k -> {
-            for (int at = 0; at < ACROSS * LAYERS; at++) {
-                Vec3 place = new Vec3(
-                        between(region.minX(), region.maxX(), at % ACROSS, ACROSS),
-                        between(region.minY(), region.maxY(), at / ACROSS, LAYERS),
-                        between(region.minZ(), region.maxZ(), k, ACROSS));
-                shares[k * ACROSS * LAYERS + at] = (short) Math.round(65535 * shown.sunShare(place));
-            }
-        });
-        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * ACROSS * LAYERS);
-        for (int k = 0; k < ACROSS; k++) {
-            slice.clear().asShortBuffer().put(shares, k * ACROSS * LAYERS, ACROSS * LAYERS);
+        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * size.slice());
+        for (int k = 0; k < size.z(); k++) {
+            shown.from()
+                    .shares()
+                    .put(shown.to().shares(), shown.share(), k, slice.clear().asShortBuffer());
             texture.upload(k, slice.clear());
         }
         MemoryUtil.memFree(slice);
-    }
-
-    private static double between(double min, double max, int index, int count) {
-        return min + (index + 0.5) / count * (max - min);
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
@@ -12,7 +13,11 @@ final class CloudRanges {
     /** Further clouds share the last bounds. */
     private static final int MOST = 8;
 
-    private final List<Aabb> bounds;
+    /** Half the width of a layer, metres. */
+    private static final float ENDLESS = 1e9f;
+
+    private final List<Aabb> bounds = new ArrayList<>();
+    private final int count;
     private final double halfCurvature;
 
     /** The uniforms of {@code cloud-ranges.glsl}. */
@@ -32,18 +37,25 @@ final class CloudRanges {
     }
 
     CloudRanges(List<MarchedCloud> clouds) {
-        List<Aabb> all = clouds.stream().map(MarchedCloud::bounds).toList();
-        Aabb rest = all.stream().skip(MOST - 1).reduce(Aabb.EMPTY, Aabb::union);
-        bounds = all.size() <= MOST
-                ? all
-                : java.util.stream.Stream.concat(all.stream().limit(MOST - 1), java.util.stream.Stream.of(rest))
-                        .toList();
+        count = Math.min(MOST, clouds.size());
         halfCurvature =
                 clouds.stream().mapToDouble(MarchedCloud::halfCurvature).max().orElse(0);
     }
 
+    /** Takes the places of the clouds at the present time. */
+    void follow(List<MarchedCloud> clouds) {
+        bounds.clear();
+        for (MarchedCloud cloud : clouds) {
+            if (bounds.size() < MOST) {
+                bounds.add(cloud.bounds());
+            } else {
+                bounds.set(MOST - 1, bounds.get(MOST - 1).union(cloud.bounds()));
+            }
+        }
+    }
+
     int count() {
-        return bounds.size();
+        return count;
     }
 
     /** Returns a distance within which an eye sees no cloud. */
@@ -65,14 +77,19 @@ final class CloudRanges {
     void put(Places places, View view) {
         for (int i = 0; i < bounds.size(); i++) {
             Aabb box = bounds.get(i);
+            boolean isLayer = box.maxX() == Double.POSITIVE_INFINITY;
             places.base()
                     .get(i)
                     .set(
-                            (float) ((box.minX() + box.maxX()) / 2 - view.eyeX()),
+                            isLayer ? 0 : (float) ((box.minX() + box.maxX()) / 2 - view.eyeX()),
                             (float) (box.minY() - view.eyeY()),
-                            (float) ((box.minZ() + box.maxZ()) / 2 - view.eyeZ()));
-            places.half().get(i).set((float) ((box.maxX() - box.minX()) / 2), (float) (box.maxY() - box.minY()), (float)
-                    ((box.maxZ() - box.minZ()) / 2));
+                            isLayer ? 0 : (float) ((box.minZ() + box.maxZ()) / 2 - view.eyeZ()));
+            places.half()
+                    .get(i)
+                    .set(
+                            isLayer ? ENDLESS : (float) ((box.maxX() - box.minX()) / 2),
+                            (float) (box.maxY() - box.minY()),
+                            isLayer ? ENDLESS : (float) ((box.maxZ() - box.minZ()) / 2));
         }
         places.bend().set((float) halfCurvature);
     }

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.CloudScattering;
@@ -11,13 +13,18 @@ import nephele.engine.render.resource.FrameUniforms;
 
 /** {@code volume.frag} with the places of its numbers. */
 final class MarchProgram {
+    /** Boxes that a cloud has at most. */
+    private static final int MOST_BOXES = 6;
+
     private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
 
     private final GlProgram<Places> program;
 
     /** The numbers of a cloud and of the light around it. */
     record Places(
+            List<Uniforms.Vector4> boxes,
             Uniforms.Vector4 cells,
+            Uniforms.Vector4 cellEdges,
             Uniforms.Vector3 cloudBase,
             Uniforms.Vector3 cloudHalf,
             Uniforms.Vector4 medium,
@@ -29,7 +36,11 @@ final class MarchProgram {
             Uniforms.Vector3 skyBelow) {
         static Places of(Uniforms uniforms) {
             return new Places(
+                    IntStream.range(0, MOST_BOXES)
+                            .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
+                            .toList(),
                     uniforms.vector4("cells"),
+                    uniforms.vector4("cellEdges"),
                     uniforms.vector3("cloudBase"),
                     uniforms.vector3("cloudHalf"),
                     uniforms.vector4("medium"),
@@ -78,6 +89,7 @@ final class MarchProgram {
                 .withIf(noise != Noise.NONE, "NOISE")
                 .withIf(noise == Noise.EVOLVING, "EVOLVING")
                 .withIf(context.quality().cloudScattering() == CloudScattering.OCTAVES, "OCTAVES")
+                .with("MOST_BOXES", MOST_BOXES)
                 .with("CLOUDS", clouds);
         var defines = choices.values();
         var found = new CloudRanges.Places[1];
@@ -94,6 +106,7 @@ final class MarchProgram {
                     }
                     uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
+                    uniforms.sampler("cloudLightToCome", TextureUnit.CLOUD_LIGHT_TO_COME);
                     if (context.quality().cloudScattering() == CloudScattering.TWO_STREAM) {
                         uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
                     }

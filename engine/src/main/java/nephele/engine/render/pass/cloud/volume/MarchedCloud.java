@@ -2,8 +2,12 @@ package nephele.engine.render.pass.cloud.volume;
 
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.cells.CellStack;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.DrawnCloud;
-import nephele.engine.cloud.drawn.DrawnClouds;
+import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
@@ -21,7 +25,8 @@ import nephele.engine.scene.light.SkyIrradiance;
 /** A cloud of the level with its cells on the GPU and the light around it. */
 final class MarchedCloud {
     private final SharedResources shared;
-    private final DrawnCloud cloud;
+    private final CloudSource cloud;
+    private final int index;
     private final CloudTextures textures;
     /** {@code null} if the density comes from cells. */
     private final NoiseTextures noiseTextures;
@@ -31,32 +36,58 @@ final class MarchedCloud {
     private Vec3 irradiance;
     private Vec3 above;
     private Vec3 below;
+    private DrawnCloud shown;
+    private double share;
+    private double groundShare;
+    private double presence;
+    private double fullPerMetre;
+    private Vec3 drift;
+    /** Its noise at the time; {@code null} if the density comes from cells. */
+    private NoiseField noise;
 
-    MarchedCloud(LoadContext context, DrawnCloud cloud) {
+    /** @param index of the cloud among all */
+    MarchedCloud(LoadContext context, CloudSource cloud, int index) {
         shared = context.shared();
         this.cloud = cloud;
-        textures = new CloudTextures(context, cloud.cells());
-        if (cloud.noise() == null) {
-            noiseTextures = null;
-        } else {
-            noiseTextures = new NoiseTextures(
-                    context,
-                    (ProfiledNoise) cloud.noise().density(),
-                    cloud.cells().levels());
-            noiseTextures.uploadPlan(cloud.noise(), cloud.cells());
-        }
+        this.index = index;
+        textures = new CloudTextures(context, cloud);
+        noiseTextures = cloud.isProfiled()
+                ? new NoiseTextures(context, (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
+                : null;
     }
 
     Noise noise() {
-        return cloud.noise() == null ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
+        return !cloud.isProfiled() ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
     }
 
+    /** Returns false if its weather is not there. */
+    boolean isPresent() {
+        return presence > 0;
+    }
+
+    /** Returns its bounds at the time. */
     Aabb bounds() {
-        return cloud.bounds();
+        return cloud.bounds().moved(drift);
     }
 
     double halfCurvature() {
         return cloud.halfCurvature();
+    }
+
+    /** Takes its cells at the present time. */
+    void follow(CloudInterval now) {
+        shown = now.from().clouds().all().get(index);
+        DrawnCloud next = now.to().clouds().all().get(index);
+        share = now.share();
+        presence = cloud.share(now.seconds());
+        groundShare = now.groundShare();
+        drift = cloud.drift(now.seconds());
+        fullPerMetre = shown.fullPerMetre();
+        textures.show(shown.cells(), next.cells());
+        if (noiseTextures != null) {
+            noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
+            noiseTextures.show(shown.plans(), next.plans());
+        }
     }
 
     /** Takes the light of the present environment. */
@@ -65,49 +96,73 @@ final class MarchedCloud {
             return;
         }
         followed = now;
-        Sun sun = Daylight.onGround(now);
-        towardsSun = DrawnClouds.towardsSun(now);
+        Aabb extent = cloud.bounds();
+        Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
+        towardsSun = CloudTimeline.towardsSun(now);
         irradiance = sun == null ? Vec3.ZERO : sun.irradiance();
         SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
         above = Vec3.of(sky.ambient(0, 1, 0));
         below = Vec3.of(sky.ambient(0, -1, 0));
     }
 
-    void bind(MarchProgram program, View view, double stepCells) {
+    /** @param focus of the boxes of layers */
+    void bind(MarchProgram program, View view, Vec3 focus, double stepCells) {
         textures.bind();
+        Vec3 eye = view.eye().minus(drift);
         if (noiseTextures != null) {
-            noiseTextures.bind(program.noisePlaces(), cloud.noise(), view);
+            noiseTextures.bind(program.noisePlaces(), noise, eye);
         }
         var places = program.places();
-        CellBox narrowest = cloud.cells().narrowest();
-        Aabb box = narrowest.box();
-        places.cells()
-                .set(
-                        narrowest.ny(),
-                        cloud.cells().light().get(0).cells().ny(),
-                        cloud.cells().levels(),
-                        (float) narrowest.shortest());
-        places.cloudBase()
-                .set((float) ((box.minX() + box.maxX()) / 2 - view.eyeX()), (float) (box.minY() - view.eyeY()), (float)
-                        ((box.minZ() + box.maxZ()) / 2 - view.eyeZ()));
-        places.cloudHalf().set((float) ((box.maxX() - box.minX()) / 2), (float) (box.maxY() - box.minY()), (float)
-                ((box.maxZ() - box.minZ()) / 2));
-        CloudOptics optics = cloud.cells().physics().optics();
-        DeltaScaling medium = cloud.cells().physics().medium();
-        places.medium()
-                .set((float) cloud.greatestPerMetre(), (float) medium.depthFactor(), (float) optics.albedo(), (float)
-                        medium.albedo());
+        putBoxes(places, eye, focus.minus(view.eye()));
+        CloudOptics optics = cloud.physics().optics();
+        DeltaScaling scaled = cloud.physics().medium();
+        places.medium().set((float) greatestPerMetre(), (float) scaled.depthFactor(), (float) optics.albedo(), (float)
+                scaled.albedo());
         places.phase()
                 .set(
-                        (float) medium.g(),
-                        (float) cloud.cells().physics().smallAngles().deepest(),
+                        (float) scaled.g(),
+                        (float) cloud.physics().smallAngles().deepest(),
                         (float) halfCurvature(),
                         (float) optics.meanCosine());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY());
         set(places.cloudSun(), towardsSun);
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);
-        set(places.skyBelow(), below);
+        set(places.skyBelow(), below.scaled(groundShare));
+    }
+
+    private double greatestPerMetre() {
+        return presence * fullPerMetre;
+    }
+
+    private void putBoxes(MarchProgram.Places places, Vec3 eye, Vec3 focus) {
+        CellStack cells = shown.cells();
+        for (int level = 0; level < cells.levels(); level++) {
+            Aabb box = cells.density().get(level).cells().box();
+            places.boxes()
+                    .get(level)
+                    .set(
+                            (float) ((box.minX() + box.maxX()) / 2 - eye.x()),
+                            (float) ((box.minZ() + box.maxZ()) / 2 - eye.z()),
+                            (float) (1 / (box.maxX() - box.minX())),
+                            (float) (1 / (box.maxZ() - box.minZ())));
+        }
+        CellBox narrowest = cells.narrowest();
+        Aabb box = narrowest.box();
+        places.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
+        places.cellEdges().set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
+                narrowest.shortest());
+        float low = (float) (box.minY() - eye.y());
+        float high = (float) (box.maxY() - box.minY());
+        if (cells.isLayer()) {
+            places.cloudBase().set((float) focus.x(), low, (float) focus.z());
+            places.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
+        } else {
+            Vec3 middle = box.centre().minus(eye);
+            places.cloudBase().set((float) middle.x(), low, (float) middle.z());
+            places.cloudHalf()
+                    .set((float) ((box.maxX() - box.minX()) / 2), high, (float) ((box.maxZ() - box.minZ()) / 2));
+        }
     }
 
     private static void set(nephele.engine.render.gl.shader.Uniforms.Vector3 place, Vec3 v) {

@@ -2,15 +2,14 @@ package nephele.engine.render.pass.cloud.volume;
 
 import java.nio.ByteBuffer;
 import java.nio.ShortBuffer;
-import nephele.engine.cloud.cells.CellBox;
-import nephele.engine.cloud.cells.CellStack;
+import java.util.List;
+import nephele.engine.cloud.drawn.PlanCells;
 import nephele.engine.cloud.field.HeightProfile;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.noise.EvolvingNoise;
 import nephele.engine.cloud.noise.EvolvingNoise.Generation;
 import nephele.engine.cloud.noise.PeriodicTable;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -18,18 +17,16 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.scene.View;
 import org.lwjgl.system.MemoryUtil;
 
 /** Noise with a profile as {@code cloud-noise.glsl} reads it: tables that repeat, and a plan of the cloud's bodies. */
 final class NoiseTextures {
-    /** Texels of the plan along each side of a box. */
-    private static final int PLAN = 512;
-
     private final Texture shape;
     private final Texture detail;
     private final Texture profile;
     private final Texture plan;
+    private List<PlanCells> shownFrom;
+    private List<PlanCells> shownTo;
 
     /** The uniforms of {@code cloud-noise.glsl}. */
     record Places(
@@ -72,8 +69,8 @@ final class NoiseTextures {
                 context.gl(),
                 "cloud plan",
                 Texture.Shape.ARRAY,
-                PixelFormat.R16,
-                new Texture.Extent(PLAN, PLAN, boxes),
+                PixelFormat.RG16,
+                new Texture.Extent(PlanCells.ACROSS, PlanCells.ACROSS, boxes),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -96,43 +93,36 @@ final class NoiseTextures {
         return texture;
     }
 
-    /** Draws the plan of each box anew. */
-    void uploadPlan(NoiseField field, CellStack cells) {
-        var noise = (ProfiledNoise) field.density();
-        ByteBuffer texels = MemoryUtil.memAlloc(Short.BYTES * PLAN * PLAN);
-        for (int box = 0; box < cells.levels(); box++) {
-            putPlan(
-                    noise,
-                    field.origin(),
-                    cells.density().get(box).cells(),
-                    texels.clear().asShortBuffer());
+    /** Shows the plans of two times. */
+    void show(List<PlanCells> from, List<PlanCells> to) {
+        if (from == shownFrom && to == shownTo) {
+            return;
+        }
+        shownFrom = from;
+        shownTo = to;
+        int texelsOfPlan = PlanCells.ACROSS * PlanCells.ACROSS;
+        ByteBuffer texels = MemoryUtil.memAlloc(2 * Short.BYTES * texelsOfPlan);
+        for (int box = 0; box < from.size(); box++) {
+            ShortBuffer pairs = texels.clear().asShortBuffer();
+            short[] first = from.get(box).depths();
+            short[] second = to.get(box).depths();
+            for (int at = 0; at < texelsOfPlan; at++) {
+                pairs.put(first[at]).put(second[at]);
+            }
             plan.upload(box, texels.clear());
         }
         MemoryUtil.memFree(texels);
     }
 
-    private static void putPlan(ProfiledNoise noise, Vec3 origin, CellBox cells, ShortBuffer texels) {
-        Aabb box = cells.box();
-        double x = (box.maxX() - box.minX()) / PLAN;
-        double z = (box.maxZ() - box.minZ()) / PLAN;
-        java.util.stream.IntStream.range(0, PLAN).parallel().forEach(row -> {
-            for (int column = 0; column < PLAN; column++) {
-                double depth = noise.bodyDepth(
-                        box.minX() + (column + 0.5) * x - origin.x(), box.minZ() + (row + 0.5) * z - origin.z());
-                double stored = Math.max(0, Math.min(1, (depth + 1) / 2));
-                texels.put(row * PLAN + column, (short) Math.round(65535 * stored));
-            }
-        });
-    }
-
-    void bind(Places places, NoiseField field, View view) {
+    /** @param eye in the space that drifts with the cloud */
+    void bind(Places places, NoiseField field, Vec3 eye) {
         shape.bind(TextureUnit.CLOUD_SHAPE);
         detail.bind(TextureUnit.CLOUD_DETAIL);
         profile.bind(TextureUnit.CLOUD_PROFILE);
         plan.bind(TextureUnit.CLOUD_PLAN);
         var noise = (ProfiledNoise) field.density();
-        place(noise.shape(), field.origin(), view, places.shapePlace(), places.shapeComing());
-        place(noise.detail(), field.origin(), view, places.detailPlace(), places.detailComing());
+        place(noise.shape(), eye.minus(field.origin()), places.shapePlace(), places.shapeComing());
+        place(noise.detail(), eye.minus(field.origin()), places.detailPlace(), places.detailComing());
         if (places.generations() != null) {
             places.generations()
                     .set(
@@ -144,10 +134,9 @@ final class NoiseTextures {
         places.eroding().set((float) noise.eroding());
     }
 
-    private static void place(
-            EvolvingNoise noise, Vec3 origin, View view, Uniforms.Vector4 fading, Uniforms.Vector3 coming) {
+    private static void place(EvolvingNoise noise, Vec3 fromOrigin, Uniforms.Vector4 fading, Uniforms.Vector3 coming) {
         double period = noise.layout().periodMetres();
-        Vec3 eye = view.eye().minus(origin).scaled(1 / period);
+        Vec3 eye = fromOrigin.scaled(1 / period);
         Vec3 first = fraction(eye.plus(noise.offset(Generation.FADING)));
         fading.set((float) first.x(), (float) first.y(), (float) first.z(), (float) (1 / period));
         if (coming != null) {

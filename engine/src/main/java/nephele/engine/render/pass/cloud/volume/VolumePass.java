@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.cloud.drawn.DrawnCloud;
+import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
@@ -56,7 +56,6 @@ public final class VolumePass implements Pass {
     private final MarchPrograms direct;
     private CompositeProgram composite;
     private CompositeProgram compositeBehindSurfaces;
-    private Vec3 sortedFor = Vec3.ZERO;
 
     private VolumePass(LoadContext context) {
         this.context = context;
@@ -64,8 +63,9 @@ public final class VolumePass implements Pass {
         shared = context.shared();
         triangle = context.own(new FullScreenTriangle(gl, "volume"));
         clouds = new ArrayList<>();
-        for (DrawnCloud cloud : shared.clouds().all()) {
-            clouds.add(new MarchedCloud(context, cloud));
+        List<CloudSource> sources = shared.clouds().sources();
+        for (int i = 0; i < sources.size(); i++) {
+            clouds.add(new MarchedCloud(context, sources.get(i), i));
         }
         ranges = new CloudRanges(clouds);
         surfaces = context.scene().statics().bounds();
@@ -108,8 +108,10 @@ public final class VolumePass implements Pass {
         View view = frame.view();
         for (int i = 0; i < clouds.size(); i++) {
             clouds.get(i).follow(frame.frameState().environment());
+            clouds.get(i).follow(shared.clouds().now());
         }
         sort(view.eye());
+        ranges.follow(clouds);
         reads.bind(shared);
         if (mainLayer == null) {
             frame.surface().bind();
@@ -130,9 +132,8 @@ public final class VolumePass implements Pass {
     }
 
     private void sort(Vec3 eye) {
-        if (clouds.size() > 1 && !eye.equals(sortedFor)) {
+        if (clouds.size() > 1) {
             clouds.sort(Comparator.comparingDouble(cloud -> -CloudRanges.distance(cloud.bounds(), eye)));
-            sortedFor = eye;
         }
     }
 
@@ -141,6 +142,9 @@ public final class VolumePass implements Pass {
         gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
         for (int i = 0; i < clouds.size(); i++) {
             MarchedCloud cloud = clouds.get(i);
+            if (!cloud.isPresent()) {
+                continue;
+            }
             MarchProgram program = programs.of(cloud.noise());
             program.use();
             if (layer != null) {
@@ -149,7 +153,7 @@ public final class VolumePass implements Pass {
             if (program.ranges() != null) {
                 ranges.put(program.ranges(), view);
             }
-            cloud.bind(program, view, stepCells);
+            cloud.bind(program, view, shared.clouds().focus(), stepCells);
             triangle.draw();
         }
     }

@@ -1,0 +1,213 @@
+package nephele.engine.cloud.drawn;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.atmosphere.Air;
+import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.cells.CellStack;
+import nephele.engine.cloud.cells.DensityCells;
+import nephele.engine.cloud.cells.DensityCells.Sampling;
+import nephele.engine.cloud.cells.LayerGrid;
+import nephele.engine.cloud.cells.LayerGrid.Column;
+import nephele.engine.cloud.cells.LightCells;
+import nephele.engine.cloud.field.GridField;
+import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.field.NoiseField;
+import nephele.engine.cloud.field.ProfiledNoise;
+import nephele.engine.cloud.field.ShellField;
+import nephele.engine.cloud.field.UniformField;
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.level.Cloud;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * A cloud of a level from which cells are sampled at any time. Its space drifts with the cloud: there a layer's pattern
+ * stands still or takes another shape, and the eye moves.
+ */
+public final class CloudSource {
+    /** Cells along the longest edge of a finite cloud. */
+    private static final int CELLS = 96;
+
+    private static final int LAYER_LEVELS = 6;
+    private static final double LAYER_CELL_METRES = 62.5;
+    private static final double ROW_METRES = 60;
+    private static final int FEWEST_ROWS = 20;
+    private static final int MOST_ROWS = 48;
+    /** Sampled boxes that are kept, in whole clouds. */
+    private static final int KEPT = 3;
+
+    private final Cloud cloud;
+    private final LoadedClouds still;
+    private final int index;
+    private final CloudLight physics;
+    private final boolean isShell;
+    private final Aabb bounds;
+    /** {@code null} for a finite cloud. */
+    private final LayerGrid grid;
+
+    private final boolean isProfiled;
+    private final Map<BoxKey, SampledBox> sampled = new LinkedHashMap<>(16, 0.75f, true);
+
+    /** @param column {@code null} for a finite cloud */
+    private record BoxKey(int level, Column column, double seconds) {}
+
+    /** @param plan {@code null} unless of noise with a profile */
+    private record SampledBox(DensityCells density, PlanCells plan) {}
+
+    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics) {
+        cloud = loaded.clouds().get(index);
+        this.still = still;
+        this.index = index;
+        this.physics = physics;
+        isShell = still.field(index, 0) instanceof ShellField;
+        bounds = flat(0).bounds();
+        grid = Double.isFinite(bounds.maxX()) ? null : grid(bounds);
+        isProfiled = noise(0) != null;
+    }
+
+    private static LayerGrid grid(Aabb bounds) {
+        double height = bounds.maxY() - bounds.minY();
+        int rows = (int) Math.max(FEWEST_ROWS, Math.min(MOST_ROWS, Math.round(height / ROW_METRES)));
+        return new LayerGrid(bounds.minY(), bounds.maxY(), LAYER_CELL_METRES, rows, LAYER_LEVELS);
+    }
+
+    public Cloud cloud() {
+        return cloud;
+    }
+
+    public CloudLight physics() {
+        return physics;
+    }
+
+    /** Returns false if it has no extinction anywhere. */
+    boolean exists() {
+        return cloud.extinctionPerMetre() > 0 && !flat(0).isEmpty();
+    }
+
+    /** Returns true if its shape changes with time. */
+    public boolean evolves() {
+        return cloud.density() instanceof Cloud.Density.Noise && cloud.motion().evolutionSeconds() > 0;
+    }
+
+    /** Returns true if its density is noise with a profile, which is computed and not looked up. */
+    public boolean isProfiled() {
+        return isProfiled;
+    }
+
+    /** Returns the share of its extinction that its weather gives it at a time, 0 to 1. */
+    public double share(double seconds) {
+        return still.share(index, seconds);
+    }
+
+    /** Returns how far the wind has carried it. */
+    public Vec3 drift(double seconds) {
+        Vec3 drift = cloud.motion().windMetresPerSecond().scaled(seconds);
+        return grid == null ? drift : new Vec3(drift.x(), 0, drift.z());
+    }
+
+    /** Returns its bounds at time 0; a layer's are infinite in x and z. */
+    public Aabb bounds() {
+        return bounds;
+    }
+
+    /** Returns half the second derivative of a level ray's height over the cloud's base, per metre. */
+    public double halfCurvature() {
+        return isShell ? 0.5 / Air.PLANET_RADIUS_METRES : 0;
+    }
+
+    /** Returns the narrowest box of cells around the origin. */
+    public CellBox narrowest() {
+        return box(0, grid == null ? null : new Column(0, 0));
+    }
+
+    public int levels() {
+        return grid == null ? 1 : grid.levels();
+    }
+
+    /** Returns the lattice of a layer; {@code null} for a finite cloud. */
+    LayerGrid grid() {
+        return grid;
+    }
+
+    private CellBox box(int level, Column column) {
+        return grid == null ? CellBox.of(bounds, CELLS) : grid.box(level, column);
+    }
+
+    private ExtinctionField flat(double seconds) {
+        ExtinctionField field = still.field(index, seconds);
+        return field instanceof ShellField shell ? shell.flat() : field;
+    }
+
+    /** Returns its noise with a profile in the space that drifts with it; {@code null} for another density. */
+    public NoiseField noise(double seconds) {
+        return flat(seconds) instanceof NoiseField some && some.density() instanceof ProfiledNoise ? some : null;
+    }
+
+    /** Samples its density at a time, in boxes with these middles. */
+    Sampled sample(List<Column> columns, double seconds) {
+        List<DensityCells> density = new ArrayList<>();
+        double fullPerMetre = 0;
+        List<PlanCells> plans = new ArrayList<>();
+        for (int level = 0; level < levels(); level++) {
+            SampledBox box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
+            fullPerMetre = box.density().greatestPerMetre();
+            density.add(box.density().scaled(share(seconds)));
+            plans.add(box.plan());
+        }
+        return new Sampled(density, isProfiled ? List.copyOf(plans) : List.of(), fullPerMetre);
+    }
+
+    /** @param plans of the boxes; empty unless of noise with a profile */
+    record Sampled(List<DensityCells> density, List<PlanCells> plans, double fullPerMetre) {}
+
+    private synchronized SampledBox sampled(int level, Column column, double seconds) {
+        var key = new BoxKey(level, column, seconds);
+        SampledBox box = sampled.get(key);
+        if (box == null) {
+            box = sample(box(level, column), seconds);
+            sampled.put(key, box);
+            if (sampled.size() > KEPT * levels()) {
+                sampled.remove(sampled.keySet().iterator().next());
+            }
+        }
+        return box;
+    }
+
+    private SampledBox sample(CellBox cells, double seconds) {
+        ExtinctionField field = flat(seconds);
+        var sampling = new Sampling(finestMetres(), greatestPerMetre(field));
+        if (!isProfiled) {
+            return new SampledBox(DensityCells.of(field, cells, sampling), null);
+        }
+        var noise = (NoiseField) field;
+        return new SampledBox(
+                DensityCells.of(new NoiseColumns(noise), cells, sampling), PlanCells.of(noise, cells.box()));
+    }
+
+    /** Returns the size of what must not be missed between two samples. */
+    private double finestMetres() {
+        return cloud.density() instanceof Cloud.Density.Noise noise
+                ? noise.featureMetres() / 3
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns the extinction that density 1 stands for: the same in all boxes of a layer, and at all times. */
+    private double greatestPerMetre(ExtinctionField field) {
+        if (field instanceof GridField some) {
+            return some.greatestPerMetre();
+        }
+        return field instanceof NoiseField || field instanceof UniformField ? cloud.extinctionPerMetre() : 0;
+    }
+
+    /** Returns its cells in some light. */
+    CellStack lit(List<DensityCells> density, LightCells.Around around) {
+        return grid == null
+                ? CellStack.finite(density.get(0), physics, around)
+                : CellStack.layer(
+                        density, physics, around, isShell ? Air.PLANET_RADIUS_METRES : Double.POSITIVE_INFINITY);
+    }
+}

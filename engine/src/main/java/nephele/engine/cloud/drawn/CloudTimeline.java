@@ -1,0 +1,270 @@
+package nephele.engine.cloud.drawn;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.Future;
+import java.util.stream.IntStream;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.cells.LayerGrid.Column;
+import nephele.engine.cloud.cells.LightCells;
+import nephele.engine.cloud.cells.ShadingCloud;
+import nephele.engine.cloud.drawn.CloudInterval.Sample;
+import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky.Atmosphere;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * The clouds of a level over time. They are sampled at multiples of a step, in boxes that follow a focus; between two
+ * samples they are interpolated. What a frame sees is a function of time and focus alone: the next samples are made by a
+ * thread of their own, and waited for if they are late.
+ */
+public final class CloudTimeline implements AutoCloseable {
+    private static final Vec3 NOON = new Vec3(0, 1, 0);
+    /** Turn of the sun between two samples. */
+    private static final double SUN_DEGREES = 2;
+    /** Samples of one generation of noise. */
+    private static final double EVOLUTION_SAMPLES = 8;
+    /** Drift between two samples. */
+    private static final double DRIFT_METRES = 150;
+
+    /** Samples of a change of the weather. */
+    private static final double WEATHER_SAMPLES = 16;
+
+    private static final double SHORTEST_SECONDS = 4;
+    /** Distance of the focus from the middle of a box at which the box is to move, in its cells. */
+    private static final double FOLLOWING_CELLS = 4.5;
+
+    private static final int KEPT = 5;
+
+    private final Environment authored;
+    private final LoadedClouds loaded;
+    private final Aabb region;
+    private final List<CloudSource> sources;
+    private final double stepSeconds;
+    private final ForkJoinPool worker = new ForkJoinPool(1);
+    private final Map<Key, Future<Sample>> samples = new LinkedHashMap<>(16, 0.75f, true);
+    private List<List<Column>> places;
+
+    /** What a sample depends on. @param places the middles of each cloud's boxes */
+    private record Key(long step, Vec3 towardsSun, List<List<Column>> places) {}
+
+    /**
+     * Prepares the clouds of an environment, those of its weather included.
+     *
+     * @param authored the environment at time 0
+     * @param region of the level, which they shade
+     * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
+     */
+    public CloudTimeline(Environment authored, AssetSource assets, Aabb region) {
+        this.authored = authored;
+        this.region = region;
+        loaded = LoadedClouds.of(authored, assets);
+        LoadedClouds still = loaded.withoutWind();
+        Map<CloudOptics, CloudLight> physics = new HashMap<>();
+        List<CloudSource> all = new ArrayList<>();
+        for (int i = 0; i < loaded.clouds().size(); i++) {
+            Cloud cloud = loaded.clouds().get(i);
+            var optics = CloudOptics.of(cloud);
+            var source = new CloudSource(loaded, still, i, physics.computeIfAbsent(optics, CloudLight::new));
+            if (source.exists()) {
+                all.add(source);
+            }
+        }
+        sources = List.copyOf(all);
+        stepSeconds = stepSeconds();
+    }
+
+    private double stepSeconds() {
+        double step = Double.POSITIVE_INFINITY;
+        if (Daylight.moves(authored)) {
+            var sky = (Atmosphere) authored.sky();
+            step = SUN_DEGREES / 360 * sky.dayLengthSeconds();
+        }
+        step = Math.min(step, loaded.course().shortestSeconds() / WEATHER_SAMPLES);
+        for (CloudSource source : sources) {
+            Cloud.Motion motion = source.cloud().motion();
+            if (source.evolves()) {
+                step = Math.min(step, motion.evolutionSeconds() / EVOLUTION_SAMPLES);
+            }
+            step = Math.min(step, DRIFT_METRES / motion.windMetresPerSecond().length());
+        }
+        return Math.max(SHORTEST_SECONDS, step);
+    }
+
+    /** Returns the clouds that have any extinction. */
+    public List<CloudSource> sources() {
+        return sources;
+    }
+
+    /** Returns the unit direction towards the sun of an environment, at night towards the moon; any without one. */
+    public static Vec3 towardsSun(Environment environment) {
+        Sun sun = Daylight.onGround(environment);
+        return sun == null ? NOON : Directions.unit(sun.directionTowardsSun());
+    }
+
+    /**
+     * Returns the clouds at a time.
+     *
+     * @param now the environment at that time; one with another sun than the written one's stands still
+     * @param focus around which layers are sampled finely
+     */
+    public CloudInterval at(Environment now, double seconds, Vec3 focus) {
+        long step = stepSeconds == Double.POSITIVE_INFINITY ? 0 : (long) Math.floor(seconds / stepSeconds);
+        double share = stepSeconds == Double.POSITIVE_INFINITY ? 0 : seconds / stepSeconds - step;
+        follow(now, step, share, seconds, focus);
+        Sample from = sample(key(now, seconds, step, places));
+        Sample to = share == 0 ? from : sample(key(now, seconds, step + 1, places));
+        if (stepSeconds < Double.POSITIVE_INFINITY) {
+            prefetch(key(now, seconds, share == 0 ? step + 1 : step + 2, places));
+        }
+        return new CloudInterval(from, to, share, seconds);
+    }
+
+    /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
+    private void follow(Environment now, long step, double share, double seconds, Vec3 focus) {
+        if (places == null) {
+            places = IntStream.range(0, sources.size())
+                    .mapToObj(i -> moved(i, null, seconds, focus))
+                    .toList();
+            return;
+        }
+        List<List<Column>> moved = IntStream.range(0, sources.size())
+                .mapToObj(i -> moved(i, places.get(i), seconds, focus))
+                .toList();
+        if (moved.equals(places)) {
+            return;
+        }
+        boolean serve = IntStream.range(0, sources.size()).allMatch(i -> serves(i, seconds, focus));
+        boolean isReady =
+                prefetch(key(now, seconds, step, moved)) & (share == 0 || prefetch(key(now, seconds, step + 1, moved)));
+        if (isReady || !serve) {
+            places = moved;
+        }
+    }
+
+    private List<Column> moved(int source, List<Column> columns, double seconds, Vec3 focus) {
+        CloudSource cloud = sources.get(source);
+        if (cloud.grid() == null) {
+            return List.of();
+        }
+        Vec3 at = focus.minus(cloud.drift(seconds));
+        return columns == null
+                ? cloud.grid().around(at.x(), at.z())
+                : cloud.grid().following(columns, at.x(), at.z(), FOLLOWING_CELLS);
+    }
+
+    private boolean serves(int source, double seconds, Vec3 focus) {
+        CloudSource cloud = sources.get(source);
+        Vec3 at = focus.minus(cloud.drift(seconds));
+        return cloud.grid() == null || cloud.grid().covers(places.get(source), at.x(), at.z());
+    }
+
+    private Key key(Environment now, double seconds, long step, List<List<Column>> at) {
+        return new Key(step, sunAt(now, seconds, step), at);
+    }
+
+    private Vec3 sunAt(Environment now, double seconds, long step) {
+        boolean follows = Daylight.moves(authored) && now.equals(Daylight.at(authored, seconds));
+        return towardsSun(follows ? Daylight.at(authored, step * stepSeconds) : now);
+    }
+
+    /** Begins a sample unless it is there; returns true if it is finished. */
+    private boolean prefetch(Key key) {
+        Future<Sample> sample = samples.computeIfAbsent(key, wanted -> worker.submit(() -> make(wanted)));
+        forgetOldest();
+        return sample.isDone();
+    }
+
+    private Sample sample(Key key) {
+        Future<Sample> known = samples.get(key);
+        if (known == null) {
+            known = java.util.concurrent.CompletableFuture.completedFuture(make(key));
+            samples.put(key, known);
+            forgetOldest();
+        }
+        try {
+            return known.get();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return make(key);
+        } catch (java.util.concurrent.ExecutionException e) {
+            throw new IllegalStateException("clouds cannot be sampled", e.getCause());
+        }
+    }
+
+    private void forgetOldest() {
+        if (samples.size() > KEPT) {
+            samples.remove(samples.keySet().iterator().next());
+        }
+    }
+
+    private Sample make(Key key) {
+        double seconds = stepSeconds == Double.POSITIVE_INFINITY ? 0 : key.step * stepSeconds;
+        List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
+                .mapToObj(i -> sources.get(i).sample(key.places.get(i), seconds))
+                .toList();
+        List<DrawnCloud> all = new ArrayList<>();
+        for (int i = 0; i < sources.size(); i++) {
+            CloudSource source = sources.get(i);
+            var around = new LightCells.Around(key.towardsSun, shading(i, sampled, seconds));
+            all.add(new DrawnCloud(
+                    source,
+                    source.lit(sampled.get(i).density(), around),
+                    sampled.get(i).plans(),
+                    source.drift(seconds),
+                    sampled.get(i).fullPerMetre()));
+        }
+        var clouds = new DrawnClouds(all, key.towardsSun);
+        return new Sample(
+                clouds,
+                SunShares.of(clouds, region),
+                SkyThroughClouds.of(clouds, region.centre()),
+                groundShare(seconds, key.towardsSun));
+    }
+
+    private double groundShare(double seconds, Vec3 towardsSun) {
+        return authored.sky() instanceof Atmosphere sky
+                ? loaded.groundShare(seconds, region.centre(), towardsSun.y(), sky.groundAlbedo())
+                : 1;
+    }
+
+    /** Returns the clouds that shade one: all others. */
+    private List<ShadingCloud> shading(int shaded, List<CloudSource.Sampled> sampled, double seconds) {
+        List<ShadingCloud> others = new ArrayList<>();
+        Vec3 drift = sources.get(shaded).drift(seconds);
+        for (int i = 0; i < sources.size(); i++) {
+            CloudSource source = sources.get(i);
+            if (i != shaded) {
+                double own = straightened(sources.get(shaded));
+                others.add(new ShadingCloud(
+                        sampled.get(i).density(),
+                        source.grid() != null,
+                        drift.minus(source.drift(seconds)),
+                        own > 1e-3 ? straightened(source) / own : 1));
+            }
+        }
+        return others;
+    }
+
+    private static double straightened(CloudSource source) {
+        CloudOptics optics = source.physics().optics();
+        return 1 - optics.albedo() * optics.meanCosine();
+    }
+
+    @Override
+    public void close() {
+        worker.shutdownNow();
+    }
+}

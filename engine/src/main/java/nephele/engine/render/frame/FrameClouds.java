@@ -1,0 +1,66 @@
+package nephele.engine.render.frame;
+
+import java.util.List;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
+
+/** The clouds of a level at the time of the frame. */
+public final class FrameClouds implements GlObject {
+    /** {@code null} without clouds. */
+    private final CloudTimeline timeline;
+
+    private Environment followed;
+    private CloudInterval now;
+    private Vec3 focus = Vec3.ZERO;
+
+    FrameClouds(Scene scene) {
+        Environment environment = scene.level().environment();
+        timeline = WeatherClouds.all(environment).isEmpty()
+                ? null
+                : new CloudTimeline(environment, scene.assets(), CloudShadeRegion.of(scene.statics()));
+    }
+
+    /** Takes the clouds of a frame, sampled finely around its eye. */
+    void follow(FrameState frameState, Vec3 eye) {
+        if (sources().isEmpty()) {
+            return;
+        }
+        Environment environment = frameState.environment();
+        boolean isSame =
+                now != null && environment == followed && frameState.seconds() == now.seconds() && eye.equals(focus);
+        if (!isSame) {
+            followed = environment;
+            focus = eye;
+            now = timeline.at(environment, frameState.seconds(), eye);
+        }
+    }
+
+    /** Returns the clouds that have any extinction. */
+    public List<CloudSource> sources() {
+        return timeline == null ? List.of() : timeline.sources();
+    }
+
+    /** Returns the clouds of the frame; {@code null} before the first frame, and without clouds. */
+    public CloudInterval now() {
+        return now;
+    }
+
+    /** Returns the place around which layers are sampled finely. */
+    public Vec3 focus() {
+        return focus;
+    }
+
+    @Override
+    public void close() {
+        if (timeline != null) {
+            timeline.close();
+        }
+    }
+}

@@ -1,0 +1,186 @@
+package nephele.engine.cloud.drawn;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.asset.ResourceAssets;
+import nephele.engine.cloud.cells.CellMarch;
+import nephele.engine.cloud.field.CloudFields;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudProfile;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
+import nephele.engine.level.Sun;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** What is drawn of clouds is a function of time and focus: it drifts, evolves, follows the eye, and forgets the way. */
+class CloudTimelineTest {
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+    private static final Vec3 SUN = new Vec3(0.6, 0.8, 0);
+    private static final Aabb REGION = Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20));
+    private static final CellMarch.OutsideOfCloud OUTSIDE = new CellMarch.OutsideOfCloud(SUN, ONE, ONE, Vec3.ZERO);
+
+    private static Cloud layer(String id, double base, Vec3 wind, double evolution) {
+        var noise = new Cloud.Density.Noise(7, 300, 0.4, 0, CloudProfile.CUMULUS, null, 0);
+        return new Cloud(
+                id,
+                new Cloud.Extent.Layer(base, 600),
+                CloudTechnique.AUTO,
+                noise,
+                0.02,
+                1,
+                0.85,
+                new Cloud.Motion(wind, evolution));
+    }
+
+    private static Environment with(Cloud... clouds) {
+        return new Environment(
+                new Sun(SUN, ONE, true), null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of(clouds));
+    }
+
+    private static CloudTimeline timeline(Environment environment) {
+        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION);
+    }
+
+    /** Returns the light and the transmittance of rays upwards from a place near the focus. */
+    private static double[] seen(CloudInterval clouds, Vec3 focus) {
+        double[] seen = new double[60];
+        for (int n = 0; n < 30; n++) {
+            double angle = 0.7 * n;
+            double slope = 0.15 + 0.03 * n;
+            double level = Math.sqrt(1 - slope * slope);
+            DrawnCloud cloud = clouds.from().clouds().all().get(0);
+            var march = new CellMarch(cloud.cells(), OUTSIDE, focus.minus(cloud.drift()));
+            march.march(cloud.drifting(focus, level * Math.cos(angle), slope, level * Math.sin(angle)), 0, 1e5, 1, 0.5);
+            seen[2 * n] = march.radiance().x();
+            seen[2 * n + 1] = march.transmittance();
+        }
+        return seen;
+    }
+
+    @Test
+    void whatIsSeenDoesNotDependOnTheWayThere() {
+        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
+        Vec3 end = new Vec3(1130, 0, -420);
+        try (CloudTimeline direct = timeline(environment);
+                CloudTimeline walking = timeline(environment)) {
+            CloudInterval walked = null;
+            for (int step = 0; step <= 4; step++) {
+                walked = walking.at(environment, 0, end.scaled(step / 4.0));
+            }
+            double[] expected = seen(direct.at(environment, 0, end), end);
+            double[] found = seen(walked, end);
+            for (int i = 0; i < expected.length; i++) {
+                assertEquals(expected[i], found[i], 2e-3, "value " + i);
+            }
+        }
+    }
+
+    @Test
+    void farFromTheOriginThereIsTheSameKindOfSky() {
+        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
+        var far = new Vec3(1e6, 0, -1e6);
+        try (CloudTimeline timeline = timeline(environment)) {
+            double near = mean(seen(timeline.at(environment, 0, Vec3.ZERO), Vec3.ZERO));
+            assertEquals(near, mean(seen(timeline.at(environment, 0, far), far)), 0.35 * near);
+        }
+    }
+
+    private static double mean(double[] values) {
+        double sum = 0;
+        for (double value : values) {
+            sum += value / values.length;
+        }
+        return sum;
+    }
+
+    /** With the wind, an observer who drifts along sees what one at rest sees without wind. */
+    @Test
+    void windMovesTheWholePicture() {
+        var wind = new Vec3(10, 0, -4);
+        Environment windy = with(layer("heaps", 1000, wind, 0));
+        Environment calm = with(layer("heaps", 1000, Vec3.ZERO, 0));
+        double month = 30 * 86_400;
+        try (CloudTimeline still = timeline(calm);
+                CloudTimeline blown = timeline(windy)) {
+            double[] expected = seen(still.at(calm, 0, Vec3.ZERO), Vec3.ZERO);
+            CloudInterval later = blown.at(windy, month, wind.scaled(month));
+            // Samples are at multiples of a step; the month is none, so the earlier sample is shown where it is.
+            double sampled = later.from().clouds().all().get(0).drift().x() / wind.x();
+            double[] found = seen(later, wind.scaled(sampled));
+            for (int i = 0; i < expected.length; i++) {
+                assertEquals(expected[i], found[i], 2e-3, "value " + i);
+            }
+        }
+    }
+
+    @Test
+    void aCaptureIsExactAtItsTime() {
+        Environment environment = with(layer("heaps", 1000, new Vec3(10, 0, 0), 200));
+        try (CloudTimeline timeline = timeline(environment)) {
+            CloudInterval later = timeline.at(environment, 777, Vec3.ZERO);
+            CloudSource source = timeline.sources().get(0);
+            var field = CloudFields.of(source.cloud(), new ResourceAssets("/assets"), 777);
+            var noise = source.noise(777);
+            Vec3 drift = source.drift(777);
+            for (int n = 0; n < 200; n++) {
+                var at = new Vec3(37.0 * n, 1000 + 3 * n, -91.0 * n);
+                Vec3 own = at.minus(drift);
+                assertEquals(
+                        field.perMetre(at.x(), at.y(), at.z()),
+                        noise.perMetre(own.x(), own.y(), own.z()),
+                        1e-9,
+                        "place " + n);
+            }
+            assertTrue(later.share() > 0 && later.share() < 1);
+        }
+    }
+
+    @Test
+    void aStillSkyIsSampledOnce() {
+        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
+        try (CloudTimeline timeline = timeline(environment)) {
+            CloudInterval first = timeline.at(environment, 0, Vec3.ZERO);
+            assertSame(
+                    first.from(),
+                    timeline.at(environment, 1e6, new Vec3(3, 2, 1)).from());
+            assertEquals(0, first.share());
+        }
+    }
+
+    @Test
+    void aDeckAboveDarkensTheCloudBelow() {
+        Cloud heaps = layer("heaps", 1000, Vec3.ZERO, 0);
+        var deck = new Cloud(
+                "deck",
+                new Cloud.Extent.Layer(4000, 500),
+                CloudTechnique.AUTO,
+                new Cloud.Density.Ellipsoid(),
+                0.06,
+                1,
+                0.85);
+        try (CloudTimeline alone = timeline(with(heaps));
+                CloudTimeline shaded = timeline(with(heaps, deck))) {
+            double bright = light(alone.at(with(heaps), 0, Vec3.ZERO));
+            double dark = light(shaded.at(with(heaps, deck), 0, Vec3.ZERO));
+            // The deck has τ 30 and g 0.85: it lets about a third through.
+            assertTrue(dark < 0.6 * bright, dark + " of " + bright);
+            assertTrue(dark > 0.05 * bright, dark + " of " + bright);
+        }
+    }
+
+    private static double light(CloudInterval clouds) {
+        double[] seen = seen(clouds, Vec3.ZERO);
+        double sum = 0;
+        for (int i = 0; i < seen.length; i += 2) {
+            sum += seen[i];
+        }
+        return sum;
+    }
+}
