@@ -16,7 +16,7 @@ class ClearSkyTest {
     void everyRowOfTheMonteCarloTableIsMetWithinFourSigmaAndOnePercent() {
         List<AtmosphereRow> rows = AtmosphereRow.read("atmosphere.csv");
         assertEquals(460, rows.size());
-        ClearSky sky = new ClearSky(AirTables.of(Air.CLEAR.withSunRadius(0)));
+        ClearSky sky = new ClearSky(AirTables.of(Air.CLEAR));
         AirRay ray = new AirRay();
         for (AtmosphereRow row : rows) {
             row.aim(ray);

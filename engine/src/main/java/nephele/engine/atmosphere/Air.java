@@ -3,8 +3,8 @@ package nephele.engine.atmosphere;
 import nephele.engine.math.Vec3;
 
 /**
- * The gases and aerosols around the planet and the sun above them, for 680, 550 and 440 nm (red, green, blue): Rayleigh scattering, Mie
- * scattering and absorption, both falling exponentially with height, and a layer of ozone that absorbs. Constants: E.
+ * The gases and aerosols around the planet and the sun above them, for 680, 550 and 440 nm (red, green, blue): Rayleigh
+ * scattering, Mie scattering and absorption, both falling exponentially with height, and a layer of ozone that absorbs. Constants: E.
  * Bruneton and F. Neyret, "Precomputed Atmospheric Scattering", 2008, section 4, with the ozone of E. Bruneton's
  * implementation of 2017.
  *
@@ -37,6 +37,18 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
 
     /** Heights between which a polynomial follows the extinction well; the ozone has kinks at three of them. */
     static final double[] LAYERS_METRES = {600, 2_000, 5_000, 10_000, 17_000, 25_000, 40_000, 65_000};
+
+    /**
+     * Half of the width of the edge of the planet's shadow in the air, as a share of the sun's radius. The whole disc
+     * would blur the edge more than tables of a parallel beam allow (1 % of their radiance); with a point the sky jumps
+     * when the edge sweeps the lowest air.
+     */
+    private static final double EDGE_SHARE = 0.375;
+
+    /** Returns the angular radius of the disc that lights the air. */
+    double shadowEdgeRadians() {
+        return EDGE_SHARE * sunRadiusRadians;
+    }
 
     /** Returns the same air under a sun of another angular radius. */
     public Air withSunRadius(double radians) {

@@ -30,7 +30,7 @@ final class AirRay {
     }
 
     /**
-     * @param sunRadiusRadians angular radius of the sun, which makes the edge of the shadow wide
+     * @param sunRadiusRadians angular radius of the disc that lights the air, which makes the edge of the shadow wide
      * @param moreCuts the greatest number of distances at which a segment is cut besides
      */
     AirRay(double sunRadiusRadians, int moreCuts) {

@@ -55,7 +55,7 @@ public final class AirTables {
 
     /** Returns the light of the sun for one thread. */
     Sunlight sunlight() {
-        return new Sunlight(sun, air.sunRadiusRadians());
+        return new Sunlight(sun, air.shadowEdgeRadians());
     }
 
     LightField field() {

@@ -38,7 +38,7 @@ public final class ClearSky {
      */
     ClearSky(AirTables tables, GaussLegendre ruleOnce, GaussLegendre ruleMore) {
         this.tables = tables;
-        ray = new AirRay(tables.air().sunRadiusRadians(), 0);
+        ray = new AirRay(tables.air().shadowEdgeRadians(), 0);
         sun = tables.sunlight();
         once = new SingleScattering(tables.air(), sun);
         more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());

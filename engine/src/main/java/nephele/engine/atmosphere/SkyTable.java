@@ -53,7 +53,7 @@ public final class SkyTable {
 
     private void fillRow(AirTables tables, double height, double sunCosine, int row) {
         ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE, AirIntegral.COARSE);
-        AirRay ray = new AirRay(tables.air().sunRadiusRadians(), 0);
+        AirRay ray = new AirRay(tables.air().shadowEdgeRadians(), 0);
         double[] parts = new double[ClearSky.PARTS * CHANNELS];
         double t = elevation(row);
         double sine = 2 * t / (1 + t * t);
