@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.LevelAssets;
@@ -86,11 +88,70 @@ class BakeCommandTest {
         assertNull(LevelFile.read(from).environment().sun(), "the level itself is as it was");
     }
 
+    private static final String FLAT_SUN = "\"sun\": {\"directionTowardsSun\": [0, 1, 0], \"irradiance\": [2, 1, 0.5]}";
+
+    @Test
+    void cloudsAreInThePicturesAndDimTheSunOfTheirLevel() throws IOException {
+        Path from = level(FLAT_SUN + ", \"sky\": {\"kind\": \"constant\", \"radiance\": [0.8, 0.8, 0.8]}, \"clouds\":"
+                + " [{\"id\": \"soot\", \"kind\": \"layer\", \"baseAltitudeMetres\": 500, \"thicknessMetres\": 1000,"
+                + " \"extinctionPerMetre\": 0.001, \"albedo\": 0}]");
+        Captured answer = Captured.run("bake", from.toString(), "--sky", "soot", "--face-size", "8", "--spp", "256");
+        assertEquals(0, answer.exitCode(), answer.err());
+        Path to = folder.resolve("soot.json");
+        Level baked = LevelFile.read(to);
+        assertEquals(List.of(), baked.environment().clouds());
+        double passed = Math.exp(-1);
+        assertEquals(2 * passed, baked.environment().sun().irradiance().x(), 0.01);
+        assertEquals(0.5 * passed, baked.environment().sun().irradiance().z(), 0.003);
+        assertTrue(answer.out().contains("clouds let 0.3"), answer.out());
+        assertEquals(0.8, sky(to).from(0, -1, 0).x, 0.01, "below the eye are no clouds");
+        assertEquals(0.8 * passed, sky(to).from(0, 1, 0).x, 0.06, "overhead is the layer");
+        assertTrue(sky(to).from(1, 0.13, 0).x < 0.05, "and a long way through it beside");
+        assertTrue(names().stream().noneMatch(name -> name.endsWith(".part")), names().toString());
+    }
+
+    @Test
+    void aBakedWeatherIsNotAddedAgain() throws IOException {
+        Path from = level("\"sky\": {\"kind\": \"constant\", \"radiance\": [0.5, 0.5, 0.5]}, \"weather\": \"overcast\","
+                + " \"weatherSeed\": 3");
+        assertEquals(
+                0,
+                Captured.run("bake", from.toString(), "--sky", "grey", "--face-size", "2", "--spp", "1")
+                        .exitCode());
+        Level baked = LevelFile.read(folder.resolve("grey.json"));
+        assertNull(baked.environment().weather());
+        assertEquals(0, baked.environment().weatherSeed());
+    }
+
+    @Test
+    void anInterruptedBakeGoesOnToTheSamePictures() throws IOException {
+        Path from =
+                level(FLAT_SUN + ", \"sky\": " + GRADIENT + ", \"clouds\": [{\"id\": \"puff\", \"kind\": \"volume\","
+                        + " \"centre\": [0, 50, -100], \"size\": [80, 60, 80], \"extinctionPerMetre\": 0.1}]");
+        String[] words = {"bake", from.toString(), "--sky", "puff", "--face-size", "24", "--spp", "2"};
+        // A folder in the way of the last picture stops the bake when everything is traced.
+        Path blocked = Files.createDirectories(folder.resolve("puff-nz.png").resolve("in-the-way"));
+        assertEquals(3, Captured.run(words).exitCode());
+        byte[] first = Files.readAllBytes(folder.resolve("puff-px.png"));
+        Path part = folder.resolve("puff-px.part");
+        try (var file = FileChannel.open(part, StandardOpenOption.WRITE)) {
+            file.truncate(Files.size(part) - 5);
+        }
+        Files.delete(blocked);
+        Files.delete(blocked.getParent());
+        Captured answer = Captured.run(words);
+        assertEquals(0, answer.exitCode(), answer.err());
+        assertTrue(answer.err().contains("resumed at 95 %"), answer.err());
+        assertArrayEquals(first, Files.readAllBytes(folder.resolve("puff-px.png")));
+    }
+
     @Test
     void itSaysWhatEightBitsClip() throws IOException {
         Path from = level("\"sky\": {\"kind\": \"constant\", \"radiance\": [3, 0, 0]}");
         Captured answer = Captured.run("bake", from.toString(), "--sky", "red", "--face-size", "2");
-        assertTrue(answer.out().contains("clip 100.00 %") && answer.out().contains("has 3.00)"), answer.out());
+        assertTrue(
+                answer.out().contains("clip 24 of 24 pixels at 1 (100.00 %; the brightest has 3.00), 67 %"),
+                answer.out());
         Captured dark = Captured.run(
                 "bake",
                 level("\"sky\": {\"kind\": \"constant\", \"radiance\": [1e-5, 0, 0]}")
@@ -99,7 +160,7 @@ class BakeCommandTest {
                 "dark",
                 "--face-size",
                 "2");
-        assertTrue(dark.out().contains("100.00 % are darker"), dark.out());
+        assertTrue(dark.out().contains("100.00 % of the pixels are darker"), dark.out());
     }
 
     @Test

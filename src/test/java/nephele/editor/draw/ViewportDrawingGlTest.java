@@ -28,6 +28,8 @@ import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.BoxFace;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
@@ -37,6 +39,7 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlKind;
@@ -178,6 +181,18 @@ class ViewportDrawingGlTest {
         assertNotEquals(at(plain, 100, 75), at(on, 100, 75));
         assertNotEquals(at(plain, 100, 75), at(always, 100, 75));
         assertTrue(Arrays.equals(plain, behind));
+    }
+
+    @Test
+    void surfacesHideMarksInLinearLightToo() {
+        Level level = level(WALL);
+        Level auto = level.with(level.environment().with(Exposure.AUTO), List.of());
+        picture(auto, new PerspectiveCamera(new Vec3(0, 1, 5), 180, 0, 60), ViewMode.LIT);
+        int[] plain = picture(auto, AHEAD, ViewMode.LIT);
+        int[] front = picture(auto, AHEAD, ViewMode.LIT, across(0.5, Visibility.HIDDEN_BY_SURFACES));
+        int[] behind = picture(auto, AHEAD, ViewMode.LIT, across(-2, Visibility.HIDDEN_BY_SURFACES));
+        assertNotEquals(at(plain, 100, 75), at(front, 100, 75));
+        assertArrayEquals(plain, behind);
     }
 
     @Test
@@ -328,6 +343,37 @@ class ViewportDrawingGlTest {
         assertTrue(later.isEmpty(), "nothing has changed since");
     }
 
+    /** The placed level has the sun of its hour, and so is another object than the level of the frame. */
+    @Test
+    void aLevelUnderAnAtmosphereIsPlacedOnce() {
+        Level level = level(WALL);
+        level = level.with(level.environment().with(Sky.Atmosphere.CLEAR), List.of());
+        DrawnLevel drawn = new DrawnLevel(gl, assets, Background.DARK, later::add, () -> repaints++);
+        drawn.show(level);
+        PlacedLevel placed = drawn.placed();
+        drawn.show(level);
+        assertTrue(placed == drawn.placed(), "placed again");
+        drawn.close();
+    }
+
+    @Test
+    void hiddenCloudsAreNotDrawn() {
+        Level sky = level(WALL);
+        Cloud cloud = cloud(new Cloud.Density.Ellipsoid());
+        Level cloudy = sky.with(sky.environment().withClouds(List.of(cloud)), List.of());
+        int[] seen = picture(cloudy, AHEAD, ViewMode.LIT);
+        EditorNotes hiding =
+                new EditorNotes(List.of(), List.of("environment.clouds/" + cloud.id()), List.of(), List.of());
+        int[] hidden = picture(cloudy.with(hiding), AHEAD, ViewMode.LIT);
+        assertArrayEquals(picture(sky, AHEAD, ViewMode.LIT), hidden);
+        assertNotEquals(at(hidden, 100, 75), at(seen, 100, 75));
+    }
+
+    private static Cloud cloud(Cloud.Density density) {
+        Cloud.Extent extent = new Cloud.Extent.Volume(new Vec3(0, 1, 2), new Vec3(2, 2, 2));
+        return new Cloud(density.toString(), extent, CloudTechnique.AUTO, density, 1, 1, 0);
+    }
+
     @Test
     void whatCannotBeDrawnIsLeftOutAndReported() {
         Material missing = new Material("m", new Vec3(1, 1, 1), "no.png", null, null, "no-n.png", Vec3.ZERO, 1);
@@ -339,7 +385,11 @@ class ViewportDrawingGlTest {
                 List.of(new Solid.PlaneFace(new Vec3(0, 1, 0), 1, null, null, null)));
         ModelPlacement lost = new ModelPlacement("lost", "no.obj", null, List.of(), null, false);
         ModelPlacement onLost = new ModelPlacement("on", "box_1_1.3d", "lost", List.of(), null, false);
-        Level level = level().with(List.of(missing), List.of(WALL, broken), List.of(), List.of(lost, onLost));
+        Level ground = level().with(List.of(missing), List.of(WALL, broken), List.of(), List.of(lost, onLost));
+        List<Cloud> clouds = List.of(
+                cloud(new Cloud.Density.Grid("no.vol")),
+                cloud(new Cloud.Density.Noise(1, 2, 0.9, 0, null, "no-map.png", 0)));
+        Level level = ground.with(ground.environment().withClouds(clouds), List.of());
         for (ViewMode mode : ViewMode.values()) {
             int[] picture = picture(level, AHEAD, mode);
             assertTrue(Arrays.equals(picture(level(WALL), AHEAD, mode), picture), mode.toString());
@@ -349,6 +399,8 @@ class ViewportDrawingGlTest {
         assertTrue(messages.removeIf(line -> line.startsWith("no.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("no-n.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("no.obj: ")), messages.toString());
+        assertTrue(messages.removeIf(line -> line.startsWith("no.vol: ")), messages.toString());
+        assertTrue(messages.removeIf(line -> line.startsWith("no-map.png: ")), messages.toString());
         assertTrue(messages.removeIf(line -> line.startsWith("solids/open: ")), messages.toString());
         assertEquals(List.of(), messages);
         picture(level(WALL), AHEAD, ViewMode.LIT);

@@ -16,6 +16,7 @@ import nephele.editor.mark.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
@@ -223,6 +224,24 @@ class ProblemSearchTest {
         LevelProblem problem = problems(cloudy).get(0);
         assertEquals(EntityRef.of("environment.clouds/c"), problem.entity());
         assertEquals(List.of(), keys(problem.fixes().get(0).change().apply(cloudy)));
+    }
+
+    @Test
+    void aCloudIsKeptWithoutItsMissingCoverageMap() {
+        Level cloudy = level(
+                "",
+                START + EXIT
+                        + ", \"environment\": {\"clouds\": [{\"id\": \"c\", \"kind\": \"volume\", \"centre\": [0, 99,"
+                        + " 0], \"size\": [9, 9, 9], \"density\": {\"kind\": \"noise\", \"coverage\": 0.7,"
+                        + " \"coverageMap\": \"c.png\"}}]}");
+        LevelProblem problem = problems(cloudy).get(0);
+        assertEquals("missing-asset environment.clouds/c.density.coverageMap", problem.key());
+        assertEquals(1, problem.fixes().size());
+        Level mended = problem.fixes().get(0).change().apply(cloudy);
+        assertEquals(List.of(), keys(mended));
+        assertEquals(
+                new Cloud.Density.Noise(0, 100, 0.7),
+                mended.environment().clouds().get(0).density());
     }
 
     @Test

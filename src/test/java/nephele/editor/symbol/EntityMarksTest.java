@@ -124,8 +124,14 @@ class EntityMarksTest {
 
     @Test
     void hiddenEntitiesHaveNoSymbol() {
-        List<String> all =
-                List.of("player", "exits/exit", "clouds/puff", "lights/spot", "portals/in", "portals/out", "cameras/c");
+        List<String> all = List.of(
+                "player",
+                "exits/exit",
+                "environment.clouds/puff",
+                "lights/spot",
+                "portals/in",
+                "portals/out",
+                "cameras/c");
         Level level = level(new EditorNotes(List.of(), all, List.of(), List.of()));
         assertEquals(List.of(), EntityMarks.of(level, StaticShapes.of(List.of()), Set.copyOf(all)));
     }

@@ -141,7 +141,7 @@ class TwoStreamSlabTest {
         return Stream.of(Arguments.of(0.4, 0.0, 2.0), Arguments.of(0.1, 0.3, 0.01), Arguments.of(0.3, 0.85, 50.0));
     }
 
-    /** What neither leaves above nor below is the fluence times the absorption, summed over the depth. */
+    /** The light that leaves neither above nor below is the fluence times the absorption, summed over the depth. */
     @Test
     void theFluenceIsWhatIsAbsorbed() {
         for (double cosine : new double[] {0.1, 0.5, 1}) {

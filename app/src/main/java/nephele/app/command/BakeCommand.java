@@ -2,19 +2,17 @@ package nephele.app.command;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Level;
-import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelSaveException;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
+import nephele.engine.reference.TraceSettings;
 import nephele.engine.render.Capture;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
@@ -22,6 +20,8 @@ import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
 import nephele.lab.art.BakedSkybox;
 import nephele.lab.art.SkyVisibilityBaker;
+import nephele.lab.art.SkyboxTrace;
+import nephele.lab.oracle.ResumableTrace;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -30,6 +30,8 @@ import picocli.CommandLine.Parameters;
 final class BakeCommand implements Command {
     private static final int MOST_SIDE = 4096;
     private static final int MOST_SAMPLES = 4096;
+    private static final int USUAL_SAMPLES = 4;
+    private static final int USUAL_CLOUDED_SAMPLES = 64;
 
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
     private String level;
@@ -54,8 +56,13 @@ final class BakeCommand implements Command {
             description = "Pixels along a side of a picture (default: 512).")
     private int side;
 
-    @Option(names = "--spp", paramLabel = "N", defaultValue = "4", description = "Samples a pixel (default: 4).")
-    private int samples;
+    @Option(
+            names = "--spp",
+            paramLabel = "N",
+            description =
+                    "Samples a pixel (default: 4, with clouds 64). An interrupted bake goes on when the same command"
+                            + " is typed again.")
+    private Integer samples;
 
     @Option(
             names = "--light",
@@ -87,7 +94,7 @@ final class BakeCommand implements Command {
         if (side < 1 || side > MOST_SIDE) {
             throw CommandFailure.usage("--face-size is a whole number from 1 to " + MOST_SIDE + ", not " + side);
         }
-        if (samples < 1 || samples > MOST_SAMPLES) {
+        if (samples != null && (samples < 1 || samples > MOST_SAMPLES)) {
             throw CommandFailure.usage("--spp is a whole number from 1 to " + MOST_SAMPLES + ", not " + samples);
         }
     }
@@ -104,38 +111,43 @@ final class BakeCommand implements Command {
 
     private void bakeSky(OpenedLevel opened, Path folder, Terminal terminal) {
         Level lit = Daylight.lit(opened.level());
-        SkyRadiance radiance = AssetProblems.named(opened, () -> SkyRadiance.of(
-                        lit.environment(),
-                        id -> PictureDecoder.decode(id, opened.assets().bytes(id)),
-                        ColourDecoding.SRGB)
-                .orElseThrow(() -> CommandFailure.input(
-                        opened.file() + ": environment.sky: there is no sky to bake; give it one")));
         Path target = folder.resolve(sky + ".json");
         if (target.equals(Path.of(opened.file()).toAbsolutePath())) {
             throw CommandFailure.usage("--sky " + sky + " would replace the level itself; choose another name");
         }
-        BakedSkybox faces = new BakedSkybox(radiance, eye == null ? start(lit) : eye, side, samples);
-        faces.trace(PrintedProgress.ofTrace(terminal.err()));
-        for (int face = 0; face < BakedSkybox.NAMES.size(); face++) {
+        var trace = new SkyboxTrace(opened, eye == null ? start(lit) : eye);
+        if (lit.environment().sky() == null && !trace.hasClouds()) {
+            throw CommandFailure.input(opened.file() + ": environment.sky: there is no sky to bake; give it one");
+        }
+        int count = samples != null ? samples : trace.hasClouds() ? USUAL_CLOUDED_SAMPLES : USUAL_SAMPLES;
+        TraceSettings settings = SkyboxTrace.settings(side, count);
+        List<ResumableTrace.Part> parts = trace.parts(settings, folder, sky);
+        BakedSkybox faces = PartWork.done(() -> trace.run(parts, settings, terminal.err()));
+        write(faces, folder, Daylight.lit(opened.level()));
+        parts.forEach(part -> WrittenFile.write(part.file(), file -> part.forget()));
+        terminal.out().println(target + " and six pictures of " + side + " pixels");
+        if (trace.hasClouds() && lit.environment().sun() != null) {
+            terminal.out()
+                    .println(String.format(
+                            Locale.ROOT, "clouds let %.3g of the sun's light pass to the eye", faces.sunShare()));
+        }
+        terminal.out().println(faces.loss());
+        if (faces.discPixels() > 0) {
+            terminal.out().println("and the sun's disc, which is in " + faces.discPixels() + " pixels");
+        }
+    }
+
+    private void write(BakedSkybox faces, Path folder, Level lit) {
+        for (int face = 0; face < BakedSkybox.FACES; face++) {
             int index = face;
             WrittenFile.write(
-                    folder.resolve(sky + "-" + BakedSkybox.NAMES.get(face) + ".png"),
-                    to -> Capture.png(faces.picture(index), to));
+                    folder.resolve(BakedSkybox.file(sky, face) + ".png"), to -> Capture.png(faces.picture(index), to));
         }
         try {
-            LevelFile.save(target, faces.usedBy(lit, sky));
+            LevelFile.save(folder.resolve(sky + ".json"), faces.usedBy(lit, sky));
         } catch (LevelSaveException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
         }
-        terminal.out().println(target + " and six pictures of " + side + " pixels");
-        terminal.out()
-                .println(String.format(
-                        Locale.ROOT,
-                        "8 bits clip %.2f %% of the sky's pixels at 1 (the brightest has %.3g); %.2f %% are darker than"
-                                + " the first code",
-                        100 * faces.clippedShare(),
-                        faces.brightest(),
-                        100 * faces.darkShare()));
     }
 
     private static Vec3 start(Level level) {

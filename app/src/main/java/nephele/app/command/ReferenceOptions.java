@@ -4,22 +4,17 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
-import nephele.engine.reference.Pinhole;
-import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.MergedParts;
-import nephele.engine.reference.tile.PartFileException;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.PixelMean;
 import nephele.engine.reference.tile.Shard;
@@ -29,9 +24,9 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.oracle.LevelHash;
 import nephele.lab.oracle.PinholeViews;
 import nephele.lab.oracle.ResumableTrace;
+import nephele.lab.oracle.TracedFacts;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
@@ -139,7 +134,7 @@ final class ReferenceOptions {
 
     /** Writes what the parts make. */
     void merge(Path out) {
-        TiledPicture picture = ofParts(() -> MergedParts.of(parts));
+        TiledPicture picture = PartWork.done(() -> MergedParts.of(parts));
         WrittenFile.write(out, file -> writePfm(picture, picture.rgb(), file));
         writeError(picture);
     }
@@ -181,12 +176,14 @@ final class ReferenceOptions {
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
         var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = PinholeViews.of(seen.view);
-        var facts = facts(seen, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
-        var part = new ResumableTrace(
+        var facts = TracedFacts.of(
+                seen.opened, seen.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
+        var part = new ResumableTrace.Part(
                 partFile(out),
                 new PartHeader(settings.tiles(), Optional.ofNullable(shard).orElse(Shard.WHOLE), facts),
-                terminal.err());
-        TiledPicture traced = ofParts(() -> part.run(level, eye, settings));
+                eye);
+        var trace = new ResumableTrace(List.of(part), terminal.err());
+        TiledPicture traced = PartWork.done(() -> trace.run(level, settings)).get(0);
         if (shard == null) {
             save.accept(traced.rgb());
             writeError(traced);
@@ -197,33 +194,6 @@ final class ReferenceOptions {
     private Path partFile(Path out) {
         String share = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
         return out.resolveSibling(out.getFileName() + share + ".part");
-    }
-
-    private static Map<String, String> facts(Seen seen, Pinhole eye, TraceSettings settings, String colours) {
-        return Map.of(
-                "level", LevelHash.key(seen.opened),
-                "seconds", Double.toString(seen.seconds),
-                "camera", eye.toString(),
-                "samples", Integer.toString(settings.samples()),
-                "seed", Long.toString(settings.seed()),
-                "colours", colours,
-                "tracer", Integer.toString(ReferencePicture.VERSION));
-    }
-
-    /** Work with part files. */
-    private interface PartWork {
-        TiledPicture run() throws IOException;
-    }
-
-    private static TiledPicture ofParts(PartWork work) {
-        try {
-            return work.run();
-        } catch (PartFileException unusable) {
-            throw CommandFailure.input(unusable.getMessage());
-        } catch (IOException failure) {
-            throw CommandFailure.environment(
-                    failure.getMessage() == null ? AtomicFile.reason(failure) : failure.getMessage(), failure);
-        }
     }
 
     /** Reads {@code i/n}. */

@@ -27,8 +27,14 @@ final class DrawnLevel implements AutoCloseable {
     private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
     private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
     private final SkyBake bake;
+    private final AirPreparation air;
     private PlacedLevel placed;
+    /** The level that was placed; the placed one may have the sun of its hour. */
+    private Level placedFrom;
+
     private Level shown;
+    /** Without what is hidden, and in air that can be drawn at once. */
+    private Level wanted;
     /** {@code null} if the last version could be derived. */
     private String levelFailure;
 
@@ -37,6 +43,7 @@ final class DrawnLevel implements AutoCloseable {
         this.assets = assets;
         this.background = background;
         bake = new SkyBake(executor, repaintSoon);
+        air = new AirPreparation(AirPreparation.AirStore.OF_USER, executor, repaintSoon);
     }
 
     /** Returns true if a level with these files and background is an edited version of this one. */
@@ -44,11 +51,11 @@ final class DrawnLevel implements AutoCloseable {
         return otherAssets == assets && otherBackground == background;
     }
 
-    /** Follows an edit. */
+    /** Follows an edit, and what was prepared in the background. */
     void show(Level level) {
         shown = level;
         levelFailure = null;
-        Level wanted = visible.of(level);
+        wanted = air.of(visible.of(level));
         while (true) {
             Level usable = repair.of(wanted);
             try {
@@ -63,6 +70,11 @@ final class DrawnLevel implements AutoCloseable {
         }
     }
 
+    /** Returns what of the last level is drawn as far as possible. */
+    Level wanted() {
+        return wanted;
+    }
+
     /** Keeps the last level that could be derived. */
     private void failure(RuntimeException failure) {
         levelFailure = String.valueOf(failure.getMessage());
@@ -74,9 +86,15 @@ final class DrawnLevel implements AutoCloseable {
     private void place(Level usable) {
         if (placed == null) {
             placed = PlacedLevel.of(usable, assets);
-        } else if (placed.level() != usable) {
+        } else if (placedFrom != usable) {
             placed = placed.edited(usable);
         }
+        placedFrom = usable;
+    }
+
+    /** Returns what of the last level could be placed. */
+    PlacedLevel placed() {
+        return placed;
     }
 
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
@@ -89,7 +107,7 @@ final class DrawnLevel implements AutoCloseable {
                 picture.show(placed, light);
                 return Optional.of(picture);
             } catch (RuntimeException failure) {
-                if (!repair.learn(visible.of(shown), failure)) {
+                if (!repair.learn(wanted, failure)) {
                     failures.put(mode, mode + ": " + failure.getMessage());
                     return Optional.empty();
                 }
@@ -117,7 +135,7 @@ final class DrawnLevel implements AutoCloseable {
 
     /** Returns what is not shown, a line each. */
     List<String> messages() {
-        List<String> messages = new ArrayList<>(repair.messages(visible.of(shown)));
+        List<String> messages = new ArrayList<>(repair.messages(wanted));
         messages.addAll(failures.values());
         if (levelFailure != null) {
             messages.add(levelFailure);
@@ -128,6 +146,7 @@ final class DrawnLevel implements AutoCloseable {
     @Override
     public void close() {
         bake.close();
+        air.close();
         edges.values().forEach(LevelEdges::close);
         pictures.values().forEach(LevelPicture::close);
         pictures.clear();

@@ -3,7 +3,9 @@ package nephele.editor.draw;
 import nephele.editor.draw.derived.EvenLight;
 import nephele.editor.draw.derived.LevelDerivation;
 import nephele.editor.pane.ViewMode;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings;
@@ -56,9 +58,12 @@ final class LevelPicture implements AutoCloseable {
         baked = light;
     }
 
-    /** Returns the output that is enough for the editor: linear light only where exposure is metered from it. */
+    /** Returns the output that is enough for the editor: linear light only for clouds, and to meter exposure. */
     private static Output outputOf(Level level) {
-        return level.environment().exposureStops().isAuto() ? Output.HDR : Output.DIRECT;
+        Environment environment = level.environment();
+        boolean isLinear = environment.exposureStops().isAuto()
+                || !WeatherClouds.all(environment).isEmpty();
+        return isLinear ? Output.HDR : Output.DIRECT;
     }
 
     private void load(Scene scene, Output wanted) {
@@ -88,7 +93,7 @@ final class LevelPicture implements AutoCloseable {
         return placed == null ? PlacedLevel.of(level, base.assets()) : placed.edited(level);
     }
 
-    /** Draws over the whole target. */
+    /** Draws over the whole target, colours and depth. */
     void draw(View view, RenderTarget picture) {
         if (mode != ViewMode.LIT) {
             state.environment(EvenLight.seenFrom(placed.level().environment(), view.right(), view.up(), view.back()));
@@ -98,6 +103,7 @@ final class LevelPicture implements AutoCloseable {
             renderer.forget();
         }
         renderer.draw(view, state, picture);
+        renderer.copyDepth(picture);
     }
 
     @Override

@@ -136,7 +136,7 @@ public final class ViewportDrawing implements AutoCloseable {
     private void draw(Pane pane, ViewportFrame frame) {
         int index = pane.place().index();
         SkyVisibility light = isLit(pane) ? drawn.light() : null;
-        Content content = new Content(frame.level(), pane, frame.marks(), frame.look(), light);
+        Content content = new Content(drawn.wanted(), pane, frame.marks(), frame.look(), light);
         Held known = held.get(index);
         if (known != null && known.content.isSame(content)) {
             return;

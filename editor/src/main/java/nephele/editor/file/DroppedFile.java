@@ -8,12 +8,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.model.file.ModelFiles;
@@ -65,6 +69,9 @@ public final class DroppedFile {
      */
     public record Target(Vec3 at, Optional<FaceRef> face) {}
 
+    private static final double LEAST_CLOUD_METRES = 0.1;
+    private static final double LARGEST_CLOUD_METRES = 1e5;
+
     private final EditorSession session;
     private final Path file;
 
@@ -94,7 +101,7 @@ public final class DroppedFile {
         try {
             PictureDecoder.decode(file.getFileName().toString(), content);
         } catch (AssetException noPicture) {
-            throw new FileRefusal(FileText.UNUSABLE.with(file, noPicture.getMessage()));
+            throw refused(noPicture);
         }
         String id = folder.idOf(file, content, "textures");
         new AssetUse(session, id).picture(target.face());
@@ -137,13 +144,27 @@ public final class DroppedFile {
     private void cloud(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = AssetFolder.read(file);
-        Optional<String> objection = VolumeHeader.objection(content);
-        if (objection.isPresent()) {
-            throw new FileRefusal(FileText.UNUSABLE.with(file, objection.get()));
-        }
+        Vec3 size = sizeMetres(grid(content));
         String id = folder.idOf(file, content, "clouds");
-        new AssetUse(session, id).cloud(target.at(), VolumeHeader.sizeMetres(content));
+        new AssetUse(session, id).cloud(target.at(), size);
         told(id);
+    }
+
+    private VoxelGrid grid(byte[] content) throws FileRefusal {
+        try {
+            return VolFile.parse(String.valueOf(file.getFileName()), content);
+        } catch (AssetException noGrid) {
+            throw refused(noGrid);
+        }
+    }
+
+    /** Returns the size of a grid's own box, or one of 40 m if that is no size of a cloud. */
+    private static Vec3 sizeMetres(VoxelGrid grid) {
+        Aabb box = grid.box();
+        Vec3 size = new Vec3(box.maxX() - box.minX(), box.maxY() - box.minY(), box.maxZ() - box.minZ());
+        boolean isUsual = DoubleStream.of(size.x(), size.y(), size.z())
+                .allMatch(edge -> edge >= LEAST_CLOUD_METRES && edge <= LARGEST_CLOUD_METRES);
+        return isUsual ? size : new Vec3(40, 40, 40);
     }
 
     private void scene() throws FileRefusal {

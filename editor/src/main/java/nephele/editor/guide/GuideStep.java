@@ -61,11 +61,11 @@ public enum GuideStep {
             Words.of("A cube and a cloud", "Um cubo e uma nuvem", "Um cubo e uma nuvem"),
             Words.of(
                     "Click on the floor to place a cube that can be carried. Then choose Cloud under Add and"
-                            + " click again: a box marks the cloud until clouds are drawn.",
+                            + " click again: a cloud appears 60 m above.",
                     "Clique no piso para colocar um cubo que se pode carregar. Depois escolha Nuvem em"
-                            + " Adicionar e clique de novo: uma caixa marca a nuvem até que nuvens sejam desenhadas.",
+                            + " Adicionar e clique de novo: uma nuvem aparece 60 m acima.",
                     "Clica no chão para colocar um cubo que se pode carregar. Depois escolhe Nuvem em"
-                            + " Adicionar e clica de novo: uma caixa marca a nuvem até que se desenhem nuvens."),
+                            + " Adicionar e clica de novo: uma nuvem aparece 60 m acima."),
             session -> !level(session).bodies().isEmpty()
                     && !level(session).environment().clouds().isEmpty(),
             session -> {

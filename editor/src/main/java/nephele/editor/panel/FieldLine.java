@@ -5,6 +5,7 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Cursor;
+import java.awt.FontMetrics;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import javax.swing.JButton;
@@ -22,6 +23,7 @@ import nephele.editor.term.FieldWords;
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {
     private static final int LONGEST_TITLE_POINTS = 112;
+    private static final int LONGEST_CHOICE_POINTS = 104;
 
     private final FieldChanges changes;
     private final JLabel title = new JLabel();
@@ -53,8 +55,9 @@ final class FieldLine {
             panel.add(menu);
             return;
         }
-        if (kind == FieldKind.VECTOR || kind == FieldKind.ASSET || kind == FieldKind.EXPOSURE || isLong) {
-            // Several inputs, the name of a file and a long title need the whole width to be readable.
+        boolean isWide = kind == FieldKind.VECTOR || kind == FieldKind.ASSET || kind == FieldKind.EXPOSURE;
+        if (isWide || isLong || hasLongChoice()) {
+            // Several inputs, the name of a file, a long title and a long choice need the whole width to be readable.
             panel.add(title, indent + ", span 2");
             panel.add(menu);
             panel.add(editor.component(), indent + ", span 3, growx, w 40:120:");
@@ -63,6 +66,14 @@ final class FieldLine {
         panel.add(title, indent);
         panel.add(editor.component(), "growx, wmin 40");
         panel.add(menu);
+    }
+
+    private boolean hasLongChoice() {
+        FontMetrics metrics = title.getFontMetrics(title.getFont());
+        return field.type().kind() == FieldKind.CHOICE
+                && field.type().choices().stream()
+                        .map(choice -> ChoiceWord.words(choice).in(changes.language()))
+                        .anyMatch(word -> metrics.stringWidth(word) > UIScale.scale(LONGEST_CHOICE_POINTS));
     }
 
     InspectorField field() {

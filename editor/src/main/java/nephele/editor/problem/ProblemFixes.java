@@ -10,6 +10,7 @@ import java.util.function.UnaryOperator;
 import nephele.editor.document.Notes;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Brush.BrushFace;
@@ -133,11 +134,24 @@ final class ProblemFixes {
 
     /** Leaves an optional file out; a record that is nothing without its file is deleted. */
     private ProblemFix withoutFile(EntityPath place) {
-        String name = place.rest().substring(Math.min(1, place.rest().length()));
-        Record record = place.entity(level);
-        return record instanceof Material && RecordKind.of(record).field(name).isPresent()
-                ? replace(ProblemText.REMOVE_FILE, place, RecordKind.with(record, name, null))
-                : delete(place);
+        String path = place.rest().substring(Math.min(1, place.rest().length()));
+        return without(place.entity(level), path)
+                .map(other -> replace(ProblemText.REMOVE_FILE, place, other))
+                .orElseGet(() -> delete(place));
+    }
+
+    /** Returns a record without one of its optional values; empty if the path leads to none. */
+    private static Optional<Record> without(Record record, String path) {
+        RecordKind kind = RecordKind.of(record);
+        int dot = path.indexOf('.');
+        if (dot < 0) {
+            return kind.field(path).filter(RecordField::isNullable).map(field -> kind.with(record, field, null));
+        }
+        Optional<RecordField> part = kind.field(path.substring(0, dot));
+        return part.map(field -> kind.get(record, field))
+                .filter(Record.class::isInstance)
+                .flatMap(nested -> without((Record) nested, path.substring(dot + 1)))
+                .map(changed -> kind.with(record, part.get(), changed));
     }
 
     private static Level withoutSky(Level now) {

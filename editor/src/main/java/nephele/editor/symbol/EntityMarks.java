@@ -112,7 +112,7 @@ public final class EntityMarks {
     }
 
     private void cloud(Cloud cloud) {
-        String name = "clouds/" + cloud.id();
+        String name = "environment.clouds/" + cloud.id();
         if (cloud.extent() instanceof Cloud.Extent.Volume volume && !isHidden(name)) {
             Aabb box = Aabb.around(volume.centre(), volume.size());
             wires(name).box(box);

@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
 /**
- * What the air between an eye and a surface adds and lets pass, tabulated by azimuth from the sun, elevation and
+ * The light that the air between an eye and a surface adds and lets pass, tabulated by azimuth from the sun, elevation and
  * distance (as in S. Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", 2020, section
  * 5.4, but around the eye instead of in the view's frustum, so that all views at a height share a table). Twin of {@code
  * include/air.glsl}. Per unit solar irradiance. Immutable.

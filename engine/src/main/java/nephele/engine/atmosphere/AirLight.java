@@ -3,7 +3,7 @@ package nephele.engine.atmosphere;
 import nephele.engine.math.Vec3;
 
 /**
- * What the air along a part of a ray does to light at 680, 550 and 440 nm.
+ * The effect of the air along a part of a ray on light at 680, 550 and 440 nm.
  *
  * @param radiance that the air adds, all orders of scattering, per unit solar irradiance outside the air, 1/sr
  * @param transmittance share of the light behind the part that passes

@@ -2,7 +2,7 @@ package nephele.engine.atmosphere;
 
 import java.util.function.DoubleConsumer;
 
-/** What depends on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
+/** The tables that depend on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
 public final class AirTables {
     private final Air air;
     private final SunTransmittance sun;
@@ -37,6 +37,11 @@ public final class AirTables {
             files.store(name, LightFieldFile.encode(air, field));
         }
         return new AirTables(air, sun, field.refined());
+    }
+
+    /** Returns true if the light field of air that is not clear is found. */
+    public static boolean isKept(Air air, AirFiles files) {
+        return files.find(LightFieldFile.nameFor(air)).isPresent();
     }
 
     /** Returns the tables, computed unless the air is clear. */

@@ -146,19 +146,27 @@ final class LightField {
         int j = Math.min(HEIGHTS - 2, (int) y);
         double u = x - i;
         double v = y - j;
-        double[] corners = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
         for (int c = 0; c < Air.CHANNELS; c++) {
-            double logarithm = 0;
-            double ratio = weights[c * moments];
-            for (int corner = 0; corner < 4; corner++) {
-                int at = start(j + (corner >> 1), i + (corner & 1), c);
-                double others = 0;
-                for (int k = 1; k < moments; k++) {
-                    others += weights[c * moments + k] * values[at + k];
-                }
-                logarithm += corners[corner] * values[at];
-                ratio += corners[corner] * others;
+            int low = start(j, i, c);
+            int lowNext = start(j, i + 1, c);
+            int high = start(j + 1, i, c);
+            int highNext = start(j + 1, i + 1, c);
+            double ofLow = 0;
+            double ofLowNext = 0;
+            double ofHigh = 0;
+            double ofHighNext = 0;
+            for (int k = 1; k < moments; k++) {
+                double weight = weights[c * moments + k];
+                ofLow += weight * values[low + k];
+                ofLowNext += weight * values[lowNext + k];
+                ofHigh += weight * values[high + k];
+                ofHighNext += weight * values[highNext + k];
             }
+            double logarithm = (1 - v) * ((1 - u) * values[low] + u * values[lowNext])
+                    + v * ((1 - u) * values[high] + u * values[highNext]);
+            double ratio = weights[c * moments]
+                    + (1 - v) * ((1 - u) * ofLow + u * ofLowNext)
+                    + v * ((1 - u) * ofHigh + u * ofHighNext);
             sums[c] = Math.exp(logarithm) * ratio;
         }
     }

@@ -1,6 +1,7 @@
 package nephele.engine.level;
 
 import java.util.List;
+import java.util.Optional;
 import nephele.engine.math.Vec3;
 
 /**
@@ -73,11 +74,21 @@ public record Cloud(
 
     /** The density of a cloud, 0 to 1 inside the extent; multiplied by {@code extinctionPerMetre}. */
     public sealed interface Density {
+        /** Returns the id of the picture or grid that the density is read from; empty for none. */
+        default Optional<String> assetId() {
+            return Optional.empty();
+        }
+
         /**
          * {@code "kind": "image"}: a picture as seen from above. Its alpha, if it has one, is how much the cloud hides;
          * otherwise its grey is the density.
          */
-        record Image(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
+        record Image(@Written(required = true, text = TextKind.ASSET) String file) implements Density {
+            @Override
+            public Optional<String> assetId() {
+                return Optional.of(file);
+            }
+        }
 
         /** {@code "kind": "ellipsoid"}: 1 inside the inscribed ellipsoid. */
         record Ellipsoid() implements Density {}
@@ -96,7 +107,8 @@ public record Cloud(
          * @param coverage share of the sky that is meant to be covered
          * @param erosion how far wisps eat into the edges
          * @param profile {@code null} for noise that fills the extent evenly from base to top
-         * @param coverageMap a grey picture as seen from above that multiplies the coverage; {@code null} for none
+         * @param coverageMap a grey picture as seen from above that multiplies the coverage, without a profile the density;
+         *     {@code null} for none
          * @param anvil how far the top spreads
          */
         record Noise(
@@ -113,10 +125,20 @@ public record Cloud(
             public Noise(long seed, double featureMetres, double coverage) {
                 this(seed, featureMetres, coverage, 0, null, null, 0);
             }
+
+            @Override
+            public Optional<String> assetId() {
+                return Optional.ofNullable(coverageMap);
+            }
         }
 
         /** {@code "kind": "grid"}: a Mitsuba {@code .vol} version 3 file. */
-        record Grid(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
+        record Grid(@Written(required = true, text = TextKind.ASSET) String file) implements Density {
+            @Override
+            public Optional<String> assetId() {
+                return Optional.of(file);
+            }
+        }
     }
 
     /** One soft ball; its centre is relative to the extent's centre. */

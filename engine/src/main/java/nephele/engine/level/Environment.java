@@ -71,8 +71,21 @@ public record Environment(
                 sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
     }
 
+    public Environment withClouds(List<Cloud> written) {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, written, weather, weatherSeed);
+    }
+
     public Environment withAmbient(Vec3 radiance) {
         return new Environment(
                 sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
+    }
+
+    public Environment withFog(Fog newFog) {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, newFog, clouds, weather, weatherSeed);
+    }
+
+    /** Returns this environment without clouds, those of its weather included. */
+    public Environment withoutClouds() {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of(), null, 0);
     }
 }

@@ -53,5 +53,18 @@ public sealed interface Sky {
             implements Sky {
         /** Clear air in the morning of a summer's day. */
         public static final Atmosphere CLEAR = new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 10, 0);
+
+        /** Returns the sky of the same place and hour with the air and the ground of another one. */
+        public Atmosphere withAirOf(Atmosphere other) {
+            return new Atmosphere(
+                    other.groundAlbedo,
+                    other.mieScale,
+                    other.mieG,
+                    other.ozoneScale,
+                    latitudeDegrees,
+                    dayOfYear,
+                    timeOfDayHours,
+                    dayLengthSeconds);
+        }
     }
 }

@@ -56,18 +56,31 @@ public final class GaussLegendre {
      */
     private double[][] integrals() {
         int count = nodes.length;
+        double[][] values = new double[count][];
+        for (int k = 0; k < count; k++) {
+            values[k] = values(count, 2 * nodes[k] - 1);
+        }
         double[][] matrix = new double[count][count];
         for (int j = 0; j < count; j++) {
-            double x = 2 * nodes[j] - 1;
             for (int k = 0; k < count; k++) {
-                double sum = (1 + x) / 2;
+                double sum = values[j][1] / 2 + 0.5;
                 for (int l = 1; l < count; l++) {
-                    double integral = (value(l + 1, x) - value(l - 1, x)) / 2;
-                    sum += value(l, 2 * nodes[k] - 1) * integral;
+                    sum += values[k][l] * (values[j][l + 1] - values[j][l - 1]) / 2;
                 }
                 matrix[j][k] = weights[k] * sum;
             }
         }
         return matrix;
+    }
+
+    /** Returns the Legendre polynomials of degree 0 to {@code degree}, at least 1, at a place. */
+    private static double[] values(int degree, double x) {
+        double[] values = new double[degree + 1];
+        values[0] = 1;
+        values[1] = x;
+        for (int l = 2; l <= degree; l++) {
+            values[l] = ((2 * l - 1) * x * values[l - 1] - (l - 1) * values[l - 2]) / l;
+        }
+        return values;
     }
 }

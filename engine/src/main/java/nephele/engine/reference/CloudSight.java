@@ -14,13 +14,13 @@ import org.joml.Vector3d;
  */
 final class CloudSight {
     private final CloudMedia media;
-    private final Walls walls;
+    private final LevelSurroundings around;
     private final VolumeTracer tracer;
 
-    CloudSight(CloudMedia media, Walls walls) {
+    CloudSight(CloudMedia media, LevelSurroundings around) {
         this.media = media;
-        this.walls = walls;
-        tracer = new VolumeTracer(media, walls);
+        this.around = around;
+        tracer = new VolumeTracer(media, around);
     }
 
     /**
@@ -43,7 +43,7 @@ final class CloudSight {
             Segment segment = segments.get(i);
             boolean isEndless = path.endsInTheOpen() && i == segments.size() - 1;
             Ray ray = Ray.of(segment.origin(), segment.direction());
-            double end = isEndless ? walls.reachMetres(ray) : segment.metres();
+            double end = isEndless ? around.reachMetres(ray) : segment.metres();
             CloudMedia.Collision collision = media.collision(ray, 0, end, random);
             if (collision != null) {
                 return new Met(collision, segment, ray);

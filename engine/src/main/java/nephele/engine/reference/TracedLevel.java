@@ -1,6 +1,7 @@
 package nephele.engine.reference;
 
 import java.util.Optional;
+import java.util.SplittableRandom;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Level;
@@ -10,6 +11,7 @@ import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.reference.sky.LevelClouds;
@@ -80,9 +82,34 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, shafts));
     }
 
+    public boolean hasClouds() {
+        return clouds.isPresent();
+    }
+
+    /**
+     * Returns the share of a light from outside the level that passes the clouds on its way to a place, as the mean of
+     * random estimates.
+     *
+     * @param towardsLight unit
+     */
+    public double shareThroughClouds(Vec3 place, Vec3 towardsLight, int estimates, long seed) {
+        if (clouds.isEmpty()) {
+            return 1;
+        }
+        var random = new SplittableRandom(seed);
+        Ray ray = Ray.of(place, towardsLight);
+        double reach = clouds.get().reachMetres(ray);
+        double sum = 0;
+        for (int i = 0; i < estimates; i++) {
+            sum += clouds.get().media().transmittance(ray, 0, reach, random);
+        }
+        return sum / estimates;
+    }
+
     /** Returns an object for one thread that finds clouds on eye paths; empty without clouds. */
     Optional<CloudSight> cloudSight() {
-        return clouds.map(all -> new CloudSight(all.media(), new Walls(all.open(), rays, portals, sunCastsShadow)));
+        return clouds.map(
+                all -> new CloudSight(all.media(), new LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */

@@ -13,6 +13,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
@@ -301,6 +302,17 @@ public final class Renderer implements AutoCloseable {
      */
     public float[] readRadiance() {
         return chain.readRadiance();
+    }
+
+    /**
+     * Copies the depth of the last frame's surfaces to its picture, for lines that are drawn over it. Views that have a
+     * target of their own, as for output HDR, leave the picture's depth as it was.
+     */
+    public void copyDepth(RenderTarget picture) {
+        RenderTarget surface = chain.surface(picture);
+        if (surface != picture) {
+            surface.copyTo(picture, CopiedPlanes.DEPTH);
+        }
     }
 
     /** Continues the adaption of exposure of another renderer of this context, which it replaces. */

@@ -12,6 +12,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.save.DraftLevel;
 import nephele.editor.tool.ToolTrial;
 import nephele.engine.level.Body;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.PortalSpec;
@@ -142,6 +143,14 @@ class PlaceToolTest {
                             .getSimpleName()
                             .toLowerCase(Locale.ROOT));
         }
+    }
+
+    @Test
+    void aCloudFloatsAboveTheFloor() {
+        ToolTrial trial = hall("environment.clouds", "volume");
+        trial.click(new Vec3(1, 0, -2));
+        Cloud cloud = trial.level().environment().clouds().get(0);
+        assertEquals(new Cloud.Extent.Volume(new Vec3(1, 68, -2), new Vec3(40, 16, 40)), cloud.extent());
     }
 
     @Test

@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.level.Cloud;

@@ -84,17 +84,17 @@ class CloudTablesTest {
     @Test
     void aTableContinuesAcrossItsEdge() {
         for (PeriodicTable table : tables()) {
-            double worst = 0;
+            double inside = 0;
             double across = 0;
             int n = table.size();
             for (int j = 0; j < n; j++) {
                 for (int i = 0; i < n; i++) {
                     int step = Math.abs(table.value(i, 0, j) - table.value(i + 1, 0, j));
-                    worst = Math.max(worst, step);
+                    inside = i < n - 1 ? Math.max(inside, step) : inside;
                     across = i == n - 1 ? Math.max(across, step) : across;
                 }
             }
-            assertTrue(across <= worst && across > 0, across + " of " + worst);
+            assertTrue(across <= inside && across > 0, across + " of " + inside);
         }
     }
 

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a picture calls for, and how exposure approaches that in simulated time. */
+/** The exposure that a picture calls for, and its approach in simulated time. */
 class AutoExposureTest {
     private static double stops(double luminance) {
         float value = (float) luminance;
@@ -34,7 +34,7 @@ class AutoExposureTest {
         assertTrue(shown(2e-5) < 0.03, "night " + shown(2e-5));
     }
 
-    /** What is darker is shown darker, but by less than it is. */
+    /** Darker pictures are shown darker, but by less than they are. */
     @Test
     void theDisplayFollowsTheLightPartOfTheWay() {
         double last = shown(1e-3);

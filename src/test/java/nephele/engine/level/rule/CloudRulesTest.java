@@ -2,6 +2,8 @@ package nephele.engine.level.rule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.asset.LevelAssets;
@@ -9,6 +11,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJsonTest;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -117,6 +120,20 @@ class CloudRulesTest {
     @Test
     void aMissingCoverageMapIsAnError() {
         require(clouds(noise(", 'coverageMap': 'no.png'}")), "clouds[0].density.coverageMap", "no such file");
+    }
+
+    @Test
+    void aDamagedGridIsAnError(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("cut.vol"), "VOL");
+        Level level = LevelJsonTest.sections(
+                "\"environment\": {" + clouds(layer("c", ", 'density': {'kind': 'grid', 'file': 'cut.vol'}")) + "}");
+        assertEquals(
+                List.of("f: environment.clouds[0].density.file: cut.vol: is no Mitsuba .vol file; write one of version"
+                        + " 3"),
+                LevelRules.check(level, LevelAssets.beside(folder.resolve("x.json"))).stream()
+                        .filter(problem -> problem.path().startsWith("environment"))
+                        .map(problem -> problem.line("f"))
+                        .toList());
     }
 
     @Test

@@ -14,6 +14,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 /** The tracer keeps energy and reciprocity, and agrees with Chandrasekhar's H function. */
@@ -26,7 +27,7 @@ class VolumeTracerTest {
     void aWhiteCloudInWhiteLightIsInvisible() {
         for (double g : new double[] {-0.5, 0, 0.85, 0.999}) {
             SampleFields.all().forEach((name, field) -> {
-                var tracer = tracer(field, 1, g, OutsideLight.sky(ONE));
+                var tracer = tracer(field, 1, g, sky(ONE));
                 var random = new SplittableRandom(9);
                 for (int n = 0; n < 20; n++) {
                     Vec3 radiance = tracer.radiance(SampleFields.ray(random), random);
@@ -40,7 +41,8 @@ class VolumeTracerTest {
     @Test
     void overlappingMediaAreOneMediumOfTheirSum() {
         var half = medium(layer(0.5), 0.9, 0);
-        var light = new OutsideLight(new Vec3(0.3, 1, 0), new Vec3(3, 2, 1), new Vec3(0.1, 0.2, 0.3));
+        var light = OutsideLight.of(
+                new Vec3(0.3, 1, 0), new Vec3(3, 2, 1), (height, x, y, z) -> new Vector3d(0.1, 0.2, 0.3));
         var both = new VolumeTracer(new CloudMedia(List.of(half, half)), light);
         var one = tracer(layer(1), 0.9, 0, light);
         Mean a = Mean.of(100_000, 1, random -> both.radiance(down(0.7), random).x());
@@ -73,7 +75,7 @@ class VolumeTracerTest {
 
     private static Mean reflected(ExtinctionField slab, double albedo, double g, double mu, double mu0, int paths) {
         var sun = new Vec3(0, mu0, Math.sqrt(1 - mu0 * mu0));
-        var tracer = tracer(slab, albedo, g, new OutsideLight(sun, ONE, Vec3.ZERO));
+        var tracer = tracer(slab, albedo, g, OutsideLight.of(sun, ONE, (height, x, y, z) -> new Vector3d()));
         return Mean.of(paths, 3, random -> tracer.radiance(down(mu), random).x());
     }
 
@@ -90,20 +92,24 @@ class VolumeTracerTest {
 
     @Test
     void aRayThatMeetsNothingReceivesTheSky() {
-        var tracer = tracer(new EllipsoidField(SampleFields.BOX, 1), 0.5, 0, OutsideLight.sky(new Vec3(1, 2, 3)));
+        var tracer = tracer(new EllipsoidField(SampleFields.BOX, 1), 0.5, 0, sky(new Vec3(1, 2, 3)));
         assertEquals(new Vec3(1, 2, 3), tracer.radiance(new Ray(0, 100, 0, 1, 0, 0), new SplittableRandom(1)));
     }
 
     /** The same seed gives the same bits: a path depends on nothing else. */
     @Test
     void aPathFollowsFromItsSeed() {
-        var light = new OutsideLight(new Vec3(1, 1, 1), ONE, ONE);
+        var light = OutsideLight.of(new Vec3(1, 1, 1), ONE, (height, x, y, z) -> new Vector3d(1));
         SampleFields.all().forEach((name, field) -> {
             var tracer = tracer(field, 0.8, 0.3, light);
             Ray ray = Ray.of(new Vec3(-100, 1, 2), Directions.unit(1, 0.01, 0));
             assertEquals(
                     tracer.radiance(ray, new SplittableRandom(5)), tracer.radiance(ray, new SplittableRandom(5)), name);
         });
+    }
+
+    private static OutsideLight sky(Vec3 radiance) {
+        return OutsideLight.of((height, x, y, z) -> radiance.toVector());
     }
 
     private static ExtinctionField layer(double depth) {

@@ -11,7 +11,7 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.cloud.field.VolFile;
+import nephele.engine.asset.VolFile;
 import nephele.lab.art.picture.PictureRecipe;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

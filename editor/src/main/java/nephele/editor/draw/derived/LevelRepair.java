@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -60,10 +61,19 @@ public final class LevelRepair implements LevelDerivation {
                 IdentityDiff.list(level.solids(), solids),
                 level.bodies(),
                 models(level.models()));
-        return level.environment().sky() instanceof Sky.Skybox skybox
-                        && skybox.files().stream().anyMatch(this::isUnusable)
-                ? repaired.with(withoutSkybox(level.environment()), level.lights())
-                : repaired;
+        Environment environment = usable(level.environment());
+        return environment == level.environment() ? repaired : repaired.with(environment, level.lights());
+    }
+
+    private Environment usable(Environment said) {
+        boolean isSkyFine = !(said.sky() instanceof Sky.Skybox skybox)
+                || skybox.files().stream().noneMatch(this::isUnusable);
+        List<Cloud> clouds = said.clouds().stream()
+                .filter(cloud ->
+                        cloud.density().assetId().filter(this::isUnusable).isEmpty())
+                .toList();
+        Environment seen = isSkyFine ? said : said.with(INSTEAD_OF_SKYBOX);
+        return clouds.size() == said.clouds().size() ? seen : seen.withClouds(clouds);
     }
 
     private boolean isUnusable(String file) {
@@ -106,10 +116,6 @@ public final class LevelRepair implements LevelDerivation {
                 : all.stream().filter(model -> !missing.contains(model.id())).toList();
     }
 
-    private static Environment withoutSkybox(Environment said) {
-        return said.with(INSTEAD_OF_SKYBOX);
-    }
-
     /**
      * Learns from a failure to derive or load a level of this derivation.
      *
@@ -135,7 +141,10 @@ public final class LevelRepair implements LevelDerivation {
         boolean isModels = level.models().stream().anyMatch(model -> isUnusable(model.file()));
         boolean isSky = level.environment().sky() instanceof Sky.Skybox skybox
                 && skybox.files().contains(assetId);
-        return isMaterials || isModels || isSky;
+        boolean isClouds = level.environment().clouds().stream()
+                .anyMatch(cloud ->
+                        cloud.density().assetId().filter(assetId::equals).isPresent());
+        return isMaterials || isModels || isSky || isClouds;
     }
 
     private boolean learnSolids(Level level) {

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
 import nephele.engine.level.Body;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
@@ -38,6 +40,11 @@ public final class VisibleLevel implements LevelDerivation {
                 models(level.models(), hidden));
         shown = shown.withPortals(shown(level.portals(), "portals/", PortalSpec::id, hidden));
         shown = shown.withExits(shown(level.exits(), "exits/", Exit::id, hidden));
+        Environment environment = level.environment();
+        List<Cloud> clouds = shown(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
+        if (clouds.size() < environment.clouds().size()) {
+            shown = shown.with(environment.withClouds(clouds), shown.lights());
+        }
         return reused(shown);
     }
 

@@ -22,7 +22,7 @@ import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
 /**
- * What the value of a component, or of an entry of a list or table, may be.
+ * The type of a value of a component, or of an entry of a list or table.
  *
  * @param field the component, also of an entry
  * @param kind of the value or entry

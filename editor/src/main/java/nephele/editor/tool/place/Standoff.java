@@ -3,6 +3,7 @@ package nephele.editor.tool.place;
 import nephele.editor.record.RecordWalk;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Spatial;
@@ -12,6 +13,9 @@ import nephele.engine.math.Vec3;
 final class Standoff {
     /** The distance of a lamp or camera from the surface, so that the surface does not hide it. */
     private static final double SYMBOL_METRES = 0.3;
+
+    /** The height of a cloud's base over the floor that is pointed at: on the floor it would be fog in a room. */
+    private static final double CLOUD_BASE_METRES = 60;
 
     private Standoff() {}
 
@@ -29,6 +33,9 @@ final class Standoff {
             return level * prism.radiusMetres() + upright * prism.heightMetres() / 2;
         }
         Vec3 size = extent(entity);
+        if (entity instanceof Cloud && normal.y() > 0.5) {
+            return CLOUD_BASE_METRES + size.y() / 2;
+        }
         return (Math.abs(normal.x()) * size.x() + upright * size.y() + Math.abs(normal.z()) * size.z()) / 2;
     }
 

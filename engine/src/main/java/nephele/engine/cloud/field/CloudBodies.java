@@ -33,6 +33,10 @@ final class CloudBodies {
         this.walls = walls;
     }
 
+    boolean isEmpty() {
+        return coverage.isNowhere();
+    }
+
     /** Returns 1 in the middle of a body, 0 at its edge, less outside. */
     double depth(double x, double z) {
         double mixed = BODY_WEIGHT * bodies.at(x, 0, z) + CLUSTER_WEIGHT * clusters.at(x, 0, z);

@@ -2,6 +2,7 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;

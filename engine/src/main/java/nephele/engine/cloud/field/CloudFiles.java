@@ -1,13 +1,16 @@
 package nephele.engine.cloud.field;
 
+import java.util.function.LongFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 
 /**
- * What a cloud's density needs besides its record; it is the same at all times.
+ * The files and tables of a cloud's density, decoded; they are the same at all times.
  *
  * @param grid densities of a grid or a picture; {@code null} for other densities
  * @param isOpticalDepth true if the grid holds the vertical optical depth of columns instead
@@ -23,7 +26,7 @@ record CloudFiles(VoxelGrid grid, boolean isOpticalDepth, VoxelGrid coverage, Cl
      * @param tables makes or remembers the tables of a seed
      * @throws AssetException if a picture or grid is unusable
      */
-    static CloudFiles of(Cloud cloud, AssetSource assets, java.util.function.LongFunction<CloudTables> tables) {
+    static CloudFiles of(Cloud cloud, AssetSource assets, LongFunction<CloudTables> tables) {
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
             return new CloudFiles(VolFile.parse(grid.file(), assets.bytes(grid.file())), false, null, null);
         }

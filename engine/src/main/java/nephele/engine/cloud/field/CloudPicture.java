@@ -2,6 +2,7 @@ package nephele.engine.cloud.field;
 
 import java.util.function.IntToDoubleFunction;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /** Pictures of clouds as seen from above, with −z at the top, as one layer of voxels. */

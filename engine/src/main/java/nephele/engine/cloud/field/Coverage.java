@@ -11,6 +11,10 @@ record Coverage(double everywhere, PlanMap map) {
         return map == null ? everywhere : everywhere * map.at(x, z);
     }
 
+    boolean isNowhere() {
+        return everywhere == 0 || map != null && map.isBlack();
+    }
+
     /** Returns an upper bound in a rectangle, given by its centre and half its sides. */
     double greatest(double x, double z, double halfX, double halfZ) {
         return map == null ? everywhere : everywhere * map.greatest(x - halfX, z - halfZ, x + halfX, z + halfZ);

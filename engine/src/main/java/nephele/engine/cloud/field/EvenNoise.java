@@ -37,6 +37,11 @@ final class EvenNoise implements NoiseDensity {
         return map == null || !(density > 0) ? density : density * map.at(x, z);
     }
 
+    @Override
+    public boolean isEmpty() {
+        return coverage == 0 || map != null && map.isBlack();
+    }
+
     private double dense(double noise) {
         return coverage > 0 ? Math.max(0, 1 - (1 - noise) / coverage) : 0;
     }

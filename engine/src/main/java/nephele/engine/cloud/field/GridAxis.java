@@ -2,7 +2,7 @@ package nephele.engine.cloud.field;
 
 /** The voxel positions along one axis of a grid. */
 final class GridAxis {
-    /** What follows on the first and last voxels. */
+    /** The continuation of a grid beyond its first and last voxels. */
     enum Edge {
         /** Values beyond the outermost voxel centres equal theirs. */
         CLAMPED,

@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.math.Aabb;
@@ -93,7 +94,7 @@ public final class GridField implements ExtinctionField {
 
     @Override
     public boolean isEmpty() {
-        return extinctionPerMetre == 0 || bounds.isEmpty();
+        return bounds.isEmpty() || maxima.areZero();
     }
 
     @Override

@@ -7,6 +7,9 @@ package nephele.engine.cloud.field;
 public interface NoiseDensity {
     double at(double x, double y, double z);
 
+    /** Returns true if the density is known to be zero everywhere. */
+    boolean isEmpty();
+
     /** Returns an upper bound of the density in a box, given by its centre and half its sides. */
     double greatest(double x, double y, double z, double halfX, double halfY, double halfZ);
 }

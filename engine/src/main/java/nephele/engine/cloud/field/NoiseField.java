@@ -102,7 +102,7 @@ public final class NoiseField implements ExtinctionField {
 
     @Override
     public boolean isEmpty() {
-        return extinctionPerMetre == 0 || bounds.isEmpty();
+        return extinctionPerMetre == 0 || bounds.isEmpty() || density.isEmpty();
     }
 
     @Override

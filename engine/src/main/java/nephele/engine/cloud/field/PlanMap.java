@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /**
@@ -10,7 +11,7 @@ final class PlanMap {
     private final GridAxis alongX;
     private final GridAxis alongZ;
     private final GridAxis.Edge edge;
-    private final VoxelMaxima maxima;
+    private final BlockPyramid maxima;
     private final CellLattice blocks;
 
     /** @param pixels one layer of voxels, which covers the sides of its box */
@@ -20,8 +21,9 @@ final class PlanMap {
         Aabb box = pixels.box();
         alongX = new GridAxis(box.minX(), box.maxX(), pixels.nx(), edge);
         alongZ = new GridAxis(box.minZ(), box.maxZ(), pixels.nz(), edge);
-        maxima = VoxelMaxima.of(pixels, 1, edge);
-        blocks = maxima.lattice(box);
+        VoxelMaxima greatest = VoxelMaxima.of(pixels, 1, edge);
+        maxima = new BlockPyramid(greatest);
+        blocks = greatest.lattice(box);
     }
 
     double at(double x, double z) {
@@ -38,21 +40,17 @@ final class PlanMap {
         return left + (pixels.value(alongX.upper(floorU), 0, k) - left) * share;
     }
 
+    boolean isBlack() {
+        return maxima.greatestOfAll() == 0;
+    }
+
     /** Returns an upper bound of the values in a rectangle. */
     double greatest(double fromX, double fromZ, double toX, double toZ) {
         long firstI = block((fromX - blocks.originX()) / blocks.sizeX(), maxima.columns());
         long firstK = block((fromZ - blocks.originZ()) / blocks.sizeZ(), maxima.rows());
-        long lastI = Math.min(
-                firstI + maxima.columns() - 1, block((toX - blocks.originX()) / blocks.sizeX(), maxima.columns()));
-        long lastK =
-                Math.min(firstK + maxima.rows() - 1, block((toZ - blocks.originZ()) / blocks.sizeZ(), maxima.rows()));
-        double greatest = 0;
-        for (long k = firstK; k <= lastK; k++) {
-            for (long i = firstI; i <= lastI; i++) {
-                greatest = Math.max(greatest, maxima.perMetre(i, 0, k));
-            }
-        }
-        return greatest;
+        long lastI = block((toX - blocks.originX()) / blocks.sizeX(), maxima.columns());
+        long lastK = block((toZ - blocks.originZ()) / blocks.sizeZ(), maxima.rows());
+        return maxima.greatest(firstI, firstK, lastI, lastK);
     }
 
     private long block(double at, int count) {

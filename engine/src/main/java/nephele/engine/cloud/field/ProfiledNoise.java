@@ -81,6 +81,11 @@ public final class ProfiledNoise implements NoiseDensity {
         return inside > 0 ? profile.body(height) * Math.min(1, profile.sharpness(height) * inside) : 0;
     }
 
+    @Override
+    public boolean isEmpty() {
+        return bodies.isEmpty();
+    }
+
     /** Returns the distance from the detail's points, which leaves balls, and its opposite near the base. */
     static double eroding(double detail, double height) {
         double balls = Math.min(1, height / WISPS_TO);

@@ -1,5 +1,7 @@
 package nephele.engine.cloud.field;
 
+import java.util.Arrays;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /** The greatest extinction in coarse cells of a grid: the maximum over the voxels that influence the cell. */
@@ -37,6 +39,10 @@ final class VoxelMaxima implements CellBound {
             }
         }
         return result;
+    }
+
+    boolean areZero() {
+        return Arrays.stream(maxima).allMatch(value -> value == 0);
     }
 
     int columns() {

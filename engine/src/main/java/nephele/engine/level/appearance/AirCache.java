@@ -28,6 +28,13 @@ public final class AirCache implements AirFiles {
         return AirTables.of(air, new AirCache(CacheFolder.ofUser()), done -> {});
     }
 
+    /** Returns true if the air of an environment needs no computation of seconds. */
+    public static boolean has(Environment environment) {
+        return !(environment.sky() instanceof Sky.Atmosphere sky)
+                || Daylight.air(sky).equals(Air.CLEAR)
+                || AirTables.isKept(Daylight.air(sky), new AirCache(CacheFolder.ofUser()));
+    }
+
     /**
      * Computes what is not in the folder yet, before somebody waits without seeing the progress.
      *

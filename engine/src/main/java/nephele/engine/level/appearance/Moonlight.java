@@ -48,6 +48,11 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
         return Math.pow(10, -0.4 * (0.026 * degrees + 4e-9 * degrees * degrees * degrees * degrees));
     }
 
+    /** Returns the irradiance if no horizon hid a part of the disc; zero if all of it is hidden at y = 0. */
+    public Vec3 ofWholeDisc() {
+        return shines() ? irradiance.scaled(1 / Daylight.shareAboveHorizon(Math.asin(towardsMoon.y()))) : irradiance;
+    }
+
     /** Returns true if the moon gives light. */
     public boolean shines() {
         return irradiance.y() > 0;

@@ -2,6 +2,8 @@ package nephele.engine.level.appearance;
 
 import java.util.List;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
 
 /**
  * One of the six squares of a skybox, in world axes: y up, −z north.
@@ -57,6 +59,26 @@ public record SkyboxSquare(String name, Axis outward, Axis right, Axis down) {
         int dot(Axis other) {
             return index == other.index ? sign * other.sign : 0;
         }
+    }
+
+    /**
+     * Returns the direction of a point of the picture, not of unit length.
+     *
+     * @param s −1 at the left edge, 1 at the right one
+     * @param t −1 at the upper edge, 1 at the lower one
+     */
+    public Vec3 direction(double s, double t) {
+        return new Vec3(component(0, s, t), component(1, s, t), component(2, s, t));
+    }
+
+    private double component(int axis, double s, double t) {
+        return outward.component(axis) + s * right.component(axis) + t * down.component(axis);
+    }
+
+    /** Returns the frame that looks at the picture. */
+    public Basis basis() {
+        Vec3 middle = direction(0, 0);
+        return new Basis(direction(1, 0).minus(middle), middle.minus(direction(0, 1)), middle.scaled(-1));
     }
 
     /** Returns the six squares of a layout: in the order of its files, or of +x −x +y −y +z −z for a cross. */

@@ -8,7 +8,7 @@ import nephele.engine.level.Weather;
 
 /** The clouds that an environment has altogether, and those that its weather means. */
 public final class WeatherClouds {
-    /** What the ids of a weather's clouds begin with. */
+    /** Prefix of the ids of a weather's clouds. */
     public static final String ID_PREFIX = "weather-";
 
     private WeatherClouds() {}
@@ -43,15 +43,15 @@ public final class WeatherClouds {
      * table 4.
      */
     public static List<Cloud> of(Weather weather, long seed) {
-        var makers = new WeatherLayers(seed);
+        var layers = new WeatherLayers(seed);
         return switch (weather) {
             case CLEAR -> List.of();
-            case FEW -> List.of(makers.humilis());
-            case SCATTERED -> List.of(makers.mediocris(), makers.thinCirrus());
-            case BROKEN -> List.of(makers.stratocumulus(), makers.altocumulus());
-            case OVERCAST -> List.of(makers.scud(0.35), makers.stratus());
-            case STORM -> List.of(makers.scud(0.4), makers.cumulonimbus());
-            case CIRRUS -> List.of(makers.cirrus());
+            case FEW -> List.of(layers.humilis());
+            case SCATTERED -> List.of(layers.mediocris(), layers.thinCirrus());
+            case BROKEN -> List.of(layers.stratocumulus(), layers.altocumulus());
+            case OVERCAST -> List.of(layers.scud(0.35), layers.stratus());
+            case STORM -> List.of(layers.scud(0.4), layers.cumulonimbus());
+            case CIRRUS -> List.of(layers.cirrus());
         };
     }
 }

@@ -12,6 +12,9 @@ final class WeatherLayers {
     private static final double WATER_G = 0.85;
     private static final double ICE_G = 0.8;
 
+    /** Makes a weather's numbers others than those that clouds derive from the same seed: "weather" in ASCII. */
+    private static final long SALT = 0x77656174686572L;
+
     /** A picture of the program's own assets. */
     private static final String STREAKS = "textures/clouds/streaks.png";
 
@@ -21,19 +24,21 @@ final class WeatherLayers {
         this.seed = seed;
     }
 
-    /** Fair-weather cumulus. */
+    /** Fair-weather cumulus, wider than high. */
     Cloud humilis() {
         var noise = noise(between(1, 220, 300, 10), between(2, 0.16, 0.22, 0.01), 0.5, CloudProfile.CUMULUS, 0);
         return water(
                 "cumulus", new Cloud.Extent.Layer(between(3, 1000, 1500, 50), between(4, 500, 800, 50)), noise, 0.06);
     }
 
+    /** Cumulus about as high as wide. */
     Cloud mediocris() {
         var noise = noise(between(1, 340, 440, 10), between(2, 0.36, 0.46, 0.01), 0.5, CloudProfile.CUMULUS, 0);
         return water(
                 "cumulus", new Cloud.Extent.Layer(between(3, 900, 1300, 50), between(4, 1000, 1500, 50)), noise, 0.07);
     }
 
+    /** A broken low sheet. */
     Cloud stratocumulus() {
         var noise = noise(between(1, 480, 620, 20), between(2, 0.68, 0.78, 0.01), 0.6, CloudProfile.STRATUS, 0);
         return water(
@@ -43,11 +48,13 @@ final class WeatherLayers {
                 0.05);
     }
 
+    /** Flakes of a thin sheet at middle height. */
     Cloud altocumulus() {
         var noise = noise(between(5, 160, 220, 10), between(6, 0.4, 0.55, 0.01), 0.5, CloudProfile.STRATUS, 0);
         return water("altocumulus", new Cloud.Extent.Layer(between(7, 3200, 4500, 100), 200), noise, 0.02);
     }
 
+    /** A closed low sheet. */
     Cloud stratus() {
         var noise = noise(between(1, 800, 1100, 50), 1, 0.3, CloudProfile.STRATUS, 0);
         return water(
@@ -60,6 +67,7 @@ final class WeatherLayers {
         return water("scud", new Cloud.Extent.Layer(between(9, 350, 450, 10), 150), noise, 0.015);
     }
 
+    /** Towers with anvils. */
     Cloud cumulonimbus() {
         var noise =
                 noise(between(1, 1200, 1500, 50), between(2, 0.88, 0.94, 0.01), 0.6, CloudProfile.CUMULONIMBUS, 0.8);
@@ -70,6 +78,7 @@ final class WeatherLayers {
                 0.06);
     }
 
+    /** Streaks of ice. */
     Cloud cirrus() {
         return ice("cirrus", new Cloud.Extent.Layer(between(10, 8000, 9500, 100), 700), streaks(1), 1.2e-3);
     }
@@ -77,12 +86,6 @@ final class WeatherLayers {
     /** Wisps high above other clouds. */
     Cloud thinCirrus() {
         return ice("cirrus", new Cloud.Extent.Layer(between(10, 8500, 9800, 100), 600), streaks(0.7), 6e-4);
-    }
-
-    /** A veil that dims the sun a little. */
-    Cloud cirrostratus() {
-        var noise = noise(between(13, 2600, 3400, 100), 0.8, 0.2, CloudProfile.STRATUS, 0);
-        return ice("cirrostratus", new Cloud.Extent.Layer(10_200, 400), noise, 2.5e-4);
     }
 
     private Noise noise(double featureMetres, double coverage, double erosion, CloudProfile profile, double anvil) {
@@ -105,8 +108,7 @@ final class WeatherLayers {
     private Cloud cloud(String genus, Cloud.Extent.Layer extent, Noise noise, double extinctionPerMetre, double g) {
         double metresPerSecond = Math.rint(between(14, 4, 9, 1) + extent.baseAltitudeMetres() / 500);
         double across = between(15, -2, 2, 1);
-        var motion =
-                new Cloud.Motion(new Vec3(metresPerSecond, 0, across), 4 * noise.featureMetres() / metresPerSecond);
+        double evolutionSeconds = Math.rint(4 * noise.featureMetres() / metresPerSecond);
         return new Cloud(
                 WeatherClouds.ID_PREFIX + genus,
                 extent,
@@ -115,12 +117,16 @@ final class WeatherLayers {
                 extinctionPerMetre,
                 1,
                 g,
-                new Cloud.Motion(motion.windMetresPerSecond(), Math.rint(motion.evolutionSeconds())));
+                new Cloud.Motion(new Vec3(metresPerSecond, 0, across), evolutionSeconds));
     }
 
-    /** Returns a multiple of {@code step} in a range, as the number that a designer would write. */
+    /**
+     * Returns a multiple of {@code step} in a range, as the number that a designer would write.
+     *
+     * @param key tells the random numbers of a seed apart
+     */
     private double between(int key, double from, double to, double step) {
-        double share = (Hash64.combine(Hash64.combine(seed, 0x77656174686572L), key) >>> 11) * 0x1p-53;
+        double share = (Hash64.combine(Hash64.combine(seed, SALT), key) >>> 11) * 0x1p-53;
         double at = Math.rint((from + share * (to - from)) / step) * step;
         return Math.rint(at * 100) / 100;
     }

@@ -7,6 +7,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.asset.VolFile;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
@@ -14,7 +15,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxSizes;
 
-/** Every file that the level names exists, and every picture can be decoded. */
+/** Every file that the level names exists, and every picture and grid can be decoded. */
 final class AssetRules {
     static final LevelRule READABLE = (level, assets, report) -> {
         Check check = new Check(assets, report, new HashMap<>());
@@ -85,17 +86,17 @@ final class AssetRules {
             if (density instanceof Cloud.Density.Image image) {
                 picture(path + ".file", image.file());
             } else if (density instanceof Cloud.Density.Grid grid) {
-                file(path + ".file", grid.file());
+                grid(path + ".file", grid.file());
             } else if (density instanceof Cloud.Density.Noise noise) {
                 picture(path + ".coverageMap", noise.coverageMap());
             }
         }
 
-        void file(String path, String id) {
-            if (!assets.exists(id)) {
-                report.accept(Problem.error(
-                                path, id + ": there is no such file; put it into the level's folder or into assets/")
-                        .about(Topic.MISSING_ASSET));
+        private void grid(String path, String id) {
+            try {
+                VolFile.parse(id, assets.bytes(id));
+            } catch (AssetException problem) {
+                report.accept(Problem.error(path, problem.getMessage()).about(Topic.MISSING_ASSET));
             }
         }
     }

@@ -52,8 +52,8 @@ final class DirectionRules {
             } else if (!(environment.sky() instanceof Sky.Atmosphere)) {
                 report.accept(Problem.error(
                         "environment.sun.directionTowardsSun",
-                        "only under a sky of the kind `atmosphere` has the hour a sun: write a direction, such as [1,"
-                                + " 2, 1], or give the level that sky"));
+                        "is missing: write a direction, such as [1, 2, 1]; only under a sky of the kind atmosphere the"
+                                + " time of day gives one"));
             }
         }
 

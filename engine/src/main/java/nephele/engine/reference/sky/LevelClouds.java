@@ -7,16 +7,22 @@ import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.CloudMedia;
+import nephele.engine.reference.volume.OutsideLight;
 import nephele.engine.reference.volume.Surroundings;
 import nephele.engine.reference.volume.VolumeTracer;
+import org.joml.Vector3d;
 
 /** The clouds of a level at a time and the light around them, without the level's surfaces. Immutable. */
 public final class LevelClouds {
+    private static final SkyRadiance BLACK = (height, x, y, z) -> new Vector3d();
+
     private final CloudMedia media;
     private final Surroundings open;
 
@@ -45,14 +51,18 @@ public final class LevelClouds {
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
         Surroundings open = isRound
                 ? OverPlanet.of(environment, groundShare(environment, loaded, seconds))
-                : OverPlain.of(environment, sky);
+                : plain(environment.sun(), sky.orElse(BLACK));
         return Optional.of(new LevelClouds(new CloudMedia(media), open));
     }
 
     private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
         var sky = (Sky.Atmosphere) environment.sky();
-        double sine = Directions.unit(environment.sun().directionTowardsSun()).y();
+        double sine = Directions.unit(Daylight.onGround(environment).directionTowardsSun()).y();
         return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
+    }
+
+    private static Surroundings plain(Sun sun, SkyRadiance sky) {
+        return sun == null ? OutsideLight.of(sky) : OutsideLight.of(sun.directionTowardsSun(), sun.irradiance(), sky);
     }
 
     public CloudMedia media() {

@@ -1,66 +1,99 @@
 package nephele.engine.reference.sky;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SkyLattice;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
+import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.volume.DistantLight;
 import nephele.engine.reference.volume.Surroundings;
 
 /**
- * The light around clouds in the air of a round planet. The sun that reaches a place is dimmed by the air above it, the
- * sky is that of the place's own height, zenith and sun; clouds shade no air.
- *
- * @param irradiance of the sun outside the air
- * @param groundShare share of its light that the ground keeps under the clouds, on the mean
+ * The light around clouds in the air of a round planet. Sun and moon that reach a place are dimmed by the air above it,
+ * the sky is that of the place's own height, zenith, sun and moon; clouds shade no air.
  */
-record OverPlanet(
-        Sky.Atmosphere atmosphere,
-        Vec3 towardsSun,
-        Vec3 irradiance,
-        SunOverPlanet sun,
-        SkyLattice sky,
-        double groundShare)
-        implements Surroundings {
+final class OverPlanet implements Surroundings {
+    private final Sky.Atmosphere atmosphere;
+    private final Vec3 outside;
+    private final Scattered sun;
+    private final Optional<Scattered> moon;
+    private final List<DistantLight> lights;
+    private final double groundShare;
+
+    /**
+     * A light that the air scatters.
+     *
+     * @param irradiance outside the air, RGB
+     */
+    private record Scattered(Vec3 towards, Vec3 irradiance, SkyLattice sky) {
+        Scattered(Air air, Vec3 towards, Vec3 irradiance) {
+            this(towards, irradiance, new SkyLattice(AirTables.of(air), towards.y()));
+        }
+
+        Vec3 from(PlanetPlace place, Vec3 direction) {
+            Vec3 radiance = sky.radiance(
+                    place.altitudeMetres(),
+                    place.zenith().dot(direction),
+                    place.zenith().dot(towards),
+                    direction.dot(towards));
+            return product(radiance, irradiance);
+        }
+    }
+
+    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundShare) {
+        this.groundShare = groundShare;
+        this.atmosphere = atmosphere;
+        outside = sun.irradiance();
+        Air air = Daylight.air(atmosphere);
+        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
+        this.sun = new Scattered(air, towardsSun, outside);
+        lights = new ArrayList<>();
+        lights.add(new LightOverPlanet(air, outside, towardsSun));
+        Moonlight night = Moonlight.of(atmosphere, sun);
+        if (night.shines()) {
+            moon = Optional.of(new Scattered(air, night.towardsMoon(), product(outside, night.irradiance())));
+            lights.add(new LightOverPlanet(air, product(outside, night.ofWholeDisc()), night.towardsMoon()));
+        } else {
+            moon = Optional.empty();
+        }
+    }
+
     /**
      * @param environment with a sky of kind atmosphere and the sun of the time
-     * @param groundShare share of its light that the ground keeps under the clouds
+     * @param groundShare share of its light that the ground keeps under the clouds, on the mean
      */
     static OverPlanet of(Environment environment, double groundShare) {
-        var atmosphere = (Sky.Atmosphere) environment.sky();
-        Air air = Daylight.air(atmosphere);
-        Vec3 towardsSun = Directions.unit(environment.sun().directionTowardsSun());
-        Vec3 irradiance = environment.sun().irradiance();
-        return new OverPlanet(
-                atmosphere,
-                towardsSun,
-                irradiance,
-                new SunOverPlanet(air, irradiance, towardsSun),
-                new SkyLattice(AirTables.of(air), towardsSun.y()),
-                groundShare);
+        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
+    }
+
+    private static Vec3 product(Vec3 a, Vec3 b) {
+        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
     }
 
     @Override
-    public Vec3 sunlight(Vec3 place) {
-        return sun.at(PlanetPlace.of(place));
+    public List<DistantLight> lights() {
+        return lights;
     }
 
     @Override
     public Vec3 skylight(Vec3 from, Vec3 direction) {
         PlanetPlace place = PlanetPlace.of(from);
-        double sine = place.zenith().dot(direction);
-        double sunSine = place.zenith().dot(towardsSun);
-        Vec3 radiance = sky.radiance(place.altitudeMetres(), sine, sunSine, direction.dot(towardsSun))
-                .plus(Heavens.nightGlow(atmosphere, sunSine, sine));
-        var ray = Ray.of(from, direction);
-        double share = PlanetPlace.reachMetres(ray) < Double.POSITIVE_INFINITY ? groundShare : 1;
-        return new Vec3(radiance.x() * irradiance.x(), radiance.y() * irradiance.y(), radiance.z() * irradiance.z())
-                .scaled(share);
+        Vec3 zenith = place.zenith();
+        Vec3 glow = Heavens.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
+        Vec3 sum = sun.from(place, direction).plus(product(glow, outside));
+        Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
+        boolean isGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
+        return isGround ? all.scaled(groundShare) : all;
     }
 
     @Override
@@ -69,7 +102,7 @@ record OverPlanet(
     }
 
     @Override
-    public boolean isSunBlocked(Ray ray) {
+    public boolean isLightBlocked(Ray ray) {
         return false;
     }
 

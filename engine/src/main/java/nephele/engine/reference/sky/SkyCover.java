@@ -10,7 +10,7 @@ import nephele.engine.reference.volume.VolumeTracer;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What is between the surfaces of a level and the light that falls on them, surfaces apart. For any number of threads. */
+/** Clouds and air between the surfaces of a level and the light that falls on them. For any number of threads. */
 public sealed interface SkyCover {
     /**
      * Returns a random number in 0 to 1 whose mean is the share of a light that passes the clouds before a place.

@@ -1,38 +1,55 @@
 package nephele.engine.reference.volume;
 
+import java.util.List;
+import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
-/**
- * The light around media in empty space: a sun without a visible disc, and a sky of one radiance in all directions.
- *
- * @param towardsSun unit length
- * @param irradiance of the sun, RGB, on a plane perpendicular to its beam
- * @param skyRadiance RGB
- */
-public record OutsideLight(Vec3 towardsSun, Vec3 irradiance, Vec3 skyRadiance) implements Surroundings {
-    /** Makes the direction a unit vector. */
-    public OutsideLight {
-        towardsSun = Directions.unit(towardsSun);
-        if (towardsSun == null) {
-            throw new IllegalArgumentException("the direction towards the sun has no length");
+/** The light around media without air: a sun without a visible disc, and a sky, which are the same everywhere. */
+public final class OutsideLight implements Surroundings {
+    private final List<DistantLight> lights;
+    private final SkyRadiance sky;
+
+    private record Sun(Vec3 towards, Vec3 irradiance) implements DistantLight {
+        @Override
+        public Vec3 irradiance(Vec3 place) {
+            return irradiance;
         }
     }
 
-    /** Returns sky light alone. */
-    public static OutsideLight sky(Vec3 radiance) {
-        return new OutsideLight(new Vec3(0, 1, 0), Vec3.ZERO, radiance);
+    private OutsideLight(List<DistantLight> lights, SkyRadiance sky) {
+        this.lights = lights;
+        this.sky = sky;
+    }
+
+    /** Returns the light of a sky alone. */
+    public static OutsideLight of(SkyRadiance sky) {
+        return new OutsideLight(List.of(), sky);
+    }
+
+    /**
+     * Returns the light of a sun and a sky.
+     *
+     * @param towardsSun of any length but zero
+     * @param irradiance of the sun, RGB, on a plane perpendicular to its beam
+     */
+    public static OutsideLight of(Vec3 towardsSun, Vec3 irradiance, SkyRadiance sky) {
+        Vec3 towards = Directions.unit(towardsSun);
+        if (towards == null) {
+            throw new IllegalArgumentException("the direction towards the sun has no length");
+        }
+        return new OutsideLight(List.of(new Sun(towards, irradiance)), sky);
     }
 
     @Override
-    public Vec3 sunlight(Vec3 place) {
-        return irradiance;
+    public List<DistantLight> lights() {
+        return lights;
     }
 
     @Override
     public Vec3 skylight(Vec3 from, Vec3 direction) {
-        return skyRadiance;
+        return Vec3.of(sky.from(from.y(), direction.x(), direction.y(), direction.z()));
     }
 
     @Override
@@ -41,7 +58,7 @@ public record OutsideLight(Vec3 towardsSun, Vec3 irradiance, Vec3 skyRadiance) i
     }
 
     @Override
-    public boolean isSunBlocked(Ray ray) {
+    public boolean isLightBlocked(Ray ray) {
         return false;
     }
 

@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 
 /**
  * Estimates the radiance that a ray receives through media, by random walks from the eye with next-event estimation
- * towards the sun. Walls are black. Unbiased: paths have no greatest length, weak ones end by Russian roulette. As many
+ * towards sun and moon. Walls are black. Unbiased: paths have no greatest length, weak ones end by Russian roulette. As many
  * threads may use it as may use its {@link Surroundings}.
  */
 public final class VolumeTracer {
@@ -57,7 +57,7 @@ public final class VolumeTracer {
     private final class Walk {
         private final SplittableRandom random;
         private final Ray ray;
-        private final Ray towardsSun = Ray.reusable();
+        private final Ray towardsLight = Ray.reusable();
         private Vec3 direction;
         private double weight = 1;
         private Vec3 sum = Vec3.ZERO;
@@ -76,7 +76,9 @@ public final class VolumeTracer {
                     return sum;
                 }
                 PhaseFunction phase = met.medium().phase();
-                addSunlight(at, phase);
+                for (DistantLight light : around.lights()) {
+                    add(light, at, phase);
+                }
                 direction = Deflection.of(direction, phase.sampleSeparation(random), random);
                 aim(ray, at, direction);
                 met = media.collision(ray, 0, around.reachMetres(ray), random);
@@ -98,17 +100,16 @@ public final class VolumeTracer {
             return weight > 0;
         }
 
-        /** Adds the sunlight that a scattering turns towards the eye. */
-        private void addSunlight(Vec3 at, PhaseFunction phase) {
-            Vec3 irradiance = around.sunlight(at);
+        /** Adds the light of sun or moon that a scattering turns towards the eye. */
+        private void add(DistantLight light, Vec3 at, PhaseFunction phase) {
+            Vec3 irradiance = light.irradiance(at);
             if (irradiance.x() + irradiance.y() + irradiance.z() == 0) {
                 return;
             }
-            Vec3 sun = around.towardsSun();
-            aim(towardsSun, at, sun);
-            if (!around.isSunBlocked(towardsSun)) {
-                double scattered = phase.perSteradian(Deflection.separation(direction, sun));
-                double share = media.transmittance(towardsSun, 0, around.reachMetres(towardsSun), random);
+            aim(towardsLight, at, light.towards());
+            if (!around.isLightBlocked(towardsLight)) {
+                double scattered = phase.perSteradian(Deflection.separation(direction, light.towards()));
+                double share = media.transmittance(towardsLight, 0, around.reachMetres(towardsLight), random);
                 sum = sum.addScaled(weight * scattered * share, irradiance);
             }
         }

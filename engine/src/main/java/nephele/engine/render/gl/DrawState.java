@@ -234,7 +234,7 @@ public final class DrawState {
     }
 
     /**
-     * What limits drawing in a view, kept while a layer of fewer pixels is drawn. One object can serve all frames.
+     * The limits of drawing in a view, kept while a layer of fewer pixels is drawn. One object can serve all frames.
      */
     public static final class Limits {
         private Stencil stencil;

@@ -1,2 +1,2 @@
-/** What the passes that draw clouds share: the cells of a cloud as textures. */
+/** The cells of a cloud as textures, shared by the passes that draw clouds. */
 package nephele.engine.render.pass.cloud;

@@ -17,7 +17,7 @@ final class SkyTableLayers {
     private Key shown;
     private CompletableFuture<Made> coming;
 
-    /** What a table depends on. */
+    /** The arguments of a table. */
     private record Key(AirTables tables, double heightMetres, double sine) {}
 
     private record Made(Key key, SkyTable table) {}

@@ -1,47 +1,44 @@
 package nephele.engine.reference;
 
+import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.PortalCrossing;
 import nephele.engine.portal.Portals;
+import nephele.engine.reference.volume.DistantLight;
 import nephele.engine.reference.volume.Surroundings;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What is around the clouds of a level: light from outside, and every solid, body, model and open portal, seen from its
+ * The surroundings of the clouds of a level: light from outside, and every solid, body, model and open portal, seen from its
  * front, as a black wall. Use one per thread.
  */
-final class Walls implements Surroundings {
+final class LevelSurroundings implements Surroundings {
     private static final Vector3dc STRAIGHT = new Vector3d();
 
     private final Surroundings open;
     private final TracedItems surfaces;
     private final Portals portals;
     private final boolean hasPortals;
-    private final boolean shadeSun;
+    private final boolean castShadows;
     private final PortalCrossing crossing = new PortalCrossing();
     private final Vector3d origin = new Vector3d();
     private final Vector3d direction = new Vector3d();
 
-    /** @param shadeSun false if the sun casts no shadows */
-    Walls(Surroundings open, TracedItems surfaces, Portals portals, boolean shadeSun) {
+    /** @param castShadows false if sun and moon cast no shadows */
+    LevelSurroundings(Surroundings open, TracedItems surfaces, Portals portals, boolean castShadows) {
         this.open = open;
         this.surfaces = surfaces;
         this.portals = portals;
-        this.shadeSun = shadeSun;
+        this.castShadows = castShadows;
         hasPortals = IntStream.range(0, portals.size()).anyMatch(portals::isOpen);
     }
 
     @Override
-    public Vec3 towardsSun() {
-        return open.towardsSun();
-    }
-
-    @Override
-    public Vec3 sunlight(Vec3 place) {
-        return open.sunlight(place);
+    public List<DistantLight> lights() {
+        return open.lights();
     }
 
     @Override
@@ -55,8 +52,8 @@ final class Walls implements Surroundings {
     }
 
     @Override
-    public boolean isSunBlocked(Ray ray) {
-        return shadeSun && isPathBlocked(ray, Double.POSITIVE_INFINITY);
+    public boolean isLightBlocked(Ray ray) {
+        return castShadows && isPathBlocked(ray, Double.POSITIVE_INFINITY);
     }
 
     @Override

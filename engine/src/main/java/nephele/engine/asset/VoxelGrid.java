@@ -1,4 +1,4 @@
-package nephele.engine.cloud.field;
+package nephele.engine.asset;
 
 import nephele.engine.math.Aabb;
 
@@ -18,12 +18,12 @@ public record VoxelGrid(int nx, int ny, int nz, Aabb box, float[] values) {
     }
 
     /** Returns the same densities with another region. */
-    VoxelGrid movedTo(Aabb region) {
+    public VoxelGrid movedTo(Aabb region) {
         return new VoxelGrid(nx, ny, nz, region, values);
     }
 
     /** Returns the density of a voxel. */
-    float value(int i, int j, int k) {
+    public float value(int i, int j, int k) {
         return values[(k * ny + j) * nx + i];
     }
 }

@@ -1,8 +1,7 @@
-package nephele.engine.cloud.field;
+package nephele.engine.asset;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import nephele.engine.asset.AssetException;
 import nephele.engine.math.Aabb;
 
 /**

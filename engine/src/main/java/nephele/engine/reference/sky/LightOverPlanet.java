@@ -4,13 +4,14 @@ import java.util.concurrent.atomic.AtomicReferenceArray;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.volume.DistantLight;
 
 /**
- * The sun's irradiance at places over the planet: what the air above lets pass, and as much of the disc as the planet does
- * not hide; on the ground as {@link Daylight#onGround}. The air's transmittance is integrated at nodes of height and angle
+ * Sun or moon at places over the planet: what the air above lets pass, and as much of the disc as the planet does not hide;
+ * on the ground as {@link Daylight#onGround}. The air's transmittance is integrated at nodes of height and angle
  * above the horizon, when it is first needed; between them its logarithm is linear. Threads may share it.
  */
-final class SunOverPlanet {
+final class LightOverPlanet implements DistantLight {
     private static final int HEIGHTS = 513;
     private static final int NODES_PER_DEGREE = 20;
     private static final int MOST_DEGREES = 101;
@@ -19,25 +20,31 @@ final class SunOverPlanet {
 
     private final Air air;
     private final Vec3 outside;
-    private final Vec3 towardsSun;
+    private final Vec3 towards;
     /** For each angle above the horizon the logarithms for each height and wavelength. */
     private final AtomicReferenceArray<double[]> logarithms =
             new AtomicReferenceArray<>(MOST_DEGREES * NODES_PER_DEGREE + 1);
 
     /**
      * @param outside irradiance above the air, RGB
-     * @param towardsSun unit
+     * @param towards unit
      */
-    SunOverPlanet(Air air, Vec3 outside, Vec3 towardsSun) {
+    LightOverPlanet(Air air, Vec3 outside, Vec3 towards) {
         this.air = air;
         this.outside = outside;
-        this.towardsSun = towardsSun;
+        this.towards = towards;
     }
 
-    /** Returns the RGB irradiance on a plane perpendicular to the beam. */
-    Vec3 at(PlanetPlace place) {
+    @Override
+    public Vec3 towards() {
+        return towards;
+    }
+
+    @Override
+    public Vec3 irradiance(Vec3 at) {
+        PlanetPlace place = PlanetPlace.of(at);
         double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
-        double elevation = Math.asin(Math.max(-1, Math.min(1, place.zenith().dot(towardsSun))));
+        double elevation = Math.asin(Math.max(-1, Math.min(1, place.zenith().dot(towards))));
         double above = elevation - horizonRadians(height);
         double seen = Daylight.shareAboveHorizon(above);
         if (seen == 0) {

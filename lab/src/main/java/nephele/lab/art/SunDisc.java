@@ -1,0 +1,48 @@
+package nephele.lab.art;
+
+import java.util.Optional;
+import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.SkyTable;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * The sun's disc over an atmosphere as an eye sees it, with the limb darkening of {@code atmosphere.frag}: Eddington's
+ * law, with the mean of the disc 1. Traced pictures are without it.
+ *
+ * @param towardsSun unit
+ * @param radiance the mean of the disc outside the air, dimmed by clouds
+ */
+record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
+    /** @param share of the sun's light that passes the clouds */
+    static Optional<SunDisc> of(Sky.Atmosphere sky, Sun sun, Vec3 eye, double share) {
+        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
+        double height = Math.max(0, eye.y());
+        double above = Math.asin(towardsSun.y()) + Daylight.SUN_RADIUS_RADIANS;
+        double radius = Daylight.SUN_RADIUS_RADIANS;
+        return above > SkyTable.horizonRadians(height)
+                ? Optional.of(new SunDisc(
+                        towardsSun,
+                        sun.irradiance().scaled(share / (Math.PI * radius * radius)),
+                        Daylight.air(sky),
+                        height))
+                : Optional.empty();
+    }
+
+    /** Returns the disc's radiance in a unit direction, zero beside it and below the horizon. */
+    Vec3 towards(Vec3 direction) {
+        double fromMiddle = direction.minus(towardsSun).length() / Daylight.SUN_RADIUS_RADIANS;
+        if (fromMiddle >= 1 || Math.asin(direction.y()) < SkyTable.horizonRadians(eyeHeight)) {
+            return Vec3.ZERO;
+        }
+        Vec3 through = air.transmittance(eyeHeight, direction.y());
+        double limb = 0.5 + 0.75 * Math.sqrt(1 - fromMiddle * fromMiddle);
+        return new Vec3(
+                radiance.x() * through.x() * limb,
+                radiance.y() * through.y() * limb,
+                radiance.z() * through.z() * limb);
+    }
+}
