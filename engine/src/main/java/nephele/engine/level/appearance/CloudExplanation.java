@@ -8,7 +8,7 @@ import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.WordFormats;
 
-/** The lines of {@code explain} about clouds: how many are drawn, and which ones a weather adds. */
+/** The lines of {@code explain} about clouds: how they are drawn, and which ones a weather adds. */
 public final class CloudExplanation {
     private CloudExplanation() {}
 

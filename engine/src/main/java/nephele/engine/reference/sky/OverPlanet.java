@@ -20,7 +20,7 @@ import nephele.engine.reference.volume.Surroundings;
 
 /**
  * The light around clouds in the air of a round planet. Sun and moon that reach a place are dimmed by the air above it,
- * the sky is that of the place's own height, zenith, sun and moon; clouds shade no air.
+ * the sky is that of the place's own height, zenith, sun and moon; clouds shade no air, and the ground on the mean.
  */
 final class OverPlanet implements Surroundings {
     private final Sky.Atmosphere atmosphere;
@@ -70,7 +70,7 @@ final class OverPlanet implements Surroundings {
 
     /**
      * @param environment with a sky of kind atmosphere and the sun of the time
-     * @param groundShare share of its light that the ground keeps under the clouds, on the mean
+     * @param groundShare share of its light that the ground keeps under the clouds
      */
     static OverPlanet of(Environment environment, double groundShare) {
         return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
@@ -92,8 +92,8 @@ final class OverPlanet implements Surroundings {
         Vec3 glow = Heavens.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
         Vec3 sum = sun.from(place, direction).plus(product(glow, outside));
         Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
-        boolean isGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
-        return isGround ? all.scaled(groundShare) : all;
+        boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
+        return meetsGround ? all.scaled(groundShare) : all;
     }
 
     @Override
