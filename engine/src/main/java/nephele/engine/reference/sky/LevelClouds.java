@@ -57,7 +57,8 @@ public final class LevelClouds {
 
     private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
         var sky = (Sky.Atmosphere) environment.sky();
-        double sine = Directions.unit(Daylight.onGround(environment).directionTowardsSun()).y();
+        double sine = Directions.unit(Daylight.onGround(environment).directionTowardsSun())
+                .y();
         return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
     }
 
