@@ -15,7 +15,7 @@ class SingleScatteringTest {
         List<AtmosphereRow> rows = AtmosphereRow.read("atmosphere_single.csv");
         assertEquals(40, rows.size());
         Air air = Air.CLEAR;
-        SingleScattering source = new SingleScattering(air, new SunTransmittance(air));
+        SingleScattering source = new SingleScattering(air, new Sunlight(new SunTransmittance(air), 0));
         AirIntegral integral = new AirIntegral(air, AirIntegral.FINE);
         AirRay ray = new AirRay();
         double[] radiance = new double[6];

@@ -10,9 +10,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class SkyTableTest {
     private static final AirTables CLEAR = AirTables.of(Air.CLEAR);
-    /** Per unit solar irradiance. */
-    private static final double SUNSET_MEAN = 0.005;
-
     private static final int DIRECTIONS = 700;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
@@ -30,28 +27,29 @@ class SkyTableTest {
         return 0.2126 * rgb.x() + 0.7152 * rgb.y() + 0.0722 * rgb.z();
     }
 
-    /** From 80 km with the sun behind the limb, the limb is 200 times the mean: there the RMSE has another bound. */
     @ParameterizedTest
     @CsvSource({
-        "0, 90, 0.01",
-        "2, 40, 0.01",
-        "2, 10, 0.01",
-        "2, 1, 0.01",
-        "2, 0, 0.01",
-        "2, -2, 0.01",
-        "2, -6, 0.01",
-        "2, -10, 0.01",
-        "1500, 5, 0.01",
-        "10000, 30, 0.01",
-        "10000, 0, 0.01",
-        "10000, -5, 0.01",
-        "35000, 3, 0.01",
-        "35000, -4, 0.01",
-        "80000, 60, 0.01",
-        "80000, 0, 0.01",
-        "80000, -8, 0.1"
+        "0, 90",
+        "2, 40",
+        "2, 10",
+        "2, 1",
+        "2, 0",
+        "2, -2",
+        "2, -6",
+        "2, -10",
+        "1500, 5",
+        "10000, 30",
+        "10000, 0",
+        "10000, -5",
+        "35000, 3",
+        "35000, -4",
+        "80000, 60",
+        "80000, 0",
+        "38000, -8",
+        "80000, -6",
+        "80000, -8"
     })
-    void theTableFollowsTheIntegrationOverTheWholeDome(double height, double sunDegrees, double mostRmse) {
+    void theTableFollowsTheIntegrationOverTheWholeDome(double height, double sunDegrees) {
         Vec3 sun = sun(sunDegrees);
         SkyTable table = new SkyTable(CLEAR, height, sun.y());
         ClearSky sky = new ClearSky(CLEAR);
@@ -68,43 +66,24 @@ class SkyTableTest {
             assertTrue(error <= 0.05 * exact[i] + 0.005 * mean, direction(i) + ": " + error + " of " + exact[i]);
         }
         double rmse = Math.sqrt(squares) / mean;
-        assertTrue(rmse <= mostRmse, "luminance RMSE " + rmse);
+        assertTrue(rmse <= 0.01, "luminance RMSE " + rmse);
     }
 
     @Test
     void theTableFollowsTheMonteCarloRowsToo() {
         double height = Double.NaN;
         double elevation = Double.NaN;
+        AirTables pointSun = AirTables.of(Air.CLEAR.withSunRadius(0));
         SkyTable table = null;
         int count = 0;
         for (AtmosphereRow row : AtmosphereRow.read("atmosphere.csv")) {
             if (row.eyeHeight() != height || row.sunElevation() != elevation) {
                 height = row.eyeHeight();
                 elevation = row.sunElevation();
-                table = new SkyTable(CLEAR, height, Math.sin(Math.toRadians(elevation)));
+                table = new SkyTable(pointSun, height, Math.sin(Math.toRadians(elevation)));
             }
             count += row.isMetBy(table.radiance(row.direction(), sun(elevation)), 0.05, 0.005) ? 1 : 0;
         }
         assertEquals(460, count);
-    }
-
-    /** At a fixed exposure that shows the mean of the dome as middle grey at sunset. */
-    @Test
-    void sunHeightsInStepsOfAHundredthDegreeChangeNoCodeByMoreThanTwo() {
-        double[] before = null;
-        for (int step = -12; step <= 8; step++) {
-            double degrees = step / 100.0;
-            SkyTable table = new SkyTable(CLEAR, 2, sun(degrees).y());
-            double[] now = new double[60];
-            for (int i = 0; i < now.length; i++) {
-                double light = luminance(table.radiance(direction(i * DIRECTIONS / now.length), sun(degrees)));
-                assertTrue(light >= 0 && Double.isFinite(light), "no light is negative");
-                now[i] = 255 * Math.pow(Math.min(1, 0.18 * light / SUNSET_MEAN), 1 / 2.2);
-            }
-            for (int i = 0; before != null && i < now.length; i++) {
-                assertEquals(before[i], now[i], 2, degrees + " degrees, " + direction(i * DIRECTIONS / now.length));
-            }
-            before = now;
-        }
     }
 }

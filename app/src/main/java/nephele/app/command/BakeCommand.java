@@ -122,7 +122,7 @@ final class BakeCommand implements Command {
         int count = samples != null ? samples : trace.hasClouds() ? USUAL_CLOUDED_SAMPLES : USUAL_SAMPLES;
         TraceSettings settings = SkyboxTrace.settings(side, count);
         List<ResumableTrace.Part> parts = trace.parts(settings, folder, sky);
-        BakedSkybox faces = PartWork.done(() -> trace.run(parts, settings, terminal.err()));
+        BakedSkybox faces = WrittenFile.ofParts(() -> trace.run(parts, settings, terminal.err()));
         write(faces, folder, Daylight.lit(opened.level()));
         parts.forEach(part -> WrittenFile.write(part.file(), file -> part.forget()));
         terminal.out().println(target + " and six pictures of " + side + " pixels");

@@ -134,7 +134,7 @@ final class ReferenceOptions {
 
     /** Writes what the parts make. */
     void merge(Path out) {
-        TiledPicture picture = PartWork.done(() -> MergedParts.of(parts));
+        TiledPicture picture = WrittenFile.ofParts(() -> MergedParts.of(parts));
         WrittenFile.write(out, file -> writePfm(picture, picture.rgb(), file));
         writeError(picture);
     }
@@ -183,7 +183,8 @@ final class ReferenceOptions {
                 new PartHeader(settings.tiles(), Optional.ofNullable(shard).orElse(Shard.WHOLE), facts),
                 eye);
         var trace = new ResumableTrace(List.of(part), terminal.err());
-        TiledPicture traced = PartWork.done(() -> trace.run(level, settings)).get(0);
+        TiledPicture traced =
+                WrittenFile.ofParts(() -> trace.run(level, settings)).get(0);
         if (shard == null) {
             save.accept(traced.rgb());
             writeError(traced);

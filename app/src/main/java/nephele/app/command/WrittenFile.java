@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.reference.tile.PartFileException;
 import nephele.engine.terminal.CommandFailure;
 
 /** Writes the files that a user requested; a missing folder is made. */
@@ -26,6 +27,24 @@ final class WrittenFile {
             writer.write(file);
         } catch (IOException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
+        }
+    }
+
+    /** Work on the part files of a traced picture. */
+    @FunctionalInterface
+    interface PartWork<T> {
+        T run() throws IOException;
+    }
+
+    /** Returns the result of work on part files, whose failures name the file and the reason. */
+    static <T> T ofParts(PartWork<T> work) {
+        try {
+            return work.run();
+        } catch (PartFileException unusable) {
+            throw CommandFailure.input(unusable.getMessage());
+        } catch (IOException failure) {
+            throw CommandFailure.environment(
+                    failure.getMessage() == null ? AtomicFile.reason(failure) : failure.getMessage(), failure);
         }
     }
 }

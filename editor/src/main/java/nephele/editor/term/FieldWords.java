@@ -123,6 +123,7 @@ public final class FieldWords {
             word("sky", "Sky", "Céu", "Céu"),
             word("solids", "Solids", "Sólidos", "Sólidos"),
             word("sun", "Sun", "Sol", "Sol"),
+            word("sunRadiusDegrees", "Radius of the sun", "Raio do Sol", "Raio do Sol"),
             word("target", "Target", "Alvo", "Alvo"),
             word("technique", "Technique", "Técnica", "Técnica"),
             word("texture", "Texture", "Textura", "Textura"),

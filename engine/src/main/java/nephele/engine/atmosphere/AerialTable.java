@@ -68,7 +68,7 @@ public final class AerialTable {
     private void fillRow(AirTables tables, int row, double[] distances) {
         AirIntegral integral = new AirIntegral(tables.air(), AirIntegral.SHORT);
         AirSource source = new AllScattering(tables);
-        AirRay ray = new AirRay(distances.length);
+        AirRay ray = new AirRay(tables.air().sunRadiusRadians(), distances.length);
         double[] light = new double[2 * CHANNELS * distances.length];
         double sine = sine(row);
         double sines = Math.sqrt((1 - sine * sine) * Math.max(0, 1 - sunSine * sunSine));

@@ -3,7 +3,7 @@ package nephele.engine.atmosphere;
 import nephele.engine.math.Vec3;
 
 /**
- * The gases and aerosols around the planet, for 680, 550 and 440 nm (red, green, blue): Rayleigh scattering, Mie
+ * The gases and aerosols around the planet and the sun above them, for 680, 550 and 440 nm (red, green, blue): Rayleigh scattering, Mie
  * scattering and absorption, both falling exponentially with height, and a layer of ozone that absorbs. Constants: E.
  * Bruneton and F. Neyret, "Precomputed Atmospheric Scattering", 2008, section 4, with the ozone of E. Bruneton's
  * implementation of 2017.
@@ -12,9 +12,10 @@ import nephele.engine.math.Vec3;
  * @param mieScale factor on the aerosols; 1 is clear air
  * @param mieG asymmetry of the aerosols' phase function, in (-1, 1)
  * @param ozoneScale factor on the ozone
+ * @param sunRadiusRadians angular radius of the sun's disc; 0 is a point, whose shadow has a hard edge
  */
-public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneScale) {
-    public static final Air CLEAR = new Air(new Vec3(0.3, 0.3, 0.3), 1, 0.8, 1);
+public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneScale, double sunRadiusRadians) {
+    public static final Air CLEAR = new Air(new Vec3(0.3, 0.3, 0.3), 1, 0.8, 1, SunOverLimb.RADIUS_RADIANS);
 
     public static final double PLANET_RADIUS_METRES = 6_360_000;
     public static final double TOP_METRES = 100_000;
@@ -36,6 +37,16 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
 
     /** Heights between which a polynomial follows the extinction well; the ozone has kinks at three of them. */
     static final double[] LAYERS_METRES = {600, 2_000, 5_000, 10_000, 17_000, 25_000, 40_000, 65_000};
+
+    /** Returns the same air under a sun of another angular radius. */
+    public Air withSunRadius(double radians) {
+        return new Air(groundAlbedo, mieScale, mieG, ozoneScale, radians);
+    }
+
+    /** Returns true if the light that is scattered more than once, which does not depend on the disc, is clear air's. */
+    public boolean isClear() {
+        return equals(CLEAR.withSunRadius(sunRadiusRadians));
+    }
 
     /** Returns the scattering by molecules at the ground, per metre. */
     static double rayleighPerMetre(int channel) {
@@ -74,6 +85,23 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
         double[] depth = new double[CHANNELS];
         new AirIntegral(this, AirIntegral.FINE).putDepth(ray, depth);
         return new Vec3(Math.exp(-depth[0]), Math.exp(-depth[1]), Math.exp(-depth[2]));
+    }
+
+    /**
+     * Returns the share of the sun's irradiance that reaches a plane perpendicular to its beam: what the air lets pass
+     * of the part of the disc that the planet does not hide.
+     *
+     * @param sunSine of the elevation of the sun's middle
+     */
+    public Vec3 sunlight(double heightMetres, double sunSine) {
+        SunOverLimb disc = SunOverLimb.seen(sunRadiusRadians, heightMetres, sunSine);
+        if (disc.share() == 0) {
+            return Vec3.ZERO;
+        }
+        double horizon = Math.sin(SkyTable.horizonRadians(heightMetres)) + 1e-9;
+        Vec3 low = transmittance(heightMetres, Math.max(horizon, disc.lowSine()));
+        Vec3 high = transmittance(heightMetres, Math.max(horizon, disc.highSine()));
+        return low.plus(high).scaled(0.5 * disc.share());
     }
 
     /** Returns the phase function of molecules, per steradian: Rayleigh's, without polarisation. */

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * A ray through the air in the frame of the planet, and the point on it that is looked at. The ray ends at the ground or
  * at the top of the air. It is cut where an integrand is not smooth: at heights, at the point nearest to the planet, at
- * the edge of the planet's shadow.
+ * the edges of the planet's shadow.
  */
 final class AirRay {
     private static final double PLANET = Air.PLANET_RADIUS_METRES;
@@ -16,6 +16,7 @@ final class AirRay {
     private double betweenCosine;
     private double lengthMetres;
     private boolean hitsGround;
+    private final double sunRadiusRadians;
     private final double[] cuts;
     private int cutCount;
 
@@ -23,13 +24,18 @@ final class AirRay {
     private double pointZenithCosine;
     private double pointSunCosine;
 
+    /** A ray under a sun that is a point. */
     AirRay() {
-        this(0);
+        this(0, 0);
     }
 
-    /** @param moreCuts the greatest number of distances at which a segment is cut besides */
-    AirRay(int moreCuts) {
-        cuts = new double[2 * Air.LAYERS_METRES.length + 10 + moreCuts];
+    /**
+     * @param sunRadiusRadians angular radius of the sun, which makes the edge of the shadow wide
+     * @param moreCuts the greatest number of distances at which a segment is cut besides
+     */
+    AirRay(double sunRadiusRadians, int moreCuts) {
+        this.sunRadiusRadians = sunRadiusRadians;
+        cuts = new double[2 * Air.LAYERS_METRES.length + 14 + moreCuts];
     }
 
     /**
@@ -95,7 +101,11 @@ final class AirRay {
         for (double height : Air.LAYERS_METRES) {
             cutAtHeight(height);
         }
-        cutAtShadow();
+        cutAtShadow(0);
+        if (sunRadiusRadians > 0) {
+            cutAtShadow(-sunRadiusRadians);
+            cutAtShadow(sunRadiusRadians);
+        }
         Arrays.sort(cuts, 0, cutCount);
     }
 
@@ -108,22 +118,23 @@ final class AirRay {
         }
     }
 
-    /** The shadow is a half cylinder; cuts where the ray meets its other half do no harm. */
-    private void cutAtShadow() {
-        double a = 1 - betweenCosine * betweenCosine;
-        double b = radius * (zenithCosine - sunCosine * betweenCosine);
-        double c = halfChordOfSunSquared(radius, sunCosine);
+    /**
+     * Cuts where the sun's middle has an angle above the horizon: on a half cone around the axis of the planet's shadow
+     * that touches the planet. Cuts where the ray meets its other half do no harm.
+     */
+    private void cutAtShadow(double aboveHorizonRadians) {
+        double s = Math.sin(aboveHorizonRadians);
+        double square = 1 - s * s;
+        double fromLimb = radius * sunCosine - PLANET * s;
+        double a = square - betweenCosine * betweenCosine;
+        double b = radius * zenithCosine * square - betweenCosine * fromLimb;
+        double c = (radius - PLANET) * (radius + PLANET) * square - fromLimb * fromLimb;
         double root = b * b - a * c;
-        if (a > 1e-14 && root > 0) {
-            add((-b - Math.sqrt(root)) / a);
-            add((-b + Math.sqrt(root)) / a);
+        if (root > 0) {
+            double q = -b - Math.copySign(Math.sqrt(root), b);
+            add(q / a);
+            add(c / q);
         }
-    }
-
-    /** Returns the squared distance of a point to the axis of the shadow, less that of the shadow's edge. */
-    private static double halfChordOfSunSquared(double radius, double sunCosine) {
-        double along = radius * sunCosine;
-        return (radius - PLANET) * (radius + PLANET) - along * along;
     }
 
     private void add(double distance) {
@@ -144,16 +155,6 @@ final class AirRay {
 
     private static double clamped(double cosine) {
         return Math.max(-1, Math.min(1, cosine));
-    }
-
-    /** Returns true if the planet hides the sun from the point. */
-    boolean isInShadow() {
-        return isInShadow(pointHeightMetres, pointSunCosine);
-    }
-
-    /** Returns true if the planet hides the middle of the sun. */
-    static boolean isInShadow(double heightMetres, double sunCosine) {
-        return sunCosine < 0 && halfChordOfSunSquared(PLANET + heightMetres, sunCosine) < 0;
     }
 
     double lengthMetres() {

@@ -25,7 +25,7 @@ public final class AirTables {
      */
     public static AirTables of(Air air, AirFiles files, DoubleConsumer progress) {
         SunTransmittance sun = new SunTransmittance(air);
-        if (air.equals(Air.CLEAR)) {
+        if (air.isClear()) {
             return new AirTables(air, sun, LightFieldFile.clear().refined());
         }
         String name = LightFieldFile.nameFor(air);
@@ -53,8 +53,9 @@ public final class AirTables {
         return air;
     }
 
-    SunTransmittance sun() {
-        return sun;
+    /** Returns the light of the sun for one thread. */
+    Sunlight sunlight() {
+        return new Sunlight(sun, air.sunRadiusRadians());
     }
 
     LightField field() {

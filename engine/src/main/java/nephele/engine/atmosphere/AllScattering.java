@@ -9,7 +9,7 @@ final class AllScattering implements AirSource {
 
     AllScattering(AirTables tables) {
         air = tables.air();
-        once = new SingleScattering(air, tables.sun());
+        once = new SingleScattering(air, tables.sunlight());
         more = new RepeatedScattering(air, tables.field(), tables.mieMoments());
     }
 

@@ -15,10 +15,12 @@ public final class ClearSky {
     private static final int CHANNELS = Air.CHANNELS;
 
     private final AirTables tables;
+    private final Sunlight sun;
     private final SingleScattering once;
     private final RepeatedScattering more;
     private final AirIntegral integral;
-    private final AirRay ray = new AirRay();
+    private final AirIntegral integralMore;
+    private final AirRay ray;
     private final double[] parts = new double[PARTS * CHANNELS];
     private final double[] single = new double[2 * CHANNELS];
     private final double[] multiple = new double[CHANNELS];
@@ -27,14 +29,21 @@ public final class ClearSky {
     private final double[] diffuse = new double[CHANNELS];
 
     public ClearSky(AirTables tables) {
-        this(tables, AirIntegral.FINE);
+        this(tables, AirIntegral.FINE, AirIntegral.FINE);
     }
 
-    ClearSky(AirTables tables, GaussLegendre rule) {
+    /**
+     * @param ruleOnce for light scattered once, which changes fast at the edge of the shadow
+     * @param ruleMore for light scattered more often
+     */
+    ClearSky(AirTables tables, GaussLegendre ruleOnce, GaussLegendre ruleMore) {
         this.tables = tables;
-        once = new SingleScattering(tables.air(), tables.sun());
+        ray = new AirRay(tables.air().sunRadiusRadians(), 0);
+        sun = tables.sunlight();
+        once = new SingleScattering(tables.air(), sun);
         more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
-        integral = new AirIntegral(tables.air(), rule);
+        integral = new AirIntegral(tables.air(), ruleOnce);
+        integralMore = new AirIntegral(tables.air(), ruleMore);
     }
 
     /**
@@ -81,7 +90,7 @@ public final class ClearSky {
     /** Puts the parts of the radiance; the phase functions are left to be multiplied to the first two. */
     void put(AirRay along, double[] radiance) {
         integral.put(along, once, single, transmittance);
-        integral.put(along, more, multiple, transmittance);
+        integralMore.put(along, more, multiple, transmittance);
         System.arraycopy(single, 0, radiance, 0, single.length);
         System.arraycopy(multiple, 0, radiance, single.length, CHANNELS);
         if (along.hitsGround()) {
@@ -92,12 +101,12 @@ public final class ClearSky {
     private void addGround(AirRay along, double[] radiance) {
         along.lookAt(along.lengthMetres());
         double cosine = along.pointSunCosine();
-        tables.sun().put(0, cosine, direct);
+        sun.putOnGround(cosine, direct);
         tables.field().putGroundIrradiance(cosine, diffuse);
         Vec3 albedo = tables.air().groundAlbedo();
         double[] reflected = {albedo.x(), albedo.y(), albedo.z()};
         for (int c = 0; c < CHANNELS; c++) {
-            double irradiance = Math.max(0, cosine) * direct[c] + diffuse[c];
+            double irradiance = direct[c] + diffuse[c];
             radiance[2 * CHANNELS + c] += reflected[c] / Math.PI * transmittance[c] * irradiance;
         }
     }

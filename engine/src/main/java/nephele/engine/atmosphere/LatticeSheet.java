@@ -81,7 +81,7 @@ final class LatticeSheet {
         double sine = isSky ? LatticeRow.skySine(height, row) : LatticeRow.groundSine(height, row - LatticeRow.SKY);
         double level = Math.sqrt(Math.max(0, (1 - sine * sine) * (1 - sunCosine * sunCosine)));
         ClearSky sky = new ClearSky(tables);
-        AirRay ray = new AirRay();
+        AirRay ray = new AirRay(tables.air().sunRadiusRadians(), 0);
         double[] parts = new double[VALUES];
         double[] nodes = new double[AZIMUTHS * VALUES];
         for (int k = 0; k < AZIMUTHS; k++) {

@@ -113,7 +113,7 @@ final class ScatteringOrders {
     /** Light of one order along rays. Not for several threads. */
     private static final class Order {
         private final Air air;
-        private final SunTransmittance sun;
+        private final Sunlight sun;
         private final LightField before;
         private final AirSource source;
         private final AirIntegral integral;
@@ -125,16 +125,16 @@ final class ScatteringOrders {
         /** The first order. */
         Order(Air air, SunTransmittance sun) {
             this.air = air;
-            this.sun = sun;
+            this.sun = new Sunlight(sun, 0);
             before = null;
-            source = new SingleScattering(air, sun);
+            source = new SingleScattering(air, this.sun);
             integral = new AirIntegral(air, AirIntegral.COARSE);
         }
 
         /** The order after that of a field. */
         Order(Air air, SunTransmittance sun, LightField before, double[] mieMoments) {
             this.air = air;
-            this.sun = sun;
+            this.sun = new Sunlight(sun, 0);
             this.before = before;
             source = new RepeatedScattering(air, before, mieMoments);
             integral = new AirIntegral(air, AirIntegral.COARSE);
@@ -160,14 +160,13 @@ final class ScatteringOrders {
             ray.lookAt(ray.lengthMetres());
             double cosine = ray.pointSunCosine();
             if (before == null) {
-                sun.put(0, cosine, atGround);
+                sun.putOnGround(cosine, atGround);
             } else {
                 before.putGroundIrradiance(cosine, atGround);
             }
-            double share = (before == null ? Math.max(0, cosine) : 1) / Math.PI;
-            radiance[0] += share * air.groundAlbedo().x() * transmittance[0] * atGround[0];
-            radiance[1] += share * air.groundAlbedo().y() * transmittance[1] * atGround[1];
-            radiance[2] += share * air.groundAlbedo().z() * transmittance[2] * atGround[2];
+            radiance[0] += air.groundAlbedo().x() * transmittance[0] * atGround[0] / Math.PI;
+            radiance[1] += air.groundAlbedo().y() * transmittance[1] * atGround[1] / Math.PI;
+            radiance[2] += air.groundAlbedo().z() * transmittance[2] * atGround[2] / Math.PI;
         }
     }
 }

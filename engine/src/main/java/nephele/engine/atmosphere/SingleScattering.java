@@ -1,17 +1,15 @@
 package nephele.engine.atmosphere;
 
-import java.util.Arrays;
-
 /**
  * Sunlight scattered once: the first colour by molecules, the second by aerosols. The phase functions, which are the same
  * all along a ray, are left to be multiplied.
  */
 final class SingleScattering implements AirSource {
     private final Air air;
-    private final SunTransmittance sun;
+    private final Sunlight sun;
     private final double[] sunlight = new double[Air.CHANNELS];
 
-    SingleScattering(Air air, SunTransmittance sun) {
+    SingleScattering(Air air, Sunlight sun) {
         this.air = air;
         this.sun = sun;
     }
@@ -23,10 +21,6 @@ final class SingleScattering implements AirSource {
 
     @Override
     public void put(AirRay ray, double[] radiancePerMetre) {
-        if (ray.isInShadow()) {
-            Arrays.fill(radiancePerMetre, 0, 2 * Air.CHANNELS, 0);
-            return;
-        }
         double height = ray.pointHeightMetres();
         sun.put(height, ray.pointSunCosine(), sunlight);
         double mie = air.miePerMetre(height);

@@ -12,9 +12,9 @@ import nephele.engine.math.Vec3;
  * unit solar irradiance. The square roots are stored and interpolated, since the light falls exponentially. Immutable.
  */
 public final class SkyTable {
-    public static final int SKY_ROWS = 128;
-    public static final int GROUND_ROWS = 40;
-    public static final int AZIMUTHS = 80;
+    public static final int SKY_ROWS = 152;
+    public static final int GROUND_ROWS = 64;
+    public static final int AZIMUTHS = 88;
     /** Tangent of half the elevation up to which half of the sky's rows are. */
     private static final double BAND = Math.tan(Math.toRadians(4));
     /** From above this height most of the sky's rows lie in the limb, which may be far brighter than the rest. */
@@ -52,8 +52,8 @@ public final class SkyTable {
     }
 
     private void fillRow(AirTables tables, double height, double sunCosine, int row) {
-        ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE);
-        AirRay ray = new AirRay();
+        ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE, AirIntegral.COARSE);
+        AirRay ray = new AirRay(tables.air().sunRadiusRadians(), 0);
         double[] parts = new double[ClearSky.PARTS * CHANNELS];
         double t = elevation(row);
         double sine = 2 * t / (1 + t * t);

@@ -40,6 +40,8 @@ public sealed interface Sky {
      * @param dayOfYear 1 is the first of January
      * @param timeOfDayHours true solar time; 12 is noon
      * @param dayLengthSeconds simulated time of a day of 24 hours; 0 for a sun that stands still
+     * @param sunRadiusDegrees angular radius of the sun's disc; 0 for a point, which is not drawn and whose shadow in the
+     *     air has a hard edge
      */
     record Atmosphere(
             @Written(absent = "0.3", min = 0, max = 1) double groundAlbedo,
@@ -49,10 +51,11 @@ public sealed interface Sky {
             @Written(absent = "45", min = -90, max = 90) double latitudeDegrees,
             @Written(absent = "172", min = 1, max = 366) double dayOfYear,
             @Written(absent = "10", min = 0, max = 24) double timeOfDayHours,
-            @Written(min = 0, max = 1e9) double dayLengthSeconds)
+            @Written(min = 0, max = 1e9) double dayLengthSeconds,
+            @Written(absent = "0.2666", min = 0, max = 5) double sunRadiusDegrees)
             implements Sky {
         /** Clear air in the morning of a summer's day. */
-        public static final Atmosphere CLEAR = new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 10, 0);
+        public static final Atmosphere CLEAR = new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 10, 0, 0.2666);
 
         /** Returns the sky of the same place and hour with the air and the ground of another one. */
         public Atmosphere withAirOf(Atmosphere other) {
@@ -64,7 +67,8 @@ public sealed interface Sky {
                     latitudeDegrees,
                     dayOfYear,
                     timeOfDayHours,
-                    dayLengthSeconds);
+                    dayLengthSeconds,
+                    sunRadiusDegrees);
         }
     }
 }

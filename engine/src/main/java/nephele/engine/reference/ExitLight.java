@@ -9,8 +9,8 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * The light that the curtains of exits add along a path: the integral of their emission, attenuated by fog. A segment's
- * two ways through a shell are integrated one by one with the midpoint rule. While exposure is auto, the light is
+ * The light that the curtains of exits add along a path: the integral of their emission, attenuated by fog and air. A
+ * segment's two ways through a shell are integrated one by one with the midpoint rule; the air is that at its middle. While exposure is auto, the light is
  * infinite, so that metering leaves its pixels out; see {@link TracedExposure}.
  */
 final class ExitLight {
@@ -81,12 +81,18 @@ final class ExitLight {
         double begin = Math.max(from, 0);
         double end = Math.min(to, segment.metres());
         double step = (end - begin) / STEPS;
-        for (int i = 0; i < STEPS && step > 0; i++) {
+        if (step <= 0) {
+            return;
+        }
+        double middle = (begin + end) / 2;
+        Vec3 place = segment.origin().addScaled(middle, segment.direction());
+        Vector3d air = level.airTransmittance(place, segment.direction(), segment.metresBefore() + middle);
+        for (int i = 0; i < STEPS; i++) {
             double metres = begin + (i + 0.5) * step;
             Vec3 emission = curtain.emissionPerMetre(segment.origin().addScaled(metres, segment.direction()));
             Vector3d light = emission.toVector().mul(step * radiancePerDisplay);
             double share = level.transmittance(segment.metresBefore() + metres);
-            radiance.add(light.mul(segment.tint()).mul(share));
+            radiance.add(light.mul(segment.tint()).mul(air).mul(share));
         }
     }
 }

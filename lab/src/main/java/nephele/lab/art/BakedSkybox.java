@@ -3,6 +3,7 @@ package nephele.lab.art;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -48,7 +49,7 @@ public final class BakedSkybox {
 
     /** Adds the sun's disc. */
     void add(SunDisc disc) {
-        double reach = Math.cos(Daylight.SUN_RADIUS_RADIANS + Math.sqrt(2) / side);
+        double reach = Math.cos(SunOverLimb.RADIUS_RADIANS + Math.sqrt(2) / side);
         for (int face = 0; face < FACES; face++) {
             for (int pixel = 0; pixel < side * side; pixel++) {
                 Vec3 middle = direction(face, pixel, 0.5, 0.5);

@@ -3,6 +3,7 @@ package nephele.lab.art;
 import java.util.Optional;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.SkyTable;
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
@@ -21,8 +22,8 @@ record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
     static Optional<SunDisc> of(Sky.Atmosphere sky, Sun sun, Vec3 eye, double share) {
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         double height = Math.max(0, eye.y());
-        double above = Math.asin(towardsSun.y()) + Daylight.SUN_RADIUS_RADIANS;
-        double radius = Daylight.SUN_RADIUS_RADIANS;
+        double above = Math.asin(towardsSun.y()) + SunOverLimb.RADIUS_RADIANS;
+        double radius = SunOverLimb.RADIUS_RADIANS;
         return above > SkyTable.horizonRadians(height)
                 ? Optional.of(new SunDisc(
                         towardsSun,
@@ -34,7 +35,7 @@ record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
 
     /** Returns the disc's radiance in a unit direction, zero beside it and below the horizon. */
     Vec3 towards(Vec3 direction) {
-        double fromMiddle = direction.minus(towardsSun).length() / Daylight.SUN_RADIUS_RADIANS;
+        double fromMiddle = direction.minus(towardsSun).length() / SunOverLimb.RADIUS_RADIANS;
         if (fromMiddle >= 1 || Math.asin(direction.y()) < SkyTable.horizonRadians(eyeHeight)) {
             return Vec3.ZERO;
         }

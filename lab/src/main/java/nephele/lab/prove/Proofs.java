@@ -6,6 +6,7 @@ import nephele.lab.prove.bodies.EnergyProof;
 import nephele.lab.prove.bodies.FallsProof;
 import nephele.lab.prove.bodies.MassRatiosProof;
 import nephele.lab.prove.bodies.PilesProof;
+import nephele.lab.prove.cloud.CloudLawsProof;
 import nephele.lab.prove.cloud.CloudReferenceProof;
 import nephele.lab.prove.cloud.CloudSlabsProof;
 import nephele.lab.prove.edits.EditedTown;
@@ -65,6 +66,7 @@ public final class Proofs {
             new EyeCrossingsProof(),
             new EditsProof(10, 8, EditedTown::baked),
             new CloudSlabsProof(),
+            new CloudLawsProof(),
             new CloudReferenceProof(),
             new SkySweepProof(),
             new SoakProof());

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 class AirCacheTest {
     /** Thin air needs few orders of scattering. */
-    private static final Air THIN = new Air(new Vec3(0, 0, 0), 0.5, 0.7, 1);
+    private static final Air THIN = new Air(new Vec3(0, 0, 0), 0.5, 0.7, 1, 0);
 
     @TempDir
     Path folder;

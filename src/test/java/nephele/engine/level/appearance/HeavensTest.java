@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Execution(ExecutionMode.CONCURRENT)
 class HeavensTest {
     private static Atmosphere sky(double latitude, double day, double hours, double dayLength) {
-        return new Atmosphere(0.3, 1, 0.8, 1, latitude, day, hours, dayLength);
+        return new Atmosphere(0.3, 1, 0.8, 1, latitude, day, hours, dayLength, 0.2666);
     }
 
     private static Environment under(Atmosphere sky) {

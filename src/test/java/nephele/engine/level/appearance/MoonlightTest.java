@@ -17,7 +17,7 @@ class MoonlightTest {
     private static final double FULL_MOON_DAY = 20;
 
     private static Environment at(double day, double hours) {
-        Atmosphere sky = new Atmosphere(0.3, 1, 0.8, 1, 45, day, hours, 0);
+        Atmosphere sky = new Atmosphere(0.3, 1, 0.8, 1, 45, day, hours, 0, 0.2666);
         return Daylight.at(new TestLevel().sky(sky).level().environment(), 0);
     }
 

@@ -36,7 +36,7 @@ class OverPlanetTest {
     private static final double HALF = 13;
 
     private static Environment at(double dayOfYear, double hours) {
-        var sky = new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, dayOfYear, hours, 0);
+        var sky = new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, dayOfYear, hours, 0, 0.2666);
         var environment = new Environment(null, sky, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return Daylight.at(environment, 0);
     }

@@ -42,7 +42,7 @@ public final class AirCache implements AirFiles {
      */
     public static void prepare(Environment environment, DoubleConsumer progress) {
         if (environment.sky() instanceof Sky.Atmosphere sky
-                && !Daylight.air(sky).equals(Air.CLEAR)) {
+                && !Daylight.air(sky).isClear()) {
             AirTables.of(Daylight.air(sky), new AirCache(CacheFolder.ofUser()), progress);
         }
     }

@@ -48,9 +48,18 @@ public final class AirOfEnvironment {
      * @param metres length of the path
      */
     public Vector3d over(Vector3d radiance, Vec3 place, Vector3dc direction, double metres) {
-        double eyeHeight = place.y() - metres * direction.y();
-        AirLight light = new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsSun, metres);
+        AirLight light = along(place, direction, metres);
         Vector3d added = light.radiance().toVector().mul(irradiance.toVector());
         return radiance.mul(light.transmittance().toVector()).add(added);
+    }
+
+    /** Returns the share of radiance that the air of the same path lets pass, for each channel. */
+    public Vector3d transmittance(Vec3 place, Vector3dc direction, double metres) {
+        return along(place, direction, metres).transmittance().toVector();
+    }
+
+    private AirLight along(Vec3 place, Vector3dc direction, double metres) {
+        double eyeHeight = place.y() - metres * direction.y();
+        return new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsSun, metres);
     }
 }

@@ -14,10 +14,6 @@ public final class Daylight {
     /** Outside the air, for a level that has no sun of its own. */
     private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
 
-    private static final Vec3 ONE = new Vec3(1, 1, 1);
-
-    public static final double SUN_RADIUS_RADIANS = Math.toRadians(0.2666);
-
     private Daylight() {}
 
     /**
@@ -75,10 +71,16 @@ public final class Daylight {
         return environment.sky() instanceof Atmosphere sky && sky.dayLengthSeconds() > 0;
     }
 
-    /** Returns the air of a sky. */
+    /** Returns the sine of the sun's elevation some simulated seconds after an instant. */
+    public static double sunSineAfter(Environment now, double seconds) {
+        return Directions.unit(at(now, seconds).sun().directionTowardsSun()).y();
+    }
+
+    /** Returns the air of a sky, under its sun. */
     public static Air air(Atmosphere sky) {
         double albedo = sky.groundAlbedo();
-        return new Air(new Vec3(albedo, albedo, albedo), sky.mieScale(), sky.mieG(), sky.ozoneScale());
+        double sun = Math.toRadians(sky.sunRadiusDegrees());
+        return new Air(new Vec3(albedo, albedo, albedo), sky.mieScale(), sky.mieG(), sky.ozoneScale(), sun);
     }
 
     /**
@@ -103,22 +105,16 @@ public final class Daylight {
             Vec3 through = air(sky).transmittance(
                             height, Math.max(lowest, moon.towardsMoon().y()));
             return new Sun(
-                    moon.towardsMoon(), product(sun.irradiance(), moon.irradiance(), through), sun.castsShadow());
+                    moon.towardsMoon(),
+                    product(product(sun.irradiance(), moon.irradiance()), through),
+                    sun.castsShadow());
         }
         double sine = Directions.unit(sun.directionTowardsSun()).y();
-        Vec3 through = air(sky).transmittance(height, Math.max(lowest, sine));
-        double seen = shareAboveHorizon(Math.asin(sine) + dip);
-        return new Sun(
-                sun.directionTowardsSun(), product(sun.irradiance(), through.scaled(seen), ONE), sun.castsShadow());
+        Vec3 arrives = product(sun.irradiance(), air(sky).sunlight(height, sine));
+        return new Sun(sun.directionTowardsSun(), arrives, sun.castsShadow());
     }
 
-    private static Vec3 product(Vec3 a, Vec3 b, Vec3 c) {
-        return new Vec3(a.x() * b.x() * c.x(), a.y() * b.y() * c.y(), a.z() * b.z() * c.z());
-    }
-
-    /** Returns the share of the sun's disc above the horizon. */
-    public static double shareAboveHorizon(double elevationRadians) {
-        double d = Math.max(-1, Math.min(1, elevationRadians / SUN_RADIUS_RADIANS));
-        return 0.5 + (d * Math.sqrt(1 - d * d) + Math.asin(d)) / Math.PI;
+    private static Vec3 product(Vec3 a, Vec3 b) {
+        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
     }
 }

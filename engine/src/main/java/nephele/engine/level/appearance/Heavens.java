@@ -53,7 +53,8 @@ public final class Heavens {
                 sky.latitudeDegrees(),
                 sky.dayOfYear() + whole,
                 24 * (days - whole),
-                sky.dayLengthSeconds());
+                sky.dayLengthSeconds(),
+                sky.sunRadiusDegrees());
     }
 
     private static double day(Atmosphere sky) {

@@ -1,5 +1,6 @@
 package nephele.engine.level.appearance;
 
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.math.Directions;
@@ -27,9 +28,15 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     public static Moonlight of(Atmosphere sky, Sun sun) {
         Vec3 towardsMoon = Heavens.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        double share = fade(towardsSun.y()) * Daylight.shareAboveHorizon(Math.asin(towardsMoon.y()));
+        double share =
+                fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).share();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
         return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
+    }
+
+    /** Returns the sine of the moon's elevation some simulated seconds after an instant. */
+    public static double sineAfter(Atmosphere sky, double seconds) {
+        return Heavens.towardsMoon(Heavens.later(sky, seconds)).y();
     }
 
     private static double fade(double sunSine) {
@@ -50,7 +57,9 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
 
     /** Returns the irradiance if no horizon hid a part of the disc; zero if all of it is hidden at y = 0. */
     public Vec3 ofWholeDisc() {
-        return shines() ? irradiance.scaled(1 / Daylight.shareAboveHorizon(Math.asin(towardsMoon.y()))) : irradiance;
+        return shines()
+                ? irradiance.scaled(1 / SunOverLimb.seen(0, towardsMoon.y()).share())
+                : irradiance;
     }
 
     /** Returns true if the moon gives light. */

@@ -2,13 +2,13 @@ package nephele.engine.reference.sky;
 
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import nephele.engine.atmosphere.Air;
-import nephele.engine.level.appearance.Daylight;
+import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.DistantLight;
 
 /**
- * Sun or moon at places over the planet: what the air above lets pass, and as much of the disc as the planet does not hide;
- * on the ground as {@link Daylight#onGround}. The air's transmittance is integrated at nodes of height and angle
+ * Sun or moon at places over the planet: what the air above lets pass, and as much of the disc as the planet does not hide,
+ * as {@link Air#sunlight}. The air's transmittance is integrated at nodes of height and angle
  * above the horizon, when it is first needed; between them its logarithm is linear. Threads may share it.
  */
 final class LightOverPlanet implements DistantLight {
@@ -44,12 +44,19 @@ final class LightOverPlanet implements DistantLight {
     public Vec3 irradiance(Vec3 at) {
         PlanetPlace place = PlanetPlace.of(at);
         double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
-        double elevation = Math.asin(Math.max(-1, Math.min(1, place.zenith().dot(towards))));
-        double above = elevation - horizonRadians(height);
-        double seen = Daylight.shareAboveHorizon(above);
-        if (seen == 0) {
+        SunOverLimb disc =
+                SunOverLimb.seen(air.sunRadiusRadians(), height, place.zenith().dot(towards));
+        if (disc.share() == 0) {
             return Vec3.ZERO;
         }
+        Vec3 passed = passed(height, disc.lowSine())
+                .plus(passed(height, disc.highSine()))
+                .scaled(0.5 * disc.share());
+        return new Vec3(outside.x() * passed.x(), outside.y() * passed.y(), outside.z() * passed.z());
+    }
+
+    private Vec3 passed(double height, double sine) {
+        double above = Math.asin(Math.max(-1, Math.min(1, sine))) - horizonRadians(height);
         double x = Math.toDegrees(Math.max(0, above)) * NODES_PER_DEGREE;
         int column = Math.min(logarithms.length() - 2, (int) x);
         double y = Math.sqrt(height / Air.TOP_METRES) * (HEIGHTS - 1);
@@ -59,9 +66,9 @@ final class LightOverPlanet implements DistantLight {
         double[] passed = new double[3];
         for (int channel = 0; channel < 3; channel++) {
             double before = between(low, row, y - row, channel);
-            passed[channel] = seen * Math.exp(before + (x - column) * (between(high, row, y - row, channel) - before));
+            passed[channel] = Math.exp(before + (x - column) * (between(high, row, y - row, channel) - before));
         }
-        return new Vec3(outside.x() * passed[0], outside.y() * passed[1], outside.z() * passed[2]);
+        return new Vec3(passed[0], passed[1], passed[2]);
     }
 
     private static double between(double[] column, int row, double share, int channel) {

@@ -1,17 +1,18 @@
 package nephele.engine.render.frame;
 
-import java.util.ArrayList;
-import java.util.List;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.AerialTexture;
+import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.View;
 
@@ -20,22 +21,18 @@ import nephele.engine.scene.View;
  * views at a height share it.
  */
 public final class AerialPerspective implements GlObject {
-    /** Views through openings may be at other heights than the eye. */
-    private static final int MOST_HEIGHTS = 4;
-
-    private final GlContext gl;
     private final SharedResources shared;
-    /** The one that was used last is the last. */
-    private final List<AerialTexture> byHeight = new ArrayList<>();
+    private final ByHeight<AerialTexture> byHeight;
 
     private AirTables tables;
+    private Environment environment;
     private Sky.Atmosphere sky;
     private Sun sun;
     private Vec3 towardsSun;
 
     AerialPerspective(GlContext gl, SharedResources shared) {
-        this.gl = gl;
         this.shared = shared;
+        byHeight = new ByHeight<>(height -> new AerialTexture(gl, shared.background(), tables, height));
     }
 
     /** Returns true if surfaces of an environment are seen through air: under an atmosphere with a sun. */
@@ -43,51 +40,38 @@ public final class AerialPerspective implements GlObject {
         return environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
     }
 
-    /** Returns the height for which the light of the sky is tabulated instead of that of the eye. */
-    public static double shelf(double heightMetres) {
-        double near = Math.max(0, heightMetres);
-        return near < 50 ? 2 : Math.exp(Math.round(Math.log(near) * 50) / 50.0);
-    }
-
     /** Begins a frame. */
     void follow(Environment now) {
         if (now.sky() == sky && now.sun() == sun) {
             return;
         }
+        environment = now;
         sky = (Sky.Atmosphere) now.sky();
         sun = now.sun();
         towardsSun = Directions.unit(sun.directionTowardsSun());
         if (tables == null || !Daylight.air(sky).equals(tables.air())) {
-            tables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirTables.of(Daylight.air(sky)));
-            byHeight.forEach(GlObject::close);
+            tables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
             byHeight.clear();
         }
     }
 
     /** Sets the air of the draws in a view. */
     void setView(View view, FrameUniforms uniforms) {
-        AerialTexture texture = at(shelf(view.eyeY()));
-        texture.follow(tables, towardsSun.y(), sky.dayLengthSeconds() > 0);
+        boolean isMoving = Daylight.moves(environment);
+        AerialTexture texture =
+                byHeight.near(view.eyeY(), known -> known.sun().isReady(towardsSun.y(), isMoving), known -> known.sun()
+                        .prepare(towardsSun.y()));
+        if (isMoving) {
+            texture.sun().follow(towardsSun.y(), seconds -> Daylight.sunSineAfter(environment, seconds));
+        } else {
+            texture.sun().show(towardsSun.y());
+        }
         texture.bind(TextureUnit.AIR);
-        uniforms.air(texture.table(), towardsSun, sun.irradiance());
-    }
-
-    private AerialTexture at(double heightMetres) {
-        for (int i = byHeight.size() - 1; i >= 0; i--) {
-            if (byHeight.get(i).heightMetres() == heightMetres) {
-                byHeight.add(byHeight.remove(i));
-                return byHeight.get(byHeight.size() - 1);
-            }
-        }
-        if (byHeight.size() == MOST_HEIGHTS) {
-            byHeight.remove(0).close();
-        }
-        byHeight.add(new AerialTexture(gl, heightMetres));
-        return byHeight.get(byHeight.size() - 1);
+        uniforms.air(texture.heightMetres(), towardsSun, sun.irradiance());
     }
 
     @Override
     public void close() {
-        byHeight.forEach(GlObject::close);
+        byHeight.close();
     }
 }

@@ -44,7 +44,8 @@ public record FrameRequest(
                 || !level.exits().isEmpty()
                 || !WeatherClouds.all(level.environment()).isEmpty()
                 || sky instanceof Sky.Gradient
-                || sky instanceof Sky.Skybox;
+                || sky instanceof Sky.Skybox
+                || AerialPerspective.isIn(level.environment());
     }
 
     public boolean mayShowCharacter() {

@@ -16,6 +16,7 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.DynamicMeshes;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.OpeningMesh;
@@ -51,6 +52,7 @@ public final class SharedResources implements GlObject {
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
+    private BackgroundWork background;
     private FrameClouds clouds;
     private int cuts;
 
@@ -85,6 +87,14 @@ public final class SharedResources implements GlObject {
     /** Shares a value that needs no closing: derived once for as long as any renderer of the context uses it. */
     public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
         return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
+    }
+
+    /** Returns the threads that compute beside the frames of this renderer. */
+    public BackgroundWork background() {
+        if (background == null) {
+            background = own(new BackgroundWork());
+        }
+        return background;
     }
 
     /** Returns a key for data that belong to one opened level, in all its edited versions. */

@@ -1,6 +1,8 @@
 package nephele.engine.render.resource;
 
 import nephele.engine.atmosphere.AerialTable;
+import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Plane;
@@ -56,13 +58,18 @@ public final class FrameUniforms implements GlObject {
         System.arraycopy(positions, 0, values, SAMPLE_POSITIONS, positions.length);
     }
 
-    /** Sets the numbers of the air for the next view: {@code airPlace}, {@code airSun} and {@code airIrradiance}. */
-    public void air(AerialTable table, Vec3 towardsSun, Vec3 irradiance) {
+    /**
+     * Sets the numbers of the air for the next view: {@code airPlace}, {@code airSun} and {@code airIrradiance}.
+     *
+     * @param tableMetres height for which the air is tabulated
+     */
+    public void air(double tableMetres, Vec3 towardsSun, Vec3 irradiance) {
+        double height = Math.min(Air.TOP_METRES, tableMetres);
         double level = Math.max(1e-12, Math.hypot(towardsSun.x(), towardsSun.z()));
-        values[AIR] = (float) table.heightMetres();
-        values[AIR + 1] = (float) table.horizon();
-        values[AIR + 2] = (float) AerialTable.column(table.heightMetres());
-        values[AIR + 3] = (float) AerialTable.density(table.heightMetres());
+        values[AIR] = (float) height;
+        values[AIR + 1] = (float) SkyTable.horizon(height);
+        values[AIR + 2] = (float) AerialTable.column(height);
+        values[AIR + 3] = (float) AerialTable.density(height);
         values[AIR + 4] = (float) (towardsSun.x() / level);
         values[AIR + 5] = (float) (towardsSun.z() / level);
         irradiance.put(values, AIR + 8, 0);

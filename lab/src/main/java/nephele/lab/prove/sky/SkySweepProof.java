@@ -23,32 +23,35 @@ import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 
 /**
- * Lets the sun climb from −10 to 90 degrees in steps of 0.01, a unit being {@value #STEPS} of them, and follows the clock
- * at random instants of a year at random latitudes, in as many of its steps. The dome has no disc, stars and moon.
+ * Lets the sun climb from −10 to {@value #SWEPT_TO} degrees in steps of 0.01, a unit being {@value #STEPS} of them; takes
+ * one such step in each degree above; and follows the clock by one at random instants of a year at random latitudes. The
+ * dome has no disc, stars and moon.
  */
 public final class SkySweepProof implements Proof {
-    /** Steps of a unit. */
+    /** Steps of a unit of the sweep. */
     static final int STEPS = 10;
 
-    static final int SWEEP_UNITS = 1000;
+    private static final int SWEPT_TO = 22;
+    static final int SWEEP_UNITS = 320;
+    private static final int HIGH_UNITS = 90 - SWEPT_TO;
     private static final int HOUR_UNITS = 200;
     private static final double LOWEST_DEGREES = -10;
     private static final double STEP_DEGREES = 0.01;
     private static final double MOST_CODES = 2;
-    /** Exposures of noon and evening, then those of dusk and night. */
-    private static final double[] LIT_STOPS = {-0.3, 1};
 
-    private static final double[] DARK_STOPS = {4.5, 10};
     /**
-     * Elevation of the sun below which the exposures of dusk and night count. At higher ones they overexpose most of the
-     * sky, and show that the sun of the integration is a point, whose edge of shadow sweeps the lowest air in 0.1 degrees.
+     * Elevations of the sun and the stops that {@code "auto"} has there for an eye that looks away from it, where the
+     * longest exposure is called for; at higher elevations every exposure counts.
      */
-    private static final double DARK_BELOW_SINE = Math.sin(Math.toRadians(-1));
+    private static final double[] DEGREES = {-10, -8, -6, -4, -2, -1, -0.5, 0};
+
+    private static final double[] AUTO_STOPS = {12, 11.1, 9.8, 8.1, 5.4, 4.2, 3.8, 3.5};
 
     private static final double SOLAR_IRRADIANCE = 4;
     private static final double EYE_METRES = 2;
     private static final int RINGS = 16;
     private static final int AZIMUTHS = 12;
+    /** In a second of such a day the sun moves by at most 0.01 degrees. */
     private static final double DAY_SECONDS = 36_000;
 
     private final AirTables air = AirTables.of(Air.CLEAR);
@@ -57,13 +60,13 @@ public final class SkySweepProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "sky-sweep",
-                "While the sun rises from −10 to 90 degrees in steps of 0.01, and at 200 instants of a year while the"
-                        + " clock moves it by as much, no direction of sky and ground changes by more than 2 codes in"
-                        + " a step, at the exposures of noon and evening, and with the sun below −1 degree at those of"
-                        + " dusk and night; none is negative or"
-                        + " not a number.",
-                "stretches of ten steps",
-                SWEEP_UNITS + HOUR_UNITS,
+                "While the sun rises in steps of 0.01 degrees (all of them from −10 to 22, one in each degree above),"
+                    + " and while the clock moves it by as much at 200 instants of a year, no direction of sky and"
+                    + " ground changes by more than 2 codes in a step, at any fixed exposure up to the one that auto"
+                    + " calls for with the back to the sun, and with the sun up at any exposure; none is negative or"
+                    + " not a number.",
+                "stretches",
+                SWEEP_UNITS + HIGH_UNITS + HOUR_UNITS,
                 40);
     }
 
@@ -71,36 +74,47 @@ public final class SkySweepProof implements Proof {
     public ProofResult run(long from, long count, Progress progress) {
         ProofResult result = ProofResult.NOTHING;
         for (long unit = from; unit < from + count; unit++) {
-            result = result.and(unit < SWEEP_UNITS ? swept(unit) : timed(unit));
+            result = result.and(stretch(unit));
             progress.unitsDone(unit - from + 1);
         }
         return result;
     }
 
-    private ProofResult swept(long unit) {
+    private ProofResult stretch(long unit) {
+        if (unit < SWEEP_UNITS) {
+            return swept(LOWEST_DEGREES + unit * STEPS * STEP_DEGREES, STEPS);
+        }
+        SplittableRandom random = new SplittableRandom(Hash64.combine(23, unit));
+        return unit < SWEEP_UNITS + HIGH_UNITS
+                ? swept(SWEPT_TO + unit - SWEEP_UNITS + random.nextDouble(0.99), 1)
+                : timed(random);
+    }
+
+    private ProofResult swept(double from, int steps) {
         Codes codes = new Codes("sun");
-        for (int step = 0; step <= STEPS; step++) {
-            double degrees = LOWEST_DEGREES + (unit * STEPS + step) * STEP_DEGREES;
+        for (int step = 0; step <= steps; step++) {
+            double degrees = from + step * STEP_DEGREES;
             double angle = Math.toRadians(degrees);
             Vec3 towards = new Vec3(0, Math.sin(angle), -Math.cos(angle));
-            codes.follow(degrees, at(new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 12, 0), towards, 0));
+            codes.follow(degrees, at(Atmosphere.CLEAR, towards, 0));
         }
         return codes.result();
     }
 
-    private ProofResult timed(long unit) {
-        SplittableRandom random = new SplittableRandom(Hash64.combine(23, unit));
+    private ProofResult timed(SplittableRandom random) {
+        Atmosphere clear = Atmosphere.CLEAR;
         Atmosphere sky = new Atmosphere(
-                0.3,
-                1,
-                0.8,
-                1,
+                clear.groundAlbedo(),
+                clear.mieScale(),
+                clear.mieG(),
+                clear.ozoneScale(),
                 random.nextDouble(-90, 90),
                 random.nextDouble(1, 366),
                 24 * random.nextDouble(),
-                DAY_SECONDS);
+                DAY_SECONDS,
+                clear.sunRadiusDegrees());
         Codes codes = new Codes("hour");
-        for (int step = 0; step <= STEPS; step++) {
+        for (int step = 0; step <= 1; step++) {
             codes.follow(step, at(sky, null, step + 0.5));
         }
         return codes.result();
@@ -145,6 +159,7 @@ public final class SkySweepProof implements Proof {
         private final List<String> failures = new ArrayList<>();
         private double[] before;
         private double greatest;
+        private int steps;
 
         Codes(String what) {
             this.what = what;
@@ -152,19 +167,19 @@ public final class SkySweepProof implements Proof {
 
         void follow(double place, Environment now) {
             double[] light = light(now);
-            boolean isDark = now.sun().directionTowardsSun().y() < DARK_BELOW_SINE;
-            double[] stops = isDark ? DARK_STOPS : LIT_STOPS;
+            double exposure = longestExposure(now.sun().directionTowardsSun().y());
             for (int i = 0; i < light.length; i++) {
                 if (!(light[i] >= 0 && light[i] < Double.POSITIVE_INFINITY)) {
                     fail(place, now, i, light[i] + " is no radiance");
                 } else if (before != null) {
-                    double jump = jump(before[i], light[i], stops);
+                    double jump = jump(before[i], light[i], exposure);
                     greatest = Math.max(greatest, jump);
                     if (jump > MOST_CODES) {
                         fail(place, now, i, "jumps by " + jump + " codes");
                     }
                 }
             }
+            steps += before == null ? 0 : 1;
             before = light;
         }
 
@@ -177,18 +192,28 @@ public final class SkySweepProof implements Proof {
             return ProofResult.of(
                     1,
                     failures,
-                    Figure.sum("steps", STEPS, ""),
+                    Figure.sum("steps", steps, ""),
                     Figure.greatest("greatest change in a step", greatest, "codes"));
         }
     }
 
-    private static double jump(double from, double to, double[] exposures) {
-        double greatest = 0;
-        for (double stops : exposures) {
-            double exposure = Math.pow(2, stops);
-            greatest = Math.max(greatest, Math.abs(code(to * exposure) - code(from * exposure)));
+    private static double longestExposure(double sunSine) {
+        double degrees = Math.toDegrees(Math.asin(sunSine));
+        if (degrees > 0) {
+            return Double.POSITIVE_INFINITY;
         }
-        return greatest;
+        int i = 0;
+        while (i < DEGREES.length - 2 && degrees > DEGREES[i + 1]) {
+            i++;
+        }
+        double share = Math.max(0, (degrees - DEGREES[i]) / (DEGREES[i + 1] - DEGREES[i]));
+        return Math.pow(2, AUTO_STOPS[i] + share * (AUTO_STOPS[i + 1] - AUTO_STOPS[i]));
+    }
+
+    /** Returns the greatest change at any exposure: the longer one is, the greater, until the brighter value is white. */
+    private static double jump(double from, double to, double longest) {
+        double exposure = Math.min(longest, 1 / Math.max(1e-30, Math.max(from, to)));
+        return Math.abs(code(to * exposure) - code(from * exposure));
     }
 
     private static double code(double linear) {

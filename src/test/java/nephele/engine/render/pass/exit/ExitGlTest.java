@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.AirTables;
+import nephele.engine.atmosphere.ClearSky;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -18,6 +21,7 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.ToneMapping;
+import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -70,6 +74,37 @@ class ExitGlTest {
                 assertTrue(light > 50, "light " + light);
                 assertTrue(error < 0.06 * light, error + " of " + light);
             }
+        }
+    }
+
+    /** The exit shines before the night's black sky, 4 km away. */
+    @Test
+    void theAirDimsTheLight() {
+        Exit far = new Exit("exit", new Vec3(0, 0, -4000), 400, 800);
+        Vec3 sunBelow = new Vec3(0, -1, 0);
+        Level inAir = new TestLevel()
+                .sky(Sky.Atmosphere.CLEAR)
+                .sun(sunBelow, 1e-9)
+                .exit(far)
+                .level();
+        Level inVacuum = new TestLevel().exit(far).level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = View.lookAt(
+                    new Vec3(0, 2, 0),
+                    new Vec3(0, 2, -4000),
+                    new Vec3(0, 1, 0),
+                    new Projection(Math.toRadians(1), 1, 0.05, 1e4));
+            float[] dimmed = offscreen.radiance(inAir, TestAssets.NONE, view);
+            float[] bright = offscreen.radiance(inVacuum, TestAssets.NONE, view);
+            int middle = 3 * (SIZE * SIZE / 2 + SIZE / 2);
+            ClearSky air = new ClearSky(AirTables.of(Air.CLEAR));
+            // The nearer and the farther side of the curtain emit the same along the axis.
+            Vec3 near = air.along(2, new Vec3(0, 0, -1), sunBelow, 3630).transmittance();
+            Vec3 away = air.along(2, new Vec3(0, 0, -1), sunBelow, 4370).transmittance();
+            Vec3 mean = near.plus(away).scaled(0.5);
+            assertEquals(mean.x(), dimmed[middle] / bright[middle], 0.02);
+            assertEquals(mean.z(), dimmed[middle + 2] / bright[middle + 2], 0.02);
+            assertTrue(mean.z() < 0.87, "some light is lost");
         }
     }
 

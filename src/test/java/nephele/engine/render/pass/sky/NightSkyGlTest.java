@@ -33,7 +33,7 @@ class NightSkyGlTest {
             new Vec3(0, -0.05, -1));
 
     private static void isDrawnAsTraced(double day, double hours) {
-        Sky sky = new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, day, hours, 0);
+        Sky sky = new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, day, hours, 0, 0.2666);
         Level level = new TestLevel().sky(sky).level();
         SkyRadiance oracle = SkyRadiance.of(Daylight.at(level.environment(), 0), id -> null, ColourDecoding.SRGB)
                 .orElseThrow();

@@ -44,7 +44,7 @@ class SkyRadianceGlTest {
                 new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png")),
                 new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), new Vec3(0.7, 0.7, 0.6), new Vec3(0.3, 0.2, 0.1)),
                 new Sky.Constant(new Vec3(0.1, 0.2, 0.3)),
-                new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, 172, 4.6, 0));
+                new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, 172, 4.6, 0, 0.2666));
         TestAssets assets = pictures();
         for (Sky sky : skies) {
             SkyRadiance radiance = SkyRadiance.of(

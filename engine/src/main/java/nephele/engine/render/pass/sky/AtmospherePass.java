@@ -12,7 +12,6 @@ import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.AerialPerspective;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -21,10 +20,8 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.ByHeight;
 
 /**
  * Draws the light that the air scatters, the planet's ground, the sun's disc, moon and stars where no solid has been
@@ -39,9 +36,7 @@ public final class AtmospherePass implements Pass {
     private SkyProgram night;
 
     private final LoadContext context;
-    private final Texture texture;
-    private final SkyTableLayers sunTable;
-    private final SkyTableLayers moonTable;
+    private final ByHeight<SkyTextures> byHeight;
     private AirTables tables;
     private Sky.Atmosphere skyShown;
     private Sun sunShown;
@@ -53,15 +48,8 @@ public final class AtmospherePass implements Pass {
         day = SkyProgram.of(context, false);
         tables = context.shared()
                 .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
-        texture = context.own(new Texture(
-                context.gl(),
-                "sky table",
-                Texture.Shape.ARRAY,
-                PixelFormat.RGBA32F,
-                new Texture.Extent(SkyTable.AZIMUTHS, SkyTable.ROWS, 2 * SkyTable.PARTS),
-                Sampling.LINEAR_CLAMP));
-        sunTable = new SkyTableLayers(texture, 0);
-        moonTable = new SkyTableLayers(texture, SkyTable.PARTS);
+        byHeight = context.own(new ByHeight<>(
+                height -> new SkyTextures(context.gl(), context.shared().background(), tables, height)));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -75,23 +63,44 @@ public final class AtmospherePass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         Environment now = frame.frameState().environment();
-        double height = AerialPerspective.shelf(frame.view().eye().y());
+        double height = frame.view().eye().y();
         Sky.Atmosphere sky = (Sky.Atmosphere) now.sky();
         if (sky != skyShown || now.sun() != sunShown) {
             followSun(sky, now.sun());
         }
-        sunTable.follow(tables, height, towardsSun.y(), sky.dayLengthSeconds());
-        if (moonlight.shines()) {
-            moonTable.follow(tables, height, moonlight.towardsMoon().y(), sky.dayLengthSeconds());
-        }
         skyShown = sky;
+        boolean isMoving = Daylight.moves(now);
+        SkyTextures shown = byHeight.near(
+                height,
+                textures -> textures.isReady(towardsSun, moonlight, isMoving),
+                textures -> textures.prepare(towardsSun, moonlight));
+        if (isMoving) {
+            follow(shown, now);
+        } else {
+            show(shown);
+        }
         SkyProgram program = program();
-        program.sun(sunShown, towardsSun, tables.air(), sunTable.heightMetres());
+        program.sun(sunShown, towardsSun, tables.air(), new SkyProgram.Heights(shown.heightMetres(), height));
         if (program == night) {
             program.heavens(sky, moonlight);
         }
-        texture.bind(TextureUnit.COLOURS);
+        shown.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());
+    }
+
+    private void follow(SkyTextures shown, Environment now) {
+        Sky.Atmosphere sky = skyShown;
+        shown.sun().follow(towardsSun.y(), seconds -> Daylight.sunSineAfter(now, seconds));
+        if (moonlight.shines()) {
+            shown.moon().follow(moonlight.towardsMoon().y(), seconds -> Moonlight.sineAfter(sky, seconds));
+        }
+    }
+
+    private void show(SkyTextures shown) {
+        shown.sun().show(towardsSun.y());
+        if (moonlight.shines()) {
+            shown.moon().show(moonlight.towardsMoon().y());
+        }
     }
 
     private SkyProgram program() {
@@ -107,6 +116,7 @@ public final class AtmospherePass implements Pass {
     private void followSun(Sky.Atmosphere sky, Sun sun) {
         if (!Daylight.air(sky).equals(tables.air())) {
             tables = AirCache.tables(Daylight.air(sky));
+            byHeight.clear();
         }
         sunShown = sun;
         towardsSun = Directions.unit(sun.directionTowardsSun());

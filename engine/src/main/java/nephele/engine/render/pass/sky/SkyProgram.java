@@ -29,11 +29,18 @@ final class SkyProgram {
     private SunNumbers sunNumbers;
     private NightNumbers nightNumbers;
     private Sun sunShown;
-    private double heightShown = Double.NaN;
+    private Heights heightsShown;
     private Sky.Atmosphere skyShown;
 
     private record SunNumbers(
-            Vector3 towards, Vector3 irradiance, Vector3 disc, Scalar horizon, Vector2 band, Scalar mieG) {}
+            Vector3 towards,
+            Vector3 irradiance,
+            Vector3 disc,
+            Scalar discSine,
+            Scalar horizon,
+            Scalar horizonOfEye,
+            Vector2 band,
+            Scalar mieG) {}
 
     private record NightNumbers(
             Vector3 towardsMoon,
@@ -45,7 +52,11 @@ final class SkyProgram {
             Vector3 depth) {}
 
     private SkyProgram(LoadContext context, boolean isNight) {
-        Defines defines = Defines.of(context).withIf(isNight, "NIGHT");
+        Defines defines = Defines.of(context)
+                .withIf(isNight, "NIGHT")
+                .with("SKY_ROWS", SkyTable.SKY_ROWS)
+                .with("GROUND_ROWS", SkyTable.GROUND_ROWS)
+                .with("AZIMUTHS", SkyTable.AZIMUTHS);
         drawing = new FullScreenDrawing(
                 context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
@@ -54,7 +65,9 @@ final class SkyProgram {
                             uniforms.vector3("towardsSun"),
                             uniforms.vector3("irradiance"),
                             uniforms.vector3("disc"),
+                            uniforms.scalar("discSine"),
                             uniforms.scalar("horizon"),
+                            uniforms.scalar("horizonOfEye"),
                             uniforms.vector2("band"),
                             uniforms.scalar("mieG"));
                     nightNumbers = !isNight
@@ -74,17 +87,27 @@ final class SkyProgram {
         return new SkyProgram(context, isNight);
     }
 
-    /** @param heightMetres of the eye for which the table is */
-    void sun(Sun sun, Vec3 towardsSun, Air air, double heightMetres) {
-        if (sun == sunShown && heightMetres == heightShown) {
+    /**
+     * The heights of the tables and of the eye.
+     *
+     * @param ofTable for which the light is tabulated
+     * @param ofEye where the horizon is seen from
+     */
+    record Heights(double ofTable, double ofEye) {}
+
+    void sun(Sun sun, Vec3 towardsSun, Air air, Heights heights) {
+        if (sun == sunShown && heights.equals(heightsShown)) {
             return;
         }
         sunShown = sun;
-        heightShown = heightMetres;
+        heightsShown = heights;
+        double heightMetres = heights.ofTable;
         set(sunNumbers.towards, towardsSun);
         set(sunNumbers.irradiance, sun.irradiance());
         set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
+        sunNumbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
         sunNumbers.horizon.set((float) SkyTable.horizon(heightMetres));
+        sunNumbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, heights.ofEye)));
         sunNumbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
         sunNumbers.mieG.set((float) air.mieG());
         if (nightNumbers != null) {
@@ -109,11 +132,14 @@ final class SkyProgram {
         set(nightNumbers.pole, axes[2]);
     }
 
-    /** Returns the radiance of the disc's middle. */
+    /** Returns the mean radiance of the disc; black for a point. */
     private static Vec3 disc(Vec3 outside, double sunSine, Air air, double heightMetres) {
+        if (air.sunRadiusRadians() == 0) {
+            return Vec3.ZERO;
+        }
         double horizon = Math.sin(SkyTable.horizonRadians(heightMetres));
         Vec3 dimmed = air.transmittance(heightMetres, Math.max(horizon + 1e-6, sunSine));
-        double steradians = Math.PI * Daylight.SUN_RADIUS_RADIANS * Daylight.SUN_RADIUS_RADIANS;
+        double steradians = Math.PI * air.sunRadiusRadians() * air.sunRadiusRadians();
         return new Vec3(
                 Math.min(MOST_RADIANCE, outside.x() * dimmed.x() / steradians),
                 Math.min(MOST_RADIANCE, outside.y() * dimmed.y() / steradians),

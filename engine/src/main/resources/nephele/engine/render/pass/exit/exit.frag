@@ -40,6 +40,9 @@ vec3 lightOfPart(vec2 part, vec3 direction, int exit) {
 #endif
         light += emission;
     }
+#ifdef AIR
+    light *= airAlong(0.5 * (part.x + part.y) * direction).transmittance;
+#endif
     return 0.5 * (part.y - part.x) * unit * light;
 }
 

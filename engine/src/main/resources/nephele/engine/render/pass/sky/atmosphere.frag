@@ -7,8 +7,11 @@ in vec3 direction;
 uniform sampler2DArray skyTable;
 uniform vec3 towardsSun;
 uniform vec3 irradiance; // of the sun outside the air
-uniform vec3 disc; // radiance of the sun's middle
-uniform float horizon; // tan(e / 2) of its elevation e
+uniform vec3 disc; // mean radiance of the sun
+uniform float discSine; // of its angular radius
+uniform float horizon; // tan(e / 2) of its elevation e at the height of the table
+// That at the height of the eye: the table's light moves with the horizon, so a rising eye sees no jump of it.
+uniform float horizonOfEye;
 uniform vec2 band; // x: its end as tan(e / 2), y: the share of the sky's rows that are in it
 uniform float mieG;
 #ifdef NIGHT
@@ -22,19 +25,15 @@ uniform vec3 zenithDepth; // optical depth of the air towards the zenith
 #endif
 
 const float PI = 3.14159265;
-const float SKY_ROWS = 128.0;
-const float GROUND_ROWS = 40.0;
-const float AZIMUTHS = 81.0;
-const float SUN_SINE = 0.0046530; // of its angular radius
 
 float rowOf(float elevation) {
     float above = elevation - horizon;
     if (above < 0.0) {
-        return SKY_ROWS + sqrt(sqrt(min(1.0, -above / (horizon + 1.0)))) * (GROUND_ROWS - 1.0);
+        return float(SKY_ROWS) + sqrt(sqrt(min(1.0, -above / (horizon + 1.0)))) * float(GROUND_ROWS - 1);
     }
     float beyond = elevation - band.x;
     float root = sqrt(beyond <= 0.0 ? above / (band.x - horizon) : beyond / (1.0 - band.x));
-    return (beyond <= 0.0 ? band.y * root : band.y + (1.0 - band.y) * min(1.0, root)) * (SKY_ROWS - 1.0);
+    return (beyond <= 0.0 ? band.y * root : band.y + (1.0 - band.y) * min(1.0, root)) * float(SKY_ROWS - 1);
 }
 
 vec3 part(vec2 place, float layer) {
@@ -216,8 +215,8 @@ vec3 nightLight(vec3 away, float pixel) {
 // Light of sun or moon that the air and the ground send to the eye; per unit irradiance of it.
 vec3 scattered(vec3 away, float row, vec3 towards, float firstLayer) {
     float azimuth = dot(away.xz, towards.xz) / max(length(away.xz) * length(towards.xz), 1e-12);
-    float column = sqrt(clamp(0.5 - 0.5 * azimuth, 0.0, 1.0)) * (AZIMUTHS - 1.0);
-    vec2 place = (vec2(column, row) + 0.5) * vec2(1.0 / AZIMUTHS, 1.0 / (SKY_ROWS + GROUND_ROWS));
+    float column = sqrt(clamp(0.5 - 0.5 * azimuth, 0.0, 1.0)) * float(AZIMUTHS - 1);
+    vec2 place = (vec2(column, row) + 0.5) * vec2(1.0 / float(AZIMUTHS), 1.0 / float(SKY_ROWS + GROUND_ROWS));
     vec3 apart = away - towards;
     float fromPeak = 0.5 * dot(apart, apart);
     float cosine = 1.0 - fromPeak;
@@ -226,7 +225,8 @@ vec3 scattered(vec3 away, float row, vec3 towards, float firstLayer) {
 
 void main() {
     vec3 away = normalize(direction);
-    float elevation = away.y / (1.0 + length(away.xz)); // as the tangent of its half
+    // As the tangent of its half, in the table.
+    float elevation = away.y / (1.0 + length(away.xz)) - horizonOfEye + horizon;
     float row = rowOf(elevation);
     vec3 light = scattered(away, row, towardsSun, 0.0);
     float pixel = max(length(dFdx(away)), 1e-6);
@@ -244,8 +244,8 @@ void main() {
     if (elevation > horizon && dot(away, towardsSun) > 0.0) {
         // Limb darkening of a grey atmosphere (Eddington's law), with the mean of the disc 1.
         float sine = length(cross(away, towardsSun));
-        float fromMiddle = min(1.0, sine / SUN_SINE);
-        light += discInPixel(sine, SUN_SINE, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
+        float fromMiddle = min(1.0, sine / max(discSine, 1e-6));
+        light += discInPixel(sine, discSine, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
     }
     writeRadiance(light);
 }
