@@ -117,7 +117,7 @@ class CloudExtremesGlTest {
     @MethodSource("looks")
     void qualityChangesCostAndNotTheLight(String name, Level level, Vec3 eye) {
         double rise = eye.y() > 0 ? -0.4 : 0.4;
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+        try (Offscreen offscreen = new Offscreen(2 * WIDTH, 2 * HEIGHT);
                 Renderer finest = load(offscreen, level, Quality.ULTRA)) {
             View view = offscreen.view(eye, eye.plus(new Vec3(0.1, rise, -1)));
             double ultra = mean(drawn(offscreen, finest, view));

@@ -8,6 +8,7 @@ import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
@@ -56,7 +57,8 @@ public final class LevelClouds {
 
     private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
         var sky = (Sky.Atmosphere) environment.sky();
-        double sine = Directions.unit(environment.sun().directionTowardsSun()).y();
+        double sine = Directions.unit(Daylight.onGround(environment).directionTowardsSun())
+                .y();
         return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
     }
 

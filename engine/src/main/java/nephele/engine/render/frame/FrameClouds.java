@@ -6,8 +6,10 @@ import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 
@@ -19,6 +21,14 @@ public final class FrameClouds implements GlObject {
     private Environment followed;
     private CloudInterval now;
     private Vec3 focus = Vec3.ZERO;
+
+    /** What the clouds of a level follow from: edits of anything else leave them as they are. */
+    record Source(Same assets, Environment environment, Aabb region) {
+        static Source of(Scene scene) {
+            return new Source(
+                    new Same(scene.assets()), scene.level().environment(), CloudShadeRegion.of(scene.statics()));
+        }
+    }
 
     FrameClouds(Scene scene) {
         Environment environment = scene.level().environment();

@@ -180,7 +180,7 @@ public final class SharedResources implements GlObject {
     /** Returns the level's clouds; all techniques draw these. */
     public FrameClouds clouds() {
         if (clouds == null) {
-            clouds = own(new FrameClouds(scene));
+            clouds = share(FrameClouds.class, FrameClouds.Source.of(scene), () -> new FrameClouds(scene));
         }
         return clouds;
     }

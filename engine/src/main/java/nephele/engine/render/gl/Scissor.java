@@ -33,12 +33,12 @@ final class Scissor {
         }
     }
 
-    /** Divides the rectangle, if the test is on, for a layer of fewer pixels; one more on each side. */
+    /** Divides the rectangle, if the test is on, for a layer of fewer pixels; two more on each side. */
     void divide(int divisor) {
         if (on == Boolean.TRUE) {
-            int left = Math.max(0, x / divisor - 1);
-            int low = Math.max(0, y / divisor - 1);
-            keepTo(left, low, (x + width) / divisor + 2 - left, (y + height) / divisor + 2 - low);
+            int left = Math.max(0, x / divisor - 2);
+            int low = Math.max(0, y / divisor - 2);
+            keepTo(left, low, (x + width) / divisor + 3 - left, (y + height) / divisor + 3 - low);
         }
     }
 

@@ -21,8 +21,14 @@ public final class CloudTextures {
     private final Texture smallAngles;
     private Texture last;
     private Texture next;
+    /** Whose light is in {@link #last}, and in {@link #next}. */
     private CellStack lastShown;
+
     private CellStack nextShown;
+    /** Whose densities are shown. */
+    private CellStack shownFrom;
+
+    private CellStack shownTo;
 
     public CloudTextures(LoadContext context, CloudSource cloud) {
         CellBox cells = cloud.narrowest();
@@ -58,10 +64,12 @@ public final class CloudTextures {
 
     /** Shows the cells of two times; uploads only what is not there yet. */
     public void show(CellStack from, CellStack to) {
-        if (from == lastShown && to == nextShown) {
+        if (from == shownFrom && to == shownTo) {
             return;
         }
-        if (from == nextShown) {
+        shownFrom = from;
+        shownTo = to;
+        if (from != lastShown && from == nextShown) {
             Texture passed = last;
             last = next;
             next = passed;
@@ -74,7 +82,7 @@ public final class CloudTextures {
         }
         uploadDensity(from, to);
         lastShown = from;
-        nextShown = to;
+        nextShown = to == from ? nextShown : to;
     }
 
     private void uploadDensity(CellStack from, CellStack to) {

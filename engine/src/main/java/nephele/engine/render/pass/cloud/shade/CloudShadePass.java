@@ -56,11 +56,23 @@ public final class CloudShadePass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         CloudInterval now = shared.clouds().now();
-        if (shown == null || now.from() != shown.from() || now.share() != shown.share()) {
+        if (now == null) {
+            uploadFull();
+        } else if (shown == null || now.from() != shown.from() || now.share() != shown.share()) {
             shown = now;
             upload();
         }
         shared.publish(Target.CLOUD_SHADE, texture);
+    }
+
+    /** Leaves the sun all its light: no cloud has any extinction. */
+    private void uploadFull() {
+        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * size.slice());
+        MemoryUtil.memSet(slice, 0xff);
+        for (int k = 0; k < size.z(); k++) {
+            texture.upload(k, slice.clear());
+        }
+        MemoryUtil.memFree(slice);
     }
 
     private void upload() {

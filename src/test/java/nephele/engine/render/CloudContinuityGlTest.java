@@ -1,0 +1,173 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.asset.TestAssets;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudProfile;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.FrameState;
+import org.junit.jupiter.api.Test;
+
+/** Clouds neither pop nor swim when the eye, the time or the quality changes a little, nor far away. */
+class CloudContinuityGlTest {
+    private static final double CODE = 1.0 / 255;
+    private static final Vec3 WIND = new Vec3(12, 0, -5);
+    private static final Vec3 UP_AND_AHEAD = new Vec3(-0.2, 0.5, -1);
+
+    private static Level level(double extinctionPerMetre, Vec3 wind, double evolutionSeconds) {
+        return new TestLevel()
+                .sun(new Vec3(0.5, 0.7, -0.3), 2)
+                .sky(new Sky.Gradient(new Vec3(0.1, 0.2, 0.6), new Vec3(0.4, 0.5, 0.6), new Vec3(0.1, 0.1, 0.1)))
+                .cloud(new Cloud(
+                        "heaps",
+                        new Cloud.Extent.Layer(800, 500),
+                        CloudTechnique.AUTO,
+                        new Cloud.Density.Noise(5, 300, 0.5, 0.3, CloudProfile.CUMULUS, null, 0),
+                        extinctionPerMetre,
+                        1,
+                        0.85,
+                        new Cloud.Motion(wind, evolutionSeconds)))
+                .level();
+    }
+
+    /** A renderer of one level that draws small pictures. */
+    private record Drawing(Offscreen offscreen, Renderer renderer) implements AutoCloseable {
+        static Drawing of(Offscreen offscreen, Level level, Quality quality) {
+            return new Drawing(
+                    offscreen,
+                    Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality)));
+        }
+
+        float[] at(Vec3 eye, double seconds) {
+            FrameState state = FrameState.atStart(renderer.scene().level());
+            state.seconds(seconds);
+            renderer.forget();
+            renderer.draw(offscreen.view(eye, eye.plus(UP_AND_AHEAD)), state, offscreen.picture);
+            offscreen.gl.requireNoError("frame");
+            return renderer.readRadiance();
+        }
+
+        @Override
+        public void close() {
+            renderer.close();
+        }
+    }
+
+    private static double difference(float[] a, float[] b) {
+        double squares = 0;
+        for (int i = 0; i < a.length; i++) {
+            squares += (a[i] - b[i]) * (a[i] - b[i]);
+        }
+        return Math.sqrt(squares / a.length);
+    }
+
+    private static double mean(float[] picture) {
+        double sum = 0;
+        for (float value : picture) {
+            sum += value;
+        }
+        return sum / picture.length;
+    }
+
+    private static void requireSame(float[] expected, float[] found, String what) {
+        double difference = difference(expected, found);
+        assertTrue(difference <= CODE, what + ": " + difference / CODE + " codes");
+    }
+
+    /** The boxes of cells move while the eye goes; the picture does not tell where they have been. */
+    @Test
+    void whereTheEyeCameFromCannotBeSeen() {
+        Level level = level(0.05, Vec3.ZERO, 0);
+        var end = new Vec3(700, 2, -330);
+        float[] direct;
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing cold = Drawing.of(offscreen, level, Quality.HIGH)) {
+            direct = cold.at(end, 0);
+        }
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing walking = Drawing.of(offscreen, level, Quality.HIGH)) {
+            walking.at(Vec3.ZERO, 0);
+            walking.at(end.scaled(0.5), 0);
+            float[] walked = walking.at(end, 0);
+            requireSame(direct, walked, "after a walk");
+            requireSame(walked, walking.at(end.plus(new Vec3(0.001, 0, 0)), 0), "a step of 1 mm");
+        }
+    }
+
+    @Test
+    void anEyeThatCrossesTheBaseOrTheTopSeesNoJump() {
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing drawing = Drawing.of(offscreen, level(0.05, Vec3.ZERO, 0), Quality.HIGH)) {
+            for (double height : new double[] {800, 1300}) {
+                float[] before = drawing.at(new Vec3(30, height - 2e-3, 40), 0);
+                for (int millimetre = -1; millimetre <= 2; millimetre++) {
+                    float[] now = drawing.at(new Vec3(30, height + 1e-3 * millimetre, 40), 0);
+                    requireSame(before, now, height + " m and " + millimetre + " mm");
+                    before = now;
+                }
+            }
+        }
+    }
+
+    @Test
+    void timeFlowsThroughTheSamples() {
+        // A generation of noise in 80 s: a sample every 10 s.
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing drawing = Drawing.of(offscreen, level(0.05, Vec3.ZERO, 80), Quality.HIGH)) {
+            float[] before = drawing.at(Vec3.ZERO, 19.999);
+            requireSame(before, drawing.at(Vec3.ZERO, 20), "the sampled time");
+            requireSame(before, drawing.at(Vec3.ZERO, 20.001), "a moment after it");
+            assertTrue(difference(before, drawing.at(Vec3.ZERO, 40)) > 4 * CODE, "the clouds change");
+        }
+    }
+
+    /** After thirty days the wind has blown 33,000 km. */
+    @Test
+    void whoDriftsWithTheWindForAMonthSeesTheSame() {
+        double month = 30 * 86_400;
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing calm = Drawing.of(offscreen, level(0.05, Vec3.ZERO, 0), Quality.HIGH);
+                Drawing windy = Drawing.of(offscreen, level(0.05, WIND, 0), Quality.HIGH)) {
+            float[] start = calm.at(Vec3.ZERO, 0);
+            requireSame(start, windy.at(WIND.scaled(month), month), "a month later");
+            assertTrue(difference(start, windy.at(Vec3.ZERO, 60)) > 4 * CODE, "one at rest sees other clouds");
+        }
+    }
+
+    @Test
+    void qualityChangesCostAndNotLook() {
+        Level level = level(0.05, Vec3.ZERO, 0);
+        double ultra = 0;
+        try (Offscreen offscreen = new Offscreen(180, 120)) {
+            for (Quality quality : List.of(Quality.ULTRA, Quality.HIGH, Quality.MEDIUM, Quality.LOW)) {
+                try (Drawing drawing = Drawing.of(offscreen, level, quality)) {
+                    double mean = mean(drawing.at(Vec3.ZERO, 0));
+                    ultra = ultra == 0 ? mean : ultra;
+                    assertTrue(Math.abs(mean / ultra - 1) <= 0.01, mean + " beside " + ultra + " of ultra");
+                }
+            }
+        }
+    }
+
+    @Test
+    void cloudsOfNoExtinctionLeaveEveryBit() {
+        Level without = new TestLevel()
+                .sun(new Vec3(0.5, 0.7, -0.3), 2)
+                .sky(new Sky.Gradient(new Vec3(0.1, 0.2, 0.6), new Vec3(0.4, 0.5, 0.6), new Vec3(0.1, 0.1, 0.1)))
+                .level();
+        try (Offscreen offscreen = new Offscreen(48, 32);
+                Drawing none = Drawing.of(offscreen, without, Quality.HIGH);
+                Drawing thin = Drawing.of(offscreen, level(0, Vec3.ZERO, 0), Quality.HIGH)) {
+            assertArrayEquals(none.at(Vec3.ZERO, 0), thin.at(Vec3.ZERO, 0));
+        }
+    }
+}
