@@ -1,9 +1,11 @@
 package nephele.lab.trade.subject;
 
 import java.util.List;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Trade;
 
-/** Quality fields {@code cloudScattering}, {@code cloudStep} and {@code cloudResolution}, on the sample of a grid. */
+/** The quality fields of clouds: most on the sample of a grid, the history while the view turns. */
 public final class CloudSubjects {
     private static final String LEVEL = "levels/samples/clouds-grid.json";
     private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they take";
@@ -41,7 +43,34 @@ public final class CloudSubjects {
                     PictureSetting.of("cloudResolution", "0.5", "low, medium and high"),
                     PictureSetting.of("cloudResolution", "1", "ultra")));
 
+    private static final List<PictureSetting> HISTORIES = List.of(
+            PictureSetting.of("cloudHistory", "none", "ultra"),
+            PictureSetting.of("cloudHistory", "four_frames", "low, medium and high"),
+            PictureSetting.of("cloudHistory", "sixteen_frames", ""));
+
+    public static final Trade HISTORY = new Trade(
+                    "cloudHistory",
+                    historyText(),
+                    List.of("cloudHistory"),
+                    HISTORIES.stream().map(PictureSetting::setting).toList(),
+                    1,
+                    ErrorMetric.DISPLAYED,
+                    CloudHistoryExperiment.FIGURES,
+                    CostMetric.FRAME,
+                    null,
+                    site -> new CloudHistoryExperiment(site, HISTORIES))
+            .in("levels/samples/clouds-cumulus.json", "cloudHistory", historyText());
+
     private CloudSubjects() {}
+
+    private static Trade.Text historyText() {
+        return new Trade.Text(
+                "Rays through clouds among frames",
+                "A frame marches one ray of each square of rays; the others show what earlier frames have seen in"
+                        + " their direction. A still view loses nothing, a moving one some sharpness.",
+                "the engine's own frames of all rays, while the view turns by 0.3 pixels a frame. Flicker is the RMS"
+                        + " change of the error from frame to frame, in linear light");
+    }
 
     private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
         var words = new Trade.Text(title, text, ORACLE);
