@@ -137,7 +137,7 @@ public final class FieldWords {
             word("up", "Up", "Para cima", "Para cima"),
             word("verticalFovDegrees", "Vertical field of view", "Campo de visão vertical", "Campo de visão vertical"),
             word("weather", "Weather", "Tempo", "Tempo"),
-            word("weatherKeyframes", "Weather over time", "Tempo ao longo das horas", "Tempo ao longo das horas"),
+            word("weatherKeyframes", "Weather over time", "Mudanças do tempo", "Mudanças do tempo"),
             word("weatherSeed", "Seed of the weather", "Semente do tempo", "Semente do tempo"),
             word("widthMetres", "Width", "Largura", "Largura"),
             word("windMetresPerSecond", "Wind", "Vento", "Vento"),
