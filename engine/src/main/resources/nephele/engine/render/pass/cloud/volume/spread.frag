@@ -17,6 +17,8 @@ uniform vec2 halfLayer; // pixels from the middle of the view to its sides
 
 const float SKY_KILOMETRES = 100.0; // where no cloud tells how far it is
 const float STILL = 1.0 / 64.0; // pixels
+const float TRUSTED = 0.1; // parallax between two frames, pixels
+const float UNKNOWN = -1.0; // coverage of what was not seen before
 
 vec2 pixelBefore(vec3 place) {
     float along = dot(place, beforeForward);
@@ -35,6 +37,23 @@ void main() {
         pixel = finite(texelFetch(fresh, low, 0), vec4(0.0));
         return;
     }
+    vec4 far = texelFetch(freshMetres, low, 0);
+    float kilometres = far.a > 1e-3 ? far.r / far.a : SKY_KILOMETRES;
+    vec3 ray = normalize(layerRay(gl_FragCoord.xy));
+    vec2 was = pixelBefore(ray * (1000.0 * kilometres) + moved);
+    bool isSeen = all(greaterThanEqual(was, vec2(0.0))) && all(lessThanEqual(was, 2.0 * halfLayer));
+    bool isStill = distance(was, gl_FragCoord.xy) < STILL;
+    vec4 seen = vec4(UNKNOWN);
+    if (isSeen) {
+        seen = isStill ? texelFetch(before, at, 0) : texture(before, was / vec2(textureSize(before, 0)));
+        seen = finite(seen, vec4(UNKNOWN));
+    }
+    float parallax = distance(was, pixelBefore(ray));
+    if (seen.a != UNKNOWN && parallax <= TRUSTED) {
+        pixel = seen;
+        return;
+    }
+    // A place that is wrong because the cloud is near must not show something else than the rays around.
     ivec2 high = min(offset / side, last);
     vec4 a = finite(texelFetch(fresh, low, 0), vec4(0.0));
     vec4 b = finite(texelFetch(fresh, ivec2(high.x, low.y), 0), a);
@@ -42,24 +61,10 @@ void main() {
     vec4 d = finite(texelFetch(fresh, high, 0), a);
     vec2 share = vec2(within) / square.x;
     vec4 even = mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
-    vec4 far = texelFetch(freshMetres, low, 0)
-        + texelFetch(freshMetres, ivec2(high.x, low.y), 0)
-        + texelFetch(freshMetres, ivec2(low.x, high.y), 0)
-        + texelFetch(freshMetres, high, 0);
-    float kilometres = far.a > 1e-3 ? far.r / far.a : SKY_KILOMETRES;
-    vec3 ray = normalize(layerRay(gl_FragCoord.xy));
-    vec2 was = pixelBefore(ray * (1000.0 * kilometres) + moved);
-    if (any(lessThan(was, vec2(0.0))) || any(greaterThan(was, 2.0 * halfLayer))) {
-        pixel = even;
-        return;
-    }
-    bool isStill = distance(was, gl_FragCoord.xy) < STILL;
-    vec4 seen = isStill ? texelFetch(before, at, 0) : texture(before, was / vec2(textureSize(before, 0)));
-    seen = finite(seen, even);
-    // A place that is wrong because the cloud is near must not show something else than the rays around.
     vec4 least = min(min(a, b), min(c, d));
     vec4 most = max(max(a, b), max(c, d));
     vec4 margin = 0.25 * (most - least);
-    float parallax = distance(was, pixelBefore(ray));
-    pixel = mix(seen, clamp(seen, least - margin, most + margin), smoothstep(0.1, 1.0, parallax));
+    pixel = seen.a == UNKNOWN
+        ? even
+        : mix(seen, clamp(seen, least - margin, most + margin), smoothstep(TRUSTED, 1.0, parallax));
 }
