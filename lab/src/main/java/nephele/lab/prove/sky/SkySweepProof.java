@@ -43,9 +43,9 @@ public final class SkySweepProof implements Proof {
      * Elevations of the sun and the stops that {@code "auto"} has there for an eye that looks away from it, where the
      * longest exposure is called for, but 2 while the sun sets; at higher elevations every exposure counts.
      */
-    private static final double[] DEGREES = {-10, -8, -6, -4, -2, -1, -0.6, -0.45, -0.1, 0};
+    private static final double[] DEGREES = {-10, -8, -6, -4, -2, -1, -0.6, -0.45, 0.1};
 
-    private static final double[] AUTO_STOPS = {12, 11.1, 9.8, 8.1, 5.4, 4.2, 3.5, 2, 2, 3.5};
+    private static final double[] AUTO_STOPS = {12, 11.1, 9.8, 8.1, 5.4, 4.2, 3.5, 2, 2};
 
     private static final double SOLAR_IRRADIANCE = 4;
     private static final double EYE_METRES = 2;
@@ -63,7 +63,7 @@ public final class SkySweepProof implements Proof {
                 "While the sun rises in steps of 0.01 degrees (all of them from −10 to 22, one in each degree above),"
                     + " and while the clock moves it by as much at 200 instants of a year, no direction of sky and"
                     + " ground changes by more than 2 codes in a step, at any fixed exposure up to the one that auto"
-                    + " calls for with the back to the sun (2 stops while the sun sets), and with the sun up at any"
+                    + " calls for with the back to the sun (2 stops while the sun sets), and above 0.1 degrees at any"
                     + " exposure; none is negative or not a number.",
                 "stretches",
                 SWEEP_UNITS + HIGH_UNITS + HOUR_UNITS,
@@ -199,7 +199,7 @@ public final class SkySweepProof implements Proof {
 
     private static double longestExposure(double sunSine) {
         double degrees = Math.toDegrees(Math.asin(sunSine));
-        if (degrees > 0) {
+        if (degrees > DEGREES[DEGREES.length - 1]) {
             return Double.POSITIVE_INFINITY;
         }
         int i = 0;
