@@ -3,6 +3,7 @@ package nephele.lab.prove.cloud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import nephele.engine.measure.RandomMean;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.ProofResult;
 

@@ -13,6 +13,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.CloudMedia;
 import nephele.engine.reference.volume.DeltaTracking;
 import nephele.engine.reference.volume.OutsideLight;

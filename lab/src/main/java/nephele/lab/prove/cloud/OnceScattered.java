@@ -5,6 +5,7 @@ import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.PhaseFunction;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.Deflection;
 import nephele.engine.reference.volume.DeltaTracking;
 import nephele.engine.reference.volume.RatioTracking;

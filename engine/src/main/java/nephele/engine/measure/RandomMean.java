@@ -1,11 +1,12 @@
-package nephele.lab.prove.cloud;
+package nephele.engine.measure;
 
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 
 /** The mean of random numbers and its standard error. */
-record RandomMean(double value, double error) {
-    static RandomMean of(long samples, long seed, ToDoubleFunction<SplittableRandom> sample) {
+public record RandomMean(double value, double error) {
+    /** @param sample returns one number, from the given source of random numbers */
+    public static RandomMean of(long samples, long seed, ToDoubleFunction<SplittableRandom> sample) {
         var random = new SplittableRandom(seed);
         double sum = 0;
         double squares = 0;
@@ -19,11 +20,12 @@ record RandomMean(double value, double error) {
     }
 
     /** Returns this less another, independent mean. */
-    RandomMean minus(RandomMean other) {
+    public RandomMean minus(RandomMean other) {
         return new RandomMean(value - other.value, Math.hypot(error, other.error));
     }
 
-    RandomMean scaled(double factor) {
+    /** Returns the mean of the numbers times a factor. */
+    public RandomMean scaled(double factor) {
         return new RandomMean(value * factor, error * Math.abs(factor));
     }
 }

@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -13,6 +13,9 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;

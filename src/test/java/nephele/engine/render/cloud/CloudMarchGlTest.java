@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,6 +16,9 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
