@@ -77,7 +77,7 @@ class AirLightTest {
         AirLight ten = SKY.along(100, unit(0, 80), sun, 10);
         assertClose(metre.radiance().scaled(10), ten.radiance(), 1e-3);
         double[] extinction = new double[Air.CHANNELS];
-        Air.CLEAR.putExtinctionPerMetre(100, extinction);
+        Air.CLEAR.putExtinctionPerMetre(100, Air.molecules(100), Air.aerosols(100), extinction);
         assertEquals(Math.exp(-10 * extinction[2]), ten.transmittance().z(), 1e-8);
     }
 
@@ -89,7 +89,7 @@ class AirLightTest {
     @Test
     void belowTheGroundTheAirIsThatOfTheGround() {
         double[] extinction = new double[Air.CHANNELS];
-        Air.CLEAR.putExtinctionPerMetre(0, extinction);
+        Air.CLEAR.putExtinctionPerMetre(0, 1, 1, extinction);
         for (double height : new double[] {0, -500}) {
             AirLight down = SKY.along(height, unit(-90, 0), unit(35, 0), 1000);
             assertEquals(Math.exp(-1000 * extinction[1]), down.transmittance().y(), 1e-8);

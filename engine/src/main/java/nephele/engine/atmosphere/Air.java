@@ -65,20 +65,29 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
         return RAYLEIGH_PER_METRE[channel];
     }
 
-    /** Returns the scattering by molecules, per metre. */
-    double rayleighPerMetre(double heightMetres, int channel) {
-        return RAYLEIGH_PER_METRE[channel] * Math.exp(-heightMetres / RAYLEIGH_HEIGHT_METRES);
+    /** Returns the scattering by aerosols at the ground, per metre; it is the same for all wavelengths. */
+    double miePerMetre() {
+        return mieScale * MIE_SCATTERING_PER_METRE;
     }
 
-    /** Returns the scattering by aerosols, per metre; it is the same for all wavelengths. */
-    double miePerMetre(double heightMetres) {
-        return mieScale * MIE_SCATTERING_PER_METRE * Math.exp(-heightMetres / MIE_HEIGHT_METRES);
+    /** Returns the density of the molecules at a height of at least 0, relative to that at the ground. */
+    static double molecules(double heightMetres) {
+        return Math.exp(-heightMetres / RAYLEIGH_HEIGHT_METRES);
     }
 
-    /** Puts the extinction of all constituents, per metre, for each wavelength. */
-    void putExtinctionPerMetre(double heightMetres, double[] extinction) {
-        double mie = (1 + MIE_ABSORPTION_PER_METRE / MIE_SCATTERING_PER_METRE) * miePerMetre(heightMetres);
-        double molecules = Math.exp(-heightMetres / RAYLEIGH_HEIGHT_METRES);
+    /** Returns the density of the aerosols at a height of at least 0, relative to that at the ground. */
+    static double aerosols(double heightMetres) {
+        return Math.exp(-heightMetres / MIE_HEIGHT_METRES);
+    }
+
+    /**
+     * Puts the extinction of all constituents, per metre, for each wavelength.
+     *
+     * @param molecules relative density at this height
+     * @param aerosols relative density at this height
+     */
+    void putExtinctionPerMetre(double heightMetres, double molecules, double aerosols, double[] extinction) {
+        double mie = (1 + MIE_ABSORPTION_PER_METRE / MIE_SCATTERING_PER_METRE) * miePerMetre() * aerosols;
         double ozone =
                 ozoneScale * Math.max(0, 1 - Math.abs(heightMetres - OZONE_MIDDLE_METRES) / OZONE_HALF_WIDTH_METRES);
         for (int c = 0; c < CHANNELS; c++) {

@@ -40,7 +40,7 @@ final class AirIntegral {
             double length = ray.cut(piece + 1) - from;
             for (int k = 0; k < rule.nodes.length; k++) {
                 ray.lookAt(from + length * rule.nodes[k]);
-                air.putExtinctionPerMetre(ray.pointHeightMetres(), extinction);
+                ray.putExtinctionPerMetre(air, extinction);
                 for (int c = 0; c < CHANNELS; c++) {
                     depth[c] += length * rule.weights[k] * extinction[c];
                 }
@@ -108,7 +108,7 @@ final class AirIntegral {
     private void evaluate(AirRay ray, AirSource source, double from, double length) {
         for (int k = 0; k < rule.nodes.length; k++) {
             ray.lookAt(from + length * rule.nodes[k]);
-            air.putExtinctionPerMetre(ray.pointHeightMetres(), extinctions[k]);
+            ray.putExtinctionPerMetre(air, extinctions[k]);
             source.put(ray, sources[k]);
         }
     }

@@ -23,6 +23,8 @@ final class AirRay {
     private double pointHeightMetres;
     private double pointZenithCosine;
     private double pointSunCosine;
+    private double pointMolecules;
+    private double pointAerosols;
 
     /** A ray under a sun that is a point. */
     AirRay() {
@@ -151,6 +153,8 @@ final class AirRay {
         pointHeightMetres = Math.max(0, above / (r + PLANET));
         pointZenithCosine = clamped((radius * zenithCosine + distance) / r);
         pointSunCosine = clamped((radius * sunCosine + distance * betweenCosine) / r);
+        pointMolecules = Air.molecules(pointHeightMetres);
+        pointAerosols = Air.aerosols(pointHeightMetres);
     }
 
     private static double clamped(double cosine) {
@@ -189,5 +193,20 @@ final class AirRay {
 
     double pointSunCosine() {
         return pointSunCosine;
+    }
+
+    /** Returns the density of the molecules, relative to that at the ground. */
+    double pointMolecules() {
+        return pointMolecules;
+    }
+
+    /** Returns the density of the aerosols, relative to that at the ground. */
+    double pointAerosols() {
+        return pointAerosols;
+    }
+
+    /** Puts the extinction of an air at the point, per metre, for each wavelength. */
+    void putExtinctionPerMetre(Air air, double[] extinction) {
+        air.putExtinctionPerMetre(pointHeightMetres, pointMolecules, pointAerosols, extinction);
     }
 }

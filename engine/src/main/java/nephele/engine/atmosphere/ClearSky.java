@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import java.util.Arrays;
 import nephele.engine.math.GaussLegendre;
 import nephele.engine.math.Vec3;
 
@@ -89,10 +90,23 @@ public final class ClearSky {
 
     /** Puts the parts of the radiance; the phase functions are left to be multiplied to the first two. */
     void put(AirRay along, double[] radiance) {
+        putMore(along, multiple);
+        putOnce(along, radiance);
+        for (int c = 0; c < CHANNELS; c++) {
+            radiance[2 * CHANNELS + c] += multiple[c];
+        }
+    }
+
+    /** Puts the light that the air scatters more than once. */
+    void putMore(AirRay along, double[] radiance) {
+        integralMore.put(along, more, radiance, transmittance);
+    }
+
+    /** Puts the parts of the radiance without the light that the air scatters more than once. */
+    void putOnce(AirRay along, double[] radiance) {
         integral.put(along, once, single, transmittance);
-        integralMore.put(along, more, multiple, transmittance);
         System.arraycopy(single, 0, radiance, 0, single.length);
-        System.arraycopy(multiple, 0, radiance, single.length, CHANNELS);
+        Arrays.fill(radiance, single.length, PARTS * CHANNELS, 0);
         if (along.hitsGround()) {
             addGround(along, radiance);
         }

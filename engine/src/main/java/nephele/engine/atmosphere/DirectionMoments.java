@@ -6,6 +6,8 @@ package nephele.engine.atmosphere;
  * Recipes", third edition, section 6.7.
  */
 final class DirectionMoments {
+    private static final double SQRT_2 = Math.sqrt(2);
+
     private final int degree;
     /** Factors of the recurrences in the degree, at the places of their results; and in the order. */
     private final double[] ofCosine;
@@ -49,25 +51,30 @@ final class DirectionMoments {
      * @param azimuthCosine of the azimuth from the sun
      */
     void put(double cosine, double azimuthCosine, double[] values) {
+        put(cosine, azimuthCosine, degree, values);
+    }
+
+    /** Puts the values of the harmonics up to a degree. */
+    void put(double cosine, double azimuthCosine, int upTo, double[] values) {
         double sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
         double first = sectorial[0];
         double cosM = 1;
         double cosBefore = azimuthCosine;
-        for (int m = 0; m <= degree; m++) {
+        for (int m = 0; m <= upTo; m++) {
             if (m > 0) {
                 first *= sine * sectorial[m];
                 double next = 2 * azimuthCosine * cosM - cosBefore;
                 cosBefore = cosM;
                 cosM = next;
             }
-            putOrder(m, cosine, first, (m == 0 ? 1 : Math.sqrt(2)) * cosM, values);
+            putOrder(m, upTo, cosine, first, (m == 0 ? 1 : SQRT_2) * cosM, values);
         }
     }
 
-    private void putOrder(int m, double cosine, double first, double factor, double[] values) {
+    private void putOrder(int m, int upTo, double cosine, double first, double factor, double[] values) {
         double before = 0;
         double now = first;
-        for (int l = m; l <= degree; l++) {
+        for (int l = m; l <= upTo; l++) {
             int at = index(l, m);
             if (l > m) {
                 double next = ofCosine[at] * cosine * now - ofBefore[at] * before;

@@ -137,9 +137,10 @@ final class LightField {
     /**
      * Puts Σ weight × moment, for each wavelength.
      *
-     * @param weights wavelength by wavelength, one for each moment
+     * @param weights wavelength by wavelength, one for each moment of the first degrees
+     * @param count of the moments of these degrees
      */
-    void putSum(double heightMetres, double sunCosine, double[] weights, double[] sums) {
+    void putSum(double heightMetres, double sunCosine, double[] weights, int count, double[] sums) {
         double y = Math.sqrt(Math.max(0, Math.min(1, heightMetres / Air.TOP_METRES))) * (HEIGHTS - 1);
         double x = sunIndex(sunCosine);
         int i = Math.min(suns - 2, (int) x);
@@ -155,8 +156,8 @@ final class LightField {
             double ofLowNext = 0;
             double ofHigh = 0;
             double ofHighNext = 0;
-            for (int k = 1; k < moments; k++) {
-                double weight = weights[c * moments + k];
+            for (int k = 1; k < count; k++) {
+                double weight = weights[c * count + k];
                 ofLow += weight * values[low + k];
                 ofLowNext += weight * values[lowNext + k];
                 ofHigh += weight * values[high + k];
@@ -164,7 +165,7 @@ final class LightField {
             }
             double logarithm = (1 - v) * ((1 - u) * values[low] + u * values[lowNext])
                     + v * ((1 - u) * values[high] + u * values[highNext]);
-            double ratio = weights[c * moments]
+            double ratio = weights[c * count]
                     + (1 - v) * ((1 - u) * ofLow + u * ofLowNext)
                     + v * ((1 - u) * ofHigh + u * ofHighNext);
             sums[c] = Math.exp(logarithm) * ratio;

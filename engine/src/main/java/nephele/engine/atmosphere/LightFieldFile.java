@@ -85,12 +85,26 @@ public final class LightFieldFile {
         }
     }
 
-    /** Writes the field of clear air, computed anew. */
+    /** Writes the field of clear air, computed anew: the file of the program. */
     public static void write(OutputStream out) throws IOException {
         LightField field = ScatteringOrders.sum(Air.CLEAR, new SunTransmittance(Air.CLEAR), done -> {});
         try (DataOutputStream numbers = new DataOutputStream(new GZIPOutputStream(out))) {
             write(field, numbers);
         }
+    }
+
+    /** Returns the greatest difference between the numbers of the program's field of clear air and those of another file. */
+    public static double differenceFromClear(InputStream file) throws IOException {
+        float[][] own = clear().arrays();
+        float[][] other = read(compressed(file)).arrays();
+        double greatest = 0;
+        for (int array = 0; array < own.length; array++) {
+            for (int i = 0; i < own[array].length; i++) {
+                double difference = Math.abs(own[array][i] - other[array][i]);
+                greatest = difference <= greatest ? greatest : difference;
+            }
+        }
+        return greatest;
     }
 
     private static DataInputStream compressed(InputStream file) throws IOException {

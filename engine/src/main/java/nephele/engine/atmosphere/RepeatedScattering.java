@@ -4,6 +4,12 @@ import nephele.engine.math.GaussLegendre;
 
 /** Light of a field that molecules and aerosols scatter once more, per metre. */
 final class RepeatedScattering implements AirSource {
+    /** Degree up to which the phase function of molecules has Legendre coefficients. */
+    private static final int MOLECULES_DEGREE = 2;
+
+    /** Share of the scattering by aerosols below which their higher degrees are neglected: from some 14 km on. */
+    private static final double LEAST_AEROSOLS = 3e-5;
+
     private final Air air;
     private final LightField field;
     private final DirectionMoments harmonics;
@@ -54,13 +60,15 @@ final class RepeatedScattering implements AirSource {
         double sun = ray.pointSunCosine();
         double sines = Math.sqrt((1 - mu * mu) * (1 - sun * sun));
         double azimuth = sines > 1e-9 ? (ray.betweenCosine() - mu * sun) / sines : 1;
-        harmonics.put(mu, Math.max(-1, Math.min(1, azimuth)), values);
-        double height = ray.pointHeightMetres();
-        double mie = air.miePerMetre(height);
+        double mie = air.miePerMetre() * ray.pointAerosols();
+        boolean hasAerosols = mie > LEAST_AEROSOLS * Air.rayleighPerMetre(0) * ray.pointMolecules();
+        int degree = hasAerosols ? field.degree() : MOLECULES_DEGREE;
+        int count = DirectionMoments.count(degree);
+        harmonics.put(mu, Math.max(-1, Math.min(1, azimuth)), degree, values);
         for (int c = 0; c < Air.CHANNELS; c++) {
-            double rayleigh = air.rayleighPerMetre(height, c);
-            int at = c * values.length;
-            for (int l = 0; l <= field.degree(); l++) {
+            double rayleigh = Air.rayleighPerMetre(c) * ray.pointMolecules();
+            int at = c * count;
+            for (int l = 0; l <= degree; l++) {
                 double share = mie * mieMoments[l] + (l == 0 ? rayleigh : l == 2 ? 0.1 * rayleigh : 0);
                 for (int m = 0; m <= l; m++) {
                     int k = DirectionMoments.index(l, m);
@@ -68,6 +76,6 @@ final class RepeatedScattering implements AirSource {
                 }
             }
         }
-        field.putSum(height, sun, weights, radiancePerMetre);
+        field.putSum(ray.pointHeightMetres(), sun, weights, count, radiancePerMetre);
     }
 }

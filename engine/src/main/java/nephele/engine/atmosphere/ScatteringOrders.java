@@ -36,6 +36,7 @@ final class ScatteringOrders {
      * @param progress the completed share, estimated from the light that the last order added
      */
     static LightField sum(Air air, SunTransmittance sun, DoubleConsumer progress) {
+        progress.accept(0);
         ScatteringOrders orders = new ScatteringOrders(air, sun);
         LightField last = orders.next(null, FIRST_DEGREE);
         for (int order = 2; order <= MOST_ORDERS && orders.share > LEAST_SHARE; order++) {

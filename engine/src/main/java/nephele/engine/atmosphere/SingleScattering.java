@@ -21,11 +21,10 @@ final class SingleScattering implements AirSource {
 
     @Override
     public void put(AirRay ray, double[] radiancePerMetre) {
-        double height = ray.pointHeightMetres();
-        sun.put(height, ray.pointSunCosine(), sunlight);
-        double mie = air.miePerMetre(height);
+        sun.put(ray.pointHeightMetres(), ray.pointSunCosine(), sunlight);
+        double mie = air.miePerMetre() * ray.pointAerosols();
         for (int c = 0; c < Air.CHANNELS; c++) {
-            radiancePerMetre[c] = sunlight[c] * air.rayleighPerMetre(height, c);
+            radiancePerMetre[c] = sunlight[c] * Air.rayleighPerMetre(c) * ray.pointMolecules();
             radiancePerMetre[Air.CHANNELS + c] = sunlight[c] * mie;
         }
     }

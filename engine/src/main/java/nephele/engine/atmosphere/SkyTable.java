@@ -27,6 +27,11 @@ public final class SkyTable {
 
     private static final int CHANNELS = Air.CHANNELS;
 
+    /** Light that is scattered more than once changes slowly with azimuth: it is integrated at every third one. */
+    private static final int MORE_STEP = 3;
+
+    private static final int MORE_NODES = (AZIMUTHS - 1) / MORE_STEP + 1;
+
     private final Air air;
     /** Elevations e are measured by tan(e / 2). */
     private final double horizon;
@@ -55,19 +60,48 @@ public final class SkyTable {
         ClearSky sky = new ClearSky(tables, sunCosine < 0 ? AirIntegral.FINE : AirIntegral.COARSE, AirIntegral.COARSE);
         AirRay ray = new AirRay(tables.air().shadowEdgeRadians(), 0);
         double[] parts = new double[ClearSky.PARTS * CHANNELS];
+        double[] more = new double[CHANNELS];
         double t = elevation(row);
         double sine = 2 * t / (1 + t * t);
         double sines = (1 - t * t) / (1 + t * t) * Math.sqrt(Math.max(0, 1 - sunCosine * sunCosine));
+        double[] nodes = new double[MORE_NODES * CHANNELS];
+        for (int node = 0; node < MORE_NODES; node++) {
+            ray.set(height, sine, sunCosine, between(sine * sunCosine, sines, node * MORE_STEP));
+            sky.putMore(ray, more);
+            for (int c = 0; c < CHANNELS; c++) {
+                nodes[node * CHANNELS + c] = Math.sqrt(Math.max(0, more[c]));
+            }
+        }
         for (int column = 0; column < AZIMUTHS; column++) {
-            double half = column / (AZIMUTHS - 1.0);
-            double between = Math.max(-1, Math.min(1, sine * sunCosine + sines * (1 - 2 * half * half)));
+            double between = between(sine * sunCosine, sines, column);
             ray.set(height, sine, sunCosine, between);
-            sky.put(ray, parts);
+            sky.putOnce(ray, parts);
+            putMore(nodes, column, more);
             double rayleigh = Air.rayleighPhase(between);
             for (int c = 0; c < CHANNELS; c++) {
                 put(0, row, column, c, parts[CHANNELS + c]);
-                put(1, row, column, c, rayleigh * parts[c] + parts[2 * CHANNELS + c]);
+                put(1, row, column, c, rayleigh * parts[c] + parts[2 * CHANNELS + c] + more[c]);
             }
+        }
+    }
+
+    private static double between(double cosines, double sines, int column) {
+        double half = column / (AZIMUTHS - 1.0);
+        return Math.max(-1, Math.min(1, cosines + sines * (1 - 2 * half * half)));
+    }
+
+    /** Puts the light of a column, interpolated between the square roots at nodes. */
+    private static void putMore(double[] nodes, int column, double[] light) {
+        double[] weights = new double[4];
+        int cell = CubicWeights.cell(column / (double) MORE_STEP, MORE_NODES);
+        CubicWeights.put(column / (double) MORE_STEP - cell, cell, MORE_NODES, weights);
+        for (int c = 0; c < CHANNELS; c++) {
+            double root = 0;
+            for (int k = 0; k < weights.length; k++) {
+                int node = Math.max(0, Math.min(MORE_NODES - 1, cell - 1 + k));
+                root += weights[k] * nodes[node * CHANNELS + c];
+            }
+            light[c] = root * root;
         }
     }
 

@@ -18,14 +18,13 @@ public final class SmoothSky {
     /** @param towardsSun unit */
     public SmoothSky(AirTables tables, Vec3 towardsSun) {
         this.towardsSun = towardsSun;
-        int all = DirectionMoments.count(tables.field().degree());
         double[] sums = new double[Air.CHANNELS];
         for (int k = 0; k < values.length; k++) {
-            double[] weights = new double[Air.CHANNELS * all];
+            double[] weights = new double[Air.CHANNELS * values.length];
             for (int c = 0; c < Air.CHANNELS; c++) {
-                weights[c * all + k] = 1;
+                weights[c * values.length + k] = 1;
             }
-            tables.field().putSum(0, towardsSun.y(), weights, sums);
+            tables.field().putSum(0, towardsSun.y(), weights, values.length, sums);
             for (int c = 0; c < Air.CHANNELS; c++) {
                 moments[c][k] = sums[c];
             }

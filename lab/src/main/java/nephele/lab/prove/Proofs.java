@@ -33,6 +33,7 @@ import nephele.lab.prove.process.MutantsProof;
 import nephele.lab.prove.process.SaveKillProof;
 import nephele.lab.prove.process.SoakProof;
 import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
@@ -68,6 +69,7 @@ public final class Proofs {
             new CloudSlabsProof(),
             new CloudLawsProof(),
             new CloudReferenceProof(),
+            new AirFieldsProof(),
             new SkySweepProof(),
             new SoakProof());
 
