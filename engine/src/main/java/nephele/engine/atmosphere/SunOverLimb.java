@@ -41,10 +41,14 @@ public record SunOverLimb(double share, double lowSine, double highSine) {
             return above < 0 ? HIDDEN : new SunOverLimb(1, sunSine, sunSine);
         }
         double d = above / radiusRadians;
-        return d <= -1 ? HIDDEN : cut(Math.min(1, d), radiusRadians, sunSine, sunCosine);
+        if (d >= 1) {
+            double spread = 0.5 * radiusRadians * sunCosine;
+            return new SunOverLimb(1, sunSine - spread, sunSine + spread);
+        }
+        return d <= -1 ? HIDDEN : cut(d, radiusRadians, sunSine, sunCosine);
     }
 
-    /** @param d height of the middle above the limb, in radii, -1 to 1 */
+    /** @param d height of the middle above the limb, in radii, between -1 and 1 */
     private static SunOverLimb cut(double d, double radiusRadians, double sunSine, double sunCosine) {
         double half = Math.sqrt(Math.max(0, 1 - d * d));
         double angle = Math.asin(d);

@@ -40,11 +40,11 @@ final class SunTransmittance {
     }
 
     /**
-     * Puts the share of sunlight that arrives, for each wavelength; nothing is hidden by the planet here.
+     * Puts the optical depth of the air above, for each wavelength; nothing is hidden by the planet here.
      *
      * @param sunCosine between the zenith and the sun; below the horizon, its value at the horizon holds
      */
-    void put(double heightMetres, double sunCosine, double[] transmittance) {
+    void putDepth(double heightMetres, double sunCosine, double[] depth) {
         double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
         double radius = PLANET + height;
         double toHorizon = Math.sqrt(height * (radius + PLANET));
@@ -63,7 +63,7 @@ final class SunTransmittance {
         for (int c = 0; c < Air.CHANNELS; c++) {
             double low = depths[at + c] + u * (depths[at + Air.CHANNELS + c] - depths[at + c]);
             double high = depths[above + c] + u * (depths[above + Air.CHANNELS + c] - depths[above + c]);
-            transmittance[c] = Math.exp(-(low + v * (high - low)));
+            depth[c] = low + v * (high - low);
         }
     }
 }

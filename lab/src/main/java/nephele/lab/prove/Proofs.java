@@ -35,6 +35,7 @@ import nephele.lab.prove.process.SoakProof;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
+import nephele.lab.prove.sky.SkyTableProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {
@@ -70,6 +71,7 @@ public final class Proofs {
             new CloudLawsProof(),
             new CloudReferenceProof(),
             new AirFieldsProof(),
+            new SkyTableProof(),
             new SkySweepProof(),
             new SoakProof());
 

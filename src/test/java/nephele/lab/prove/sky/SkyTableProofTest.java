@@ -1,0 +1,27 @@
+package nephele.lab.prove.sky;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+import org.junit.jupiter.api.Test;
+
+class SkyTableProofTest {
+    /** Noon and sunset on the ground, dusk and the limb from high up, and one at random. */
+    private static final int[] UNITS = {1, 4, 11, 18, 40};
+
+    @Test
+    void theTableFollowsTheIntegrationOverTheWholeDome() {
+        SkyTableProof proof = new SkyTableProof();
+        ProofResult result = ProofResult.NOTHING;
+        for (int unit : UNITS) {
+            result = result.and(proof.run(unit, 1, Proof.Progress.NONE));
+        }
+        assertEquals(List.of(), result.examples());
+        assertEquals(UNITS.length, result.units());
+        double rmse = result.value("greatest luminance RMSE");
+        assertTrue(rmse > 0.01 && rmse <= 1, "a table has errors: " + rmse);
+    }
+}
