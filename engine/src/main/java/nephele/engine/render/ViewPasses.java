@@ -29,7 +29,7 @@ record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque, List<Pass> re
 
     private boolean isCopyRead(FrameContext frame) {
         for (int i = 0; i < readers.size(); i++) {
-            if (readers.get(i).draws(frame)) {
+            if (readers.get(i).needsCopies(frame)) {
                 return true;
             }
         }

@@ -15,9 +15,10 @@ public interface Pass {
     }
 
     /**
-     * Returns false if {@link #draw} would leave this view as it is. A view is copied only for passes that draw in it.
+     * Returns false if {@link #draw} does not need the copies of this view that {@link #reads} names. A view is copied
+     * only for passes that do.
      */
-    default boolean draws(FrameContext frame) {
+    default boolean needsCopies(FrameContext frame) {
         return true;
     }
 

@@ -64,6 +64,7 @@ public record Quality(
             1);
     public static final Quality LOW = HIGH.withPictureResolution(0.5)
             .withShadowTexels(2048)
+            .withCloudHistory(CloudHistory.SIXTEEN_FRAMES)
             .withCloudStep(2)
             .withViewBudget(6);
     public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);

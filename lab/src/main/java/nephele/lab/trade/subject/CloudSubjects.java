@@ -45,8 +45,8 @@ public final class CloudSubjects {
 
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),
-            PictureSetting.of("cloudHistory", "four_frames", "low, medium and high"),
-            PictureSetting.of("cloudHistory", "sixteen_frames", ""));
+            PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
+            PictureSetting.of("cloudHistory", "sixteen_frames", "low"));
 
     public static final Trade HISTORY = new Trade(
                     "cloudHistory",

@@ -23,9 +23,9 @@ public enum TextureUnit {
     CLOUD_PROFILE(6),
     CLOUD_PLAN(14),
     CLOUD_LIGHT_TO_COME(9),
-    /** What {@code spread.frag} reads: rays of this frame, their distances, and the layer before. */
+    /** What {@code spread.frag} reads: rays of this frame, places of the clouds there, and the layer before. */
     SPREAD_FRESH(0),
-    SPREAD_METRES(1),
+    SPREAD_PLACES(1),
     SPREAD_BEFORE(2),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),

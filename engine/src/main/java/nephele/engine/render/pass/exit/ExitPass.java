@@ -123,7 +123,11 @@ public final class ExitPass implements Pass {
     }
 
     @Override
-    public boolean draws(FrameContext frame) {
+    public boolean needsCopies(FrameContext frame) {
+        return isSeen(frame);
+    }
+
+    private boolean isSeen(FrameContext frame) {
         for (int i = 0; i < bounds.size(); i++) {
             if (limits(frame).mayIntersect(bounds.get(i))) {
                 return true;
@@ -144,7 +148,7 @@ public final class ExitPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        if (!draws(frame)) {
+        if (!isSeen(frame)) {
             return;
         }
         frame.surface().bind();

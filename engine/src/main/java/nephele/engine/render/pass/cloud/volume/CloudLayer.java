@@ -7,16 +7,20 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.View;
 
 /**
  * The target of low resolution into which clouds are marched. The rays of one view can be divided among frames: a frame
  * marches one of each square of rays, and the others show what was seen in their direction before, at most as many
- * frames ago as a square has rays. The first frame after a cut marches all. Views that all march all rays may share a
- * layer in turn.
+ * frames ago as a square has rays. The first frame after a cut marches all, as after a jump in time. Views that all march
+ * all rays may share a layer in turn.
  */
 final class CloudLayer implements GlObject {
+    /** A longer time between two frames is a jump: clouds have another shape after it. */
+    private static final double JUMP_SECONDS = 1;
+
     private final GlContext gl;
     private final LoadContext context;
     private final int divisor;
@@ -27,8 +31,14 @@ final class CloudLayer implements GlObject {
     private RenderTarget other;
 
     private RenderTarget fresh;
+    /** The layer as it is drawn; a pixel for each corner of its pixels. */
+    private RenderTarget joined;
+
     private SpreadProgram program;
+    private JoinProgram joining;
     private View before;
+    private double seconds;
+    private double secondsBefore;
     private int width;
     private int height;
     private int frame;
@@ -49,15 +59,18 @@ final class CloudLayer implements GlObject {
      * Begins the layer of a view, empty.
      *
      * @param cutsSoFar number of cuts; the layer before is void if it has grown
+     * @param now simulated seconds
      */
-    void begin(RenderTarget surface, int cutsSoFar) {
+    void begin(RenderTarget surface, int cutsSoFar, double now) {
         if (shown == null || width != surface.width() || height != surface.height()) {
             resize(surface);
         }
-        if (cuts != cutsSoFar) {
+        if (cuts != cutsSoFar || !(Math.abs(now - seconds) <= JUMP_SECONDS)) {
             before = null;
         }
         cuts = cutsSoFar;
+        secondsBefore = before == null ? now : seconds;
+        seconds = now;
         frame = before == null ? 0 : frame + 1;
         gl.state().beginLayer(divisor * marchedSide(), limits);
         (before == null ? shown : fresh).clearTransparentWithinScissor();
@@ -68,6 +81,8 @@ final class CloudLayer implements GlObject {
         width = surface.width();
         height = surface.height();
         shown = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
+        joined = RenderTarget.picture(
+                gl, "joined clouds", PixelFormat.RGBA16F, shown.width() + 1, shown.height() + 1, Sampling.LINEAR_CLAMP);
         if (side > 1) {
             other = surface.reduced("clouds before", PixelFormat.RGBA16F, divisor);
             int across = (shown.width() + side - 1) / side;
@@ -105,8 +120,14 @@ final class CloudLayer implements GlObject {
         if (before != null) {
             complete(view, triangle);
         }
+        join(triangle);
         gl.state().endLayer(limits);
         before = side == 1 ? null : view;
+    }
+
+    /** Returns the time of the layer before; the present one if there is none. */
+    double secondsBefore() {
+        return secondsBefore;
     }
 
     private void complete(View view, FullScreenTriangle triangle) {
@@ -119,7 +140,7 @@ final class CloudLayer implements GlObject {
         completed.bind();
         gl.state().set(DrawState.Depth.OFF, DrawState.Blend.REPLACE, DrawState.Cull.NONE);
         fresh.colour().bind(TextureUnit.SPREAD_FRESH);
-        fresh.second().bind(TextureUnit.SPREAD_METRES);
+        fresh.second().bind(TextureUnit.SPREAD_PLACES);
         other.colour().bind(TextureUnit.SPREAD_BEFORE);
         program.use(
                 before,
@@ -130,18 +151,30 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
+    private void join(FullScreenTriangle triangle) {
+        if (joining == null) {
+            joining = new JoinProgram(context);
+        }
+        joined.bind();
+        gl.state().set(DrawState.Depth.OFF, DrawState.Blend.REPLACE, DrawState.Cull.NONE);
+        shown.colour().bind(TextureUnit.COLOURS);
+        joining.use();
+        triangle.draw();
+    }
+
     int divisor() {
         return divisor;
     }
 
     void bindPicture() {
-        shown.colour().bind(TextureUnit.COLOURS);
+        joined.colour().bind(TextureUnit.COLOURS);
     }
 
     @Override
     public void close() {
         if (shown != null) {
             shown.close();
+            joined.close();
             shown = null;
         }
         if (other != null) {

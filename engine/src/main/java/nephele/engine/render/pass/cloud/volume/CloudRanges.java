@@ -58,15 +58,6 @@ final class CloudRanges {
         return count;
     }
 
-    /** Returns a distance within which an eye sees no cloud. */
-    double nearestMetres(Vec3 eye) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (Aabb box : bounds) {
-            nearest = Math.min(nearest, distance(box, eye));
-        }
-        return nearest;
-    }
-
     static double distance(Aabb box, Vec3 eye) {
         double x = Math.max(0, Math.max(box.minX() - eye.x(), eye.x() - box.maxX()));
         double y = Math.max(0, Math.max(box.minY() - eye.y(), eye.y() - box.maxY()));

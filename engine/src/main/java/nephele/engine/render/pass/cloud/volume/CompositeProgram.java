@@ -20,6 +20,7 @@ final class CompositeProgram {
     CompositeProgram(LoadContext context, boolean mixed, int clouds, int divisor) {
         var defines = Defines.of(context)
                 .withIf(mixed, "MIXED")
+                .withIf(!mixed, "FARTHEST")
                 .with("CLOUDS", clouds)
                 .with("DIVISOR", (double) divisor)
                 .values();
@@ -30,8 +31,8 @@ final class CompositeProgram {
                 uniforms -> {
                     if (mixed) {
                         uniforms.block("Frame", FrameUniforms.BINDING);
+                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     }
-                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     uniforms.sampler("clouds", TextureUnit.COLOURS);
                     return mixed ? CloudRanges.Places.of(uniforms, clouds) : null;
                 });

@@ -53,10 +53,11 @@ final class MarchProgram {
         }
     }
 
-    /** The rays of a layer that are marched. */
-    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square) {
+    /** The rays of a layer that are marched, and how far the wind has carried the cloud since the layer before. */
+    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square, Uniforms.Vector3 blown) {
         static Rays of(Uniforms uniforms) {
-            return new Rays(uniforms.vector2("layerStep"), uniforms.vector3("marchedSquare"));
+            return new Rays(
+                    uniforms.vector2("layerStep"), uniforms.vector3("marchedSquare"), uniforms.vector3("blown"));
         }
     }
 

@@ -65,9 +65,14 @@ final class MarchedCloud {
         return presence > 0;
     }
 
-    /** Returns its bounds at the time. */
+    /** Returns its bounds at the time of the frame. */
     Aabb bounds() {
         return cloud.bounds().moved(drift);
+    }
+
+    /** Returns its bounds at a time. */
+    Aabb bounds(double seconds) {
+        return cloud.bounds().moved(cloud.drift(seconds));
     }
 
     double halfCurvature() {
@@ -129,6 +134,11 @@ final class MarchedCloud {
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);
         set(places.skyBelow(), below.scaled(groundShare));
+    }
+
+    /** Sets how far the wind has carried it since another time. */
+    void putBlown(MarchProgram.Rays rays, double since) {
+        set(rays.blown(), drift.minus(cloud.drift(since)));
     }
 
     private double greatestPerMetre() {

@@ -27,7 +27,7 @@ final class SpreadProgram {
         static Places of(Uniforms uniforms) {
             uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("fresh", TextureUnit.SPREAD_FRESH);
-            uniforms.sampler("freshMetres", TextureUnit.SPREAD_METRES);
+            uniforms.sampler("freshPlaces", TextureUnit.SPREAD_PLACES);
             uniforms.sampler("before", TextureUnit.SPREAD_BEFORE);
             return new Places(
                     uniforms.vector2("layerStep"),

@@ -96,8 +96,18 @@ public final class VolumePass implements Pass {
     }
 
     @Override
-    public boolean draws(FrameContext frame) {
-        return !clouds.isEmpty();
+    public boolean needsCopies(FrameContext frame) {
+        return !clouds.isEmpty() && (mainLayer == null || isMixed(frame.view().eye()));
+    }
+
+    /** Returns true if surfaces can be among the clouds that an eye sees. */
+    private boolean isMixed(Vec3 eye) {
+        double seconds = shared.clouds().now().seconds();
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < clouds.size(); i++) {
+            nearest = Math.min(nearest, CloudRanges.distance(clouds.get(i).bounds(seconds), eye));
+        }
+        return nearest < farthestSurface(eye);
     }
 
     @Override
@@ -112,19 +122,22 @@ public final class VolumePass implements Pass {
         }
         sort(view.eye());
         ranges.follow(clouds);
-        reads.bind(shared);
         if (mainLayer == null) {
+            reads.bind(shared);
             frame.surface().bind();
             march(direct, view, null);
             return;
         }
         boolean isMain = frame.node() == null || frame.node().parent() == null;
         CloudLayer layer = isMain ? mainLayer : nestedLayer;
-        layer.begin(frame.surface(), shared.cuts());
+        layer.begin(frame.surface(), shared.cuts(), shared.clouds().now().seconds());
         march(whole, view, layer);
         layer.end(view, triangle);
         frame.surface().bind();
-        boolean mixed = ranges.nearestMetres(view.eye()) < farthestSurface(view.eye());
+        boolean mixed = isMixed(view.eye());
+        if (mixed) {
+            reads.bind(shared);
+        }
         drawLayer(layer, view, mixed);
         if (mixed) {
             march(direct, view, null);
@@ -149,6 +162,7 @@ public final class VolumePass implements Pass {
             program.use();
             if (layer != null) {
                 layer.put(program.rays());
+                cloud.putBlown(program.rays(), layer.secondsBefore());
             }
             if (program.ranges() != null) {
                 ranges.put(program.ranges(), view);
@@ -159,7 +173,7 @@ public final class VolumePass implements Pass {
     }
 
     private void drawLayer(CloudLayer layer, View view, boolean mixed) {
-        gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+        gl.state().set(mixed ? Depth.OFF : Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE);
         CompositeProgram program = mixed ? compositeBehindSurfaces() : composite();
         program.use();
         if (mixed) {

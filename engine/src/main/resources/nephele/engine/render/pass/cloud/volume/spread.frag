@@ -6,7 +6,8 @@ layout(location = 0) out vec4 pixel;
 #include "finite.glsl"
 
 uniform sampler2D fresh; // premultiplied radiance and coverage of the marched rays
-uniform sampler2D freshMetres; // r: kilometres to the cloud times coverage; a: coverage
+uniform sampler2D freshPlaces; // times coverage: r: kilometres to the cloud; gb: the wind's motion along the view's axes since
+                               // the layer before, metres; a: coverage
 uniform sampler2D before;
 uniform vec3 square; // x: its side; y, z: column and row of the marched ray in it
 uniform vec3 beforeRight; // divided by the tangent of half the field of view, as beforeUp is
@@ -17,7 +18,7 @@ uniform vec2 halfLayer; // pixels from the middle of the view to its sides
 
 const float SKY_KILOMETRES = 100.0; // where no cloud tells how far it is
 const float STILL = 1.0 / 64.0; // pixels
-const float TRUSTED = 0.1; // parallax between two frames, pixels
+const float TRUSTED = 0.1; // motion of the cloud between two frames, by parallax and wind, pixels
 const float UNKNOWN = -1.0; // coverage of what was not seen before
 
 vec2 pixelBefore(vec3 place) {
@@ -37,10 +38,11 @@ void main() {
         pixel = finite(texelFetch(fresh, low, 0), vec4(0.0));
         return;
     }
-    vec4 far = texelFetch(freshMetres, low, 0);
-    float kilometres = far.a > 1e-3 ? far.r / far.a : SKY_KILOMETRES;
+    vec4 place = texelFetch(freshPlaces, low, 0);
+    vec3 seenThere = place.a > 1e-3 ? place.rgb / place.a : vec3(SKY_KILOMETRES, 0.0, 0.0);
+    vec3 blown = seenThere.y * normalize(viewRight.xyz) + seenThere.z * normalize(viewUp.xyz);
     vec3 ray = normalize(layerRay(gl_FragCoord.xy));
-    vec2 was = pixelBefore(ray * (1000.0 * kilometres) + moved);
+    vec2 was = pixelBefore(ray * (1000.0 * seenThere.x) + moved - blown);
     bool isSeen = all(greaterThanEqual(was, vec2(0.0))) && all(lessThanEqual(was, 2.0 * halfLayer));
     bool isStill = distance(was, gl_FragCoord.xy) < STILL;
     vec4 seen = vec4(UNKNOWN);
@@ -48,8 +50,8 @@ void main() {
         seen = isStill ? texelFetch(before, at, 0) : texture(before, was / vec2(textureSize(before, 0)));
         seen = finite(seen, vec4(UNKNOWN));
     }
-    float parallax = distance(was, pixelBefore(ray));
-    if (seen.a != UNKNOWN && parallax <= TRUSTED) {
+    float motion = distance(was, pixelBefore(ray));
+    if (seen.a != UNKNOWN && motion <= TRUSTED) {
         pixel = seen;
         return;
     }
@@ -66,5 +68,5 @@ void main() {
     vec4 margin = 0.25 * (most - least);
     pixel = seen.a == UNKNOWN
         ? even
-        : mix(seen, clamp(seen, least - margin, most + margin), smoothstep(TRUSTED, 1.0, parallax));
+        : mix(seen, clamp(seen, least - margin, most + margin), smoothstep(TRUSTED, 1.0, motion));
 }

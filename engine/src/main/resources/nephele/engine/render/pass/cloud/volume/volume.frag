@@ -11,8 +11,9 @@
 
 #ifdef WHOLE
 #include "layer-ray.glsl"
-layout(location = 1) out vec4 kilometres; // r: to the cloud, times coverage; a: coverage
+layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
 uniform vec3 marchedSquare; // x: side of the square of rays of which one is marched; y, z: that one's place from the middle
+uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
 #else
 in vec3 direction;
 #endif
@@ -48,12 +49,20 @@ float stepOffset(vec2 pixelPlace) {
     return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
 }
 
+#ifdef WHOLE
+// The wind's motion along the view's right and upper axes; what it has along the ray cannot be seen and takes the rest.
+vec2 motionAcross(vec3 ray) {
+    vec3 across = blown - ray * (dot(blown, viewForward.xyz) / dot(ray, viewForward.xyz));
+    return vec2(dot(across, normalize(viewRight.xyz)), dot(across, normalize(viewUp.xyz)));
+}
+#endif
+
 void main() {
 #ifdef WHOLE
-    vec2 place = gl_FragCoord.xy * marchedSquare.x + marchedSquare.yz;
-    vec3 direction = layerRay(place);
+    vec2 rayPlace = gl_FragCoord.xy * marchedSquare.x + marchedSquare.yz;
+    vec3 direction = layerRay(rayPlace);
 #else
-    vec2 place = gl_FragCoord.xy;
+    vec2 rayPlace = gl_FragCoord.xy;
 #endif
     float unit = length(direction);
     vec3 ray = direction / unit;
@@ -69,7 +78,7 @@ void main() {
     if (!(visible.x < visible.y)) {
         discard;
     }
-    CloudRay cloud = marchedCloud(ray, visible, stepOffset(place));
+    CloudRay cloud = marchedCloud(ray, visible, stepOffset(rayPlace));
     vec3 radiance = cloud.sunlight * irradiance + cloud.above * skyAbove + cloud.below * skyBelow;
     float covered = 1.0 - cloud.transmittance;
 #ifdef AIR
@@ -85,6 +94,6 @@ void main() {
 #endif
     pixel = vec4(min(radiance, 65504.0), covered);
 #ifdef WHOLE
-    kilometres = vec4(0.001 * cloud.metres * covered, 0.0, 0.0, covered);
+    place = vec4(covered * vec3(0.001 * cloud.metres, motionAcross(ray)), covered);
 #endif
 }
