@@ -6,6 +6,7 @@ import nephele.lab.prove.bodies.EnergyProof;
 import nephele.lab.prove.bodies.FallsProof;
 import nephele.lab.prove.bodies.MassRatiosProof;
 import nephele.lab.prove.bodies.PilesProof;
+import nephele.lab.prove.cloud.CloudFlightProof;
 import nephele.lab.prove.cloud.CloudLawsProof;
 import nephele.lab.prove.cloud.CloudReferenceProof;
 import nephele.lab.prove.cloud.CloudSlabsProof;
@@ -70,6 +71,7 @@ public final class Proofs {
             new CloudSlabsProof(),
             new CloudLawsProof(),
             new CloudReferenceProof(),
+            new CloudFlightProof(),
             new AirFieldsProof(),
             new SkyTableProof(),
             new SkySweepProof(),
