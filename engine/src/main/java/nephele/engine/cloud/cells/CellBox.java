@@ -30,6 +30,18 @@ public record CellBox(Aabb box, int nx, int ny, int nz) {
         return Math.max(Math.min(cells, 2), cells / divisor);
     }
 
+    /** Returns the box with one more cell on each side. */
+    public CellBox padded() {
+        var wider = new Aabb(
+                box.minX() - sizeX(),
+                box.minY() - sizeY(),
+                box.minZ() - sizeZ(),
+                box.maxX() + sizeX(),
+                box.maxY() + sizeY(),
+                box.maxZ() + sizeZ());
+        return new CellBox(wider, nx + 2, ny + 2, nz + 2);
+    }
+
     public int count() {
         return nx * ny * nz;
     }

@@ -13,6 +13,7 @@ import nephele.engine.cloud.cells.DensityCells.Sampling;
 import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
+import nephele.engine.cloud.field.EllipsoidField;
 import nephele.engine.cloud.field.GridField;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.field.NoiseField;
@@ -46,6 +47,8 @@ public final class CloudSource {
     private final CloudLight physics;
     private final boolean isShell;
     private final Aabb bounds;
+    /** The cells of a finite cloud; {@code null} for a layer. */
+    private final CellBox cells;
     /** {@code null} for a finite cloud. */
     private final LayerGrid grid;
 
@@ -64,9 +67,18 @@ public final class CloudSource {
         this.index = index;
         this.physics = physics;
         isShell = still.field(index, 0) instanceof ShellField;
-        bounds = flat(0).bounds();
-        grid = Double.isFinite(bounds.maxX()) ? null : grid(bounds);
+        ExtinctionField field = flat(0);
+        boolean isFinite = Double.isFinite(field.bounds().maxX());
+        cells = isFinite ? cells(field) : null;
+        grid = isFinite ? null : grid(field.bounds());
+        bounds = isFinite ? cells.box() : field.bounds();
         isProfiled = noise(0) != null;
+    }
+
+    /** An ellipsoid's cells end outside of it: at its tips, an eye would otherwise meet half a cell's density at once. */
+    private static CellBox cells(ExtinctionField field) {
+        CellBox inBounds = CellBox.of(field.bounds(), CELLS);
+        return field instanceof EllipsoidField ? inBounds.padded() : inBounds;
     }
 
     private static LayerGrid grid(Aabb bounds) {
@@ -109,7 +121,7 @@ public final class CloudSource {
         return grid == null ? drift : new Vec3(drift.x(), 0, drift.z());
     }
 
-    /** Returns its bounds at time 0; a layer's are infinite in x and z. */
+    /** Returns the bounds of what is drawn of it at time 0; a layer's are infinite in x and z. */
     public Aabb bounds() {
         return bounds;
     }
@@ -134,7 +146,7 @@ public final class CloudSource {
     }
 
     private CellBox box(int level, Column column) {
-        return grid == null ? CellBox.of(bounds, CELLS) : grid.box(level, column);
+        return grid == null ? cells : grid.box(level, column);
     }
 
     private ExtinctionField flat(double seconds) {
