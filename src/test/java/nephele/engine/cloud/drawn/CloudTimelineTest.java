@@ -1,6 +1,7 @@
 package nephele.engine.cloud.drawn;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,8 +14,11 @@ import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
+import nephele.engine.level.Fog;
+import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.Weather;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -46,6 +50,34 @@ class CloudTimelineTest {
 
     private static CloudTimeline timeline(Environment environment) {
         return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION);
+    }
+
+    /** An edit of anything else keeps the samples. */
+    @Test
+    void onlyWhatMakesOrLightsCloudsIsACause() {
+        Environment written = with(layer("a", 800, Vec3.ZERO, 0));
+        Environment edited = written.with(new Sky.Constant(ONE))
+                .with(Exposure.ofStops(2))
+                .withAmbient(ONE)
+                .withFog(new Fog(0.01, ONE));
+        assertEquals(CloudTimeline.causes(written), CloudTimeline.causes(edited));
+        List<Environment> others = List.of(
+                with(layer("a", 900, Vec3.ZERO, 0)),
+                written.with(new Sun(ONE, ONE, true)),
+                written.with(Sky.Atmosphere.CLEAR),
+                new Environment(
+                        written.sun(),
+                        null,
+                        null,
+                        Exposure.NEUTRAL,
+                        ToneCurve.CLIP,
+                        null,
+                        written.clouds(),
+                        Weather.FEW,
+                        1));
+        for (Environment other : others) {
+            assertNotEquals(CloudTimeline.causes(written), CloudTimeline.causes(other));
+        }
     }
 
     /** Returns the light and the transmittance of rays upwards from a place near the focus. */

@@ -18,8 +18,10 @@ import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
+import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -68,7 +70,7 @@ public final class CloudTimeline implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region) {
-        this.authored = authored;
+        this.authored = causes(authored);
         this.region = region;
         loaded = LoadedClouds.of(authored, assets);
         LoadedClouds still = loaded.withoutWind();
@@ -84,6 +86,21 @@ public final class CloudTimeline implements AutoCloseable {
         }
         sources = List.copyOf(all);
         stepSeconds = stepSeconds();
+    }
+
+    /** Returns an environment without what leaves clouds and the light in them as they are. */
+    public static Environment causes(Environment environment) {
+        return new Environment(
+                environment.sun(),
+                environment.sky() instanceof Atmosphere sky ? sky : null,
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                environment.clouds(),
+                environment.weather(),
+                environment.weatherSeed(),
+                environment.weatherKeyframes());
     }
 
     private double stepSeconds() {
@@ -121,6 +138,10 @@ public final class CloudTimeline implements AutoCloseable {
      * @param focus around which layers are sampled finely
      */
     public CloudInterval at(Environment now, double seconds, Vec3 focus) {
+        return atCauses(causes(now), seconds, focus);
+    }
+
+    private CloudInterval atCauses(Environment now, double seconds, Vec3 focus) {
         long step = stepSeconds == Double.POSITIVE_INFINITY ? 0 : (long) Math.floor(seconds / stepSeconds);
         double share = stepSeconds == Double.POSITIVE_INFINITY ? 0 : seconds / stepSeconds - step;
         follow(now, step, share, seconds, focus);

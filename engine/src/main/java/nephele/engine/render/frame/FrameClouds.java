@@ -23,10 +23,12 @@ public final class FrameClouds implements GlObject {
     private Vec3 focus = Vec3.ZERO;
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    record Source(Same assets, Environment environment, Aabb region) {
+    record Source(Same assets, Environment causes, Aabb region) {
         static Source of(Scene scene) {
             return new Source(
-                    new Same(scene.assets()), scene.level().environment(), CloudShadeRegion.of(scene.statics()));
+                    new Same(scene.assets()),
+                    CloudTimeline.causes(scene.level().environment()),
+                    CloudShadeRegion.of(scene.statics()));
         }
     }
 
