@@ -153,7 +153,11 @@ class ShardedRenderTest {
         assertEquals(1, one.exitCode());
         assertTrue(one.err().contains("f.pfm.1-of-2.part: is one of 2 shards; missing: 2/2"), one.err());
         Captured none = Captured.run("render", "--merge", out("absent.part"), "--out", out("m.pfm"));
-        assertTrue(none.exitCode() != 0 && none.err().contains("absent.part"), none.err());
+        assertEquals(1, none.exitCode());
+        assertTrue(none.err().contains("absent.part: there is no such file; name the parts"), none.err());
+        Captured folded = Captured.run("render", "--merge", folder.toString(), "--out", out("m.pfm"));
+        assertEquals(3, folded.exitCode());
+        assertTrue(folded.err().contains(folder + ": can't be read: "), folded.err());
     }
 
     @Test

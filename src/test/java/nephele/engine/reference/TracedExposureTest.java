@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
@@ -31,7 +33,7 @@ class TracedExposureTest {
     }
 
     private static PlacedLevel fixed(TestLevel level) {
-        return TracedExposure.fixed(PlacedLevel.of(level.level(), NoFiles.AT_ALL), ColourDecoding.SRGB, EYE);
+        return TracedExposure.fixed(PlacedLevel.of(level.level(), NoFiles.AT_ALL), ColourDecoding.SRGB, EYE, 0);
     }
 
     @Test
@@ -62,11 +64,28 @@ class TracedExposureTest {
         assertEquals(shown[0], shown[1], 1e-3);
     }
 
+    /** The wind takes an opaque black cloud away from the eye. */
+    @Test
+    void thePictureOfTheTimeIsMetered() {
+        var extent = new Cloud.Extent.Volume(new Vec3(0, 0, -300), new Vec3(500, 500, 500));
+        var wind = new Cloud.Motion(new Vec3(100, 0, 0), 0);
+        var black = new Cloud("c", extent, CloudTechnique.AUTO, new Cloud.Density.Ellipsoid(), 1, 0, 0, wind);
+        PlacedLevel placed = PlacedLevel.of(level(0.3).cloud(black).level(), NoFiles.AT_ALL);
+        float[] even = {0.3f, 0.3f, 0.3f};
+        double gone = AutoExposure.stops(LuminanceHistogram.of(even, 1), AutoExposure.MOST_STOPS);
+        assertEquals(gone, stops(TracedExposure.fixed(placed, ColourDecoding.SRGB, EYE, 60)), 1e-3);
+        assertTrue(stops(TracedExposure.fixed(placed, ColourDecoding.SRGB, EYE, 0)) > gone + 1);
+    }
+
+    private static double stops(PlacedLevel level) {
+        return level.level().environment().exposureStops().fixedStops();
+    }
+
     @Test
     void stopsInTheLevelStay() {
         PlacedLevel placed =
                 PlacedLevel.of(level(1).toneMapping(ToneCurve.CLIP, 2).level(), NoFiles.AT_ALL);
-        assertSame(placed, TracedExposure.fixed(placed, ColourDecoding.SRGB, EYE));
+        assertSame(placed, TracedExposure.fixed(placed, ColourDecoding.SRGB, EYE, 0));
         assertFalse(TracedExposure.isNeeded(placed.level()));
     }
 }

@@ -119,13 +119,16 @@ final class ReferenceOptions {
         return reference;
     }
 
-    /** Returns the level with the exposure of this view, if its radiance depends on it. */
-    OpenedLevel exposed(OpenedLevel opened, View view, PictureOptions picture) {
-        return picture.output(opened) != Output.PLAIN && TracedExposure.isNeeded(opened.level())
-                ? opened.edited(AssetProblems.named(
-                        opened,
-                        () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, PinholeViews.of(view))))
-                : opened;
+    /** Returns what is seen with the exposure of this view at its time, if the level's radiance depends on it. */
+    Seen exposed(Seen seen, PictureOptions picture) {
+        OpenedLevel opened = seen.opened;
+        if (picture.output(opened) == Output.PLAIN || !TracedExposure.isNeeded(opened.level())) {
+            return seen;
+        }
+        var eye = PinholeViews.of(seen.view);
+        PlacedLevel metered = AssetProblems.named(
+                opened, () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
+        return new Seen(opened.edited(metered), seen.view, seen.seconds);
     }
 
     boolean isMerge() {

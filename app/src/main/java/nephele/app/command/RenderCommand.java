@@ -85,9 +85,8 @@ final class RenderCommand implements Command {
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            var exposed = reference.exposed(opened, viewpoint.view(0), picture);
-            var seen = new ReferenceOptions.Seen(exposed, viewpoint.view(0), timeSeconds);
-            reference.trace(seen, picture, out, radiance -> save(radiance, exposed), terminal);
+            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.view(0), timeSeconds), picture);
+            reference.trace(seen, picture, out, radiance -> save(radiance, seen.opened()), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();

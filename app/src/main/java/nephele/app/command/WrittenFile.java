@@ -2,6 +2,7 @@ package nephele.app.command;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.reference.tile.PartFileException;
@@ -42,6 +43,9 @@ final class WrittenFile {
             return work.run();
         } catch (PartFileException unusable) {
             throw CommandFailure.input(unusable.getMessage());
+        } catch (FileSystemException failure) {
+            throw CommandFailure.environment(
+                    failure.getFile() + ": can't be used: " + AtomicFile.reason(failure), failure);
         } catch (IOException failure) {
             throw CommandFailure.environment(
                     failure.getMessage() == null ? AtomicFile.reason(failure) : failure.getMessage(), failure);

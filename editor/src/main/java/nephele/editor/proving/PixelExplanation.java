@@ -52,7 +52,7 @@ public record PixelExplanation(List<String> lines) {
                 place(eye.camera().eye())));
         try {
             PlacedLevel placed = PlacedLevel.of(level, asked.assets);
-            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole());
+            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole(), 0);
             TracedLevel traced = TracedLevel.of(exposed, ColourDecoding.SRGB);
             addSight(lines, language, level, traced.sight(eye.pinhole(pixel)), eye);
             addLight(lines, language, exposed.level(), traced, eye, pixel);

@@ -50,7 +50,7 @@ public final class TracedCorner {
             if (!TracedExposure.isNeeded(level)) {
                 return this;
             }
-            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole());
+            PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole(), 0);
             return new Prepared(exposed.level(), assets, exposed, TracedLevel.of(exposed, ColourDecoding.SRGB));
         }
     }

@@ -5,6 +5,7 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.LuminanceHistogram;
 import nephele.engine.level.placed.PlacedLevel;
 
@@ -27,15 +28,20 @@ public final class TracedExposure {
         return level.environment().exposureStops().isAuto() && !level.exits().isEmpty();
     }
 
-    /** Returns the level with a number of stops; the same level if it has one. */
-    public static PlacedLevel fixed(PlacedLevel placed, ColourDecoding decoding, Pinhole eye) {
+    /**
+     * Returns the level with a number of stops; the same level if it has one.
+     *
+     * @param seconds simulated time at which the picture is metered; the returned level is still that of time 0
+     */
+    public static PlacedLevel fixed(PlacedLevel placed, ColourDecoding decoding, Pinhole eye, double seconds) {
         Environment environment = placed.level().environment();
         if (!environment.exposureStops().isAuto()) {
             return placed;
         }
         int threads = Runtime.getRuntime().availableProcessors();
         TraceSettings settings = new TraceSettings(WIDTH, HEIGHT, SAMPLES, 1, threads);
-        float[] rgb = ReferencePicture.trace(TracedLevel.of(placed, decoding), eye, settings, share -> {});
+        PlacedLevel then = new PlacedLevel(Daylight.lit(placed.level(), seconds), placed.assets(), placed.statics());
+        float[] rgb = ReferencePicture.trace(TracedLevel.of(then, decoding, seconds), eye, settings, share -> {});
         Exposure metered = Exposure.ofStops(AutoExposure.stops(environment, rgb, WIDTH));
         Level level = placed.level();
         return placed.edited(level.with(environment.with(metered), level.lights()));

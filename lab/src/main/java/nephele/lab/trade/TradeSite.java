@@ -115,7 +115,7 @@ public final class TradeSite implements AutoCloseable {
         var level = AssetProblems.named(
                 opened,
                 () -> TracedLevel.of(
-                        TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye), ColourDecoding.SRGB));
+                        TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
         return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 

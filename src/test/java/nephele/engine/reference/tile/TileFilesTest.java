@@ -190,6 +190,8 @@ class TileFilesTest {
         List<Path> files = parts(4);
         files.remove(2);
         requireTold(refused(files), "is one of 4 shards; missing: 3/4");
+        files.add(folder.resolve("absent.part"));
+        requireTold(refused(files), "absent.part: there is no such file; name the parts that --shard wrote");
     }
 
     @Test
@@ -288,7 +290,8 @@ class TileFilesTest {
     @ParameterizedTest
     @ValueSource(strings = {"0/3", "4/3", "1", "1/", "/2", "-1/2", "1/0", "01/2", "1/1000001", "a/b", " 1/2"})
     void whatIsNoShareIsRefused(String text) {
-        assertThrows(IllegalArgumentException.class, () -> Shard.parse(text));
+        var refusal = assertThrows(IllegalArgumentException.class, () -> Shard.parse(text));
+        requireTold(refusal.getMessage(), "'" + text + "' is no share: write i/n with i from 1 to n");
         assertEquals(new Shard(2, 8), Shard.parse("2/8"));
     }
 

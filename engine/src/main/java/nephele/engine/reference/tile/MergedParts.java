@@ -2,12 +2,14 @@ package nephele.engine.reference.tile;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import nephele.engine.asset.AtomicFile;
 
 /** Puts the parts of a picture together, whatever their order. */
 public final class MergedParts {
@@ -48,6 +50,11 @@ public final class MergedParts {
                                 + " tiles; run the command of this shard again, it goes on from there");
             }
             return new Part(path, records.header(), tiles);
+        } catch (NoSuchFileException missing) {
+            throw new PartFileException(
+                    path, "there is no such file; name the parts that --shard wrote, which end in .i-of-n.part");
+        } catch (IOException unreadable) {
+            throw new IOException(path + ": can't be read: " + AtomicFile.reason(unreadable), unreadable);
         }
     }
 

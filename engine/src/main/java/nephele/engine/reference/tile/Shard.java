@@ -20,7 +20,7 @@ public record Shard(int number, int of) {
     /** @throws IllegalArgumentException if there is no such share */
     public Shard {
         if (number < 1 || number > of || of > MOST) {
-            throw new IllegalArgumentException(number + "/" + of + " is no share: 1/n to n/n are, n up to " + MOST);
+            throw new IllegalArgumentException(noShare(number + "/" + of));
         }
     }
 
@@ -32,9 +32,14 @@ public record Shard(int number, int of) {
     public static Shard parse(String text) {
         Matcher numbers = WRITTEN.matcher(text);
         if (!numbers.matches()) {
-            throw new IllegalArgumentException("'" + text + "' is no share: write i/n, as 2/8 for the second of eight");
+            throw new IllegalArgumentException(noShare(text));
         }
         return new Shard(Integer.parseInt(numbers.group(1)), Integer.parseInt(numbers.group(2)));
+    }
+
+    private static String noShare(String text) {
+        return "'" + text + "' is no share: write i/n with i from 1 to n, as 2/8 for the second of eight; n is at most "
+                + MOST;
     }
 
     /** Returns the tiles of this share, in order. */
