@@ -52,6 +52,24 @@ public final class VolFile {
         return grid;
     }
 
+    /**
+     * Checks that a layer can repeat a grid at the width and depth of its box.
+     *
+     * @throws AssetException if it cannot
+     */
+    public static void requireArea(String assetId, Aabb box) throws AssetException {
+        if (!isLength(box.maxX() - box.minX()) || !isLength(box.maxZ() - box.minZ())) {
+            throw new AssetException(
+                    assetId,
+                    "has a bounding box of no width or depth, at which a layer repeats it",
+                    "write the box in metres into its header, or make the cloud a volume");
+        }
+    }
+
+    private static boolean isLength(double metres) {
+        return metres > 0 && metres < Double.POSITIVE_INFINITY;
+    }
+
     private static Aabb box(ByteBuffer file) {
         return new Aabb(
                 file.getFloat(24),

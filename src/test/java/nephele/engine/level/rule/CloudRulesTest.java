@@ -3,6 +3,8 @@ package nephele.engine.level.rule;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -132,6 +134,38 @@ class CloudRulesTest {
                         + " 3"),
                 LevelRules.check(level, LevelAssets.beside(folder.resolve("x.json"))).stream()
                         .filter(problem -> problem.path().startsWith("environment"))
+                        .map(problem -> problem.line("f"))
+                        .toList());
+    }
+
+    @Test
+    void aGridThatALayerCannotRepeatIsAnError(@TempDir Path folder) throws IOException {
+        ByteBuffer file = ByteBuffer.allocate(52).order(ByteOrder.LITTLE_ENDIAN);
+        file.put(new byte[] {'V', 'O', 'L', 3})
+                .putInt(1)
+                .putInt(1)
+                .putInt(1)
+                .putInt(1)
+                .putInt(1);
+        file.putFloat(0)
+                .putFloat(0)
+                .putFloat(0)
+                .putFloat(0)
+                .putFloat(5)
+                .putFloat(6)
+                .putFloat(1);
+        Files.write(folder.resolve("flat.vol"), file.array());
+        String density = ", 'density': {'kind': 'grid', 'file': 'flat.vol'}".replace("'", "\"");
+        String volume =
+                "{\"id\": \"v\", \"kind\": \"volume\", \"centre\": [0, 0, 0], \"size\": [9, 9, 9]" + density + "}";
+        Level level = LevelJsonTest.sections("\"environment\": {" + clouds(volume, layer("c", density)) + "}");
+        assertEquals(
+                List.of("f: environment.clouds[1].density.file: flat.vol: has a bounding box of no width or depth, at"
+                        + " which a layer repeats it; write the box in metres into its header, or make the cloud a"
+                        + " volume"),
+                LevelRules.check(level, LevelAssets.beside(folder.resolve("x.json"))).stream()
+                        .filter(problem -> problem.path().startsWith("environment"))
+                        .filter(problem -> problem.subject().topic() != Problem.Topic.NOT_DRAWN_YET)
                         .map(problem -> problem.line("f"))
                         .toList());
     }

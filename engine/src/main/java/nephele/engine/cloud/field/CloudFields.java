@@ -2,6 +2,7 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.noise.CloudTables;
@@ -40,20 +41,15 @@ public final class CloudFields {
      */
     static ExtinctionField flat(Cloud cloud, CloudFiles files, double seconds, double slackMetres) {
         CloudMoment moment = CloudMoment.of(cloud, seconds);
-        Cloud.Density density = cloud.density();
         double extinction = cloud.extinctionPerMetre();
-        if (density instanceof Cloud.Density.Puffs puffs) {
+        if (files instanceof CloudFiles.Voxels voxels) {
+            return grid(moment, voxels, extinction, slackMetres);
+        }
+        if (files instanceof CloudFiles.OfNoise loaded) {
+            return noise(cloud, loaded, seconds, slackMetres);
+        }
+        if (cloud.density() instanceof Cloud.Density.Puffs puffs) {
             return new PuffsField(PuffFilling.all(puffs), moment.centre(), extinction);
-        }
-        if (density instanceof Cloud.Density.Noise noise) {
-            return noise(cloud, noise, files, seconds, slackMetres);
-        }
-        if (density instanceof Cloud.Density.Grid grid) {
-            return grid(moment, files.grid(), grid.file(), extinction, slackMetres);
-        }
-        if (density instanceof Cloud.Density.Image image) {
-            double perMetre = files.isOpticalDepth() ? 1 / moment.heightMetres() : extinction;
-            return grid(moment, files.grid(), image.file(), perMetre, slackMetres);
         }
         return moment.isLayer()
                 ? new UniformField(moment.bounds(), extinction)
@@ -61,33 +57,21 @@ public final class CloudFields {
     }
 
     private static ExtinctionField grid(
-            CloudMoment moment, VoxelGrid voxels, String file, double extinction, double slackMetres) {
+            CloudMoment moment, CloudFiles.Voxels voxels, double extinction, double slackMetres) {
         Aabb box = moment.bounds();
+        double perMetre = voxels.meaning() == CloudFiles.Meaning.OPTICAL_DEPTH ? 1 / moment.heightMetres() : extinction;
         if (!moment.isLayer()) {
-            return GridField.inBox(voxels, box, extinction);
+            return GridField.inBox(voxels.grid(), box, perMetre);
         }
-        Aabb tile = tile(voxels.box(), box, file);
+        Aabb sides = voxels.grid().box();
+        VolFile.requireArea(voxels.file(), sides);
+        Aabb tile = new Aabb(sides.minX(), box.minY(), sides.minZ(), sides.maxX(), box.maxY(), sides.maxZ());
         Vec3 drift = moment.driftWithin(tile.maxX() - tile.minX(), tile.maxZ() - tile.minZ());
-        return GridField.repeated(voxels, tile.moved(drift), extinction, slackMetres);
+        return GridField.repeated(voxels.grid(), tile.moved(drift), perMetre, slackMetres);
     }
 
-    /** Returns a box with the sides of one and the heights of the other. */
-    private static Aabb tile(Aabb sides, Aabb heights, String file) {
-        boolean hasArea = sides.maxX() - sides.minX() > 0
-                && sides.maxX() - sides.minX() < Double.POSITIVE_INFINITY
-                && sides.maxZ() - sides.minZ() > 0
-                && sides.maxZ() - sides.minZ() < Double.POSITIVE_INFINITY;
-        if (!hasArea) {
-            throw new AssetException(
-                    file,
-                    "has a bounding box of no width or depth, at which a layer repeats it",
-                    "write the box in metres into its header");
-        }
-        return new Aabb(sides.minX(), heights.minY(), sides.minZ(), sides.maxX(), heights.maxY(), sides.maxZ());
-    }
-
-    private static ExtinctionField noise(
-            Cloud cloud, Cloud.Density.Noise noise, CloudFiles files, double seconds, double slackMetres) {
+    private static ExtinctionField noise(Cloud cloud, CloudFiles.OfNoise loaded, double seconds, double slackMetres) {
+        Cloud.Density.Noise noise = loaded.noise();
         CloudMoment moment = CloudMoment.of(cloud, seconds);
         double period = NoiseLayouts.PERIOD_FEATURES * noise.featureMetres();
         Vec3 drift = moment.driftWithin(period, period);
@@ -98,8 +82,10 @@ public final class CloudFields {
                         moment.bounds().minY(),
                         moment.centre().z());
         NoiseLayouts noises =
-                NoiseLayouts.of(noise, files.tables(), cloud.motion().evolutionSeconds(), seconds);
-        PlanMap map = coverageMap(moment, files, drift);
+                NoiseLayouts.of(noise, loaded.tables(), cloud.motion().evolutionSeconds(), seconds);
+        PlanMap map = loaded.coverage()
+                .map(greys -> coverageMap(moment, greys, drift))
+                .orElse(null);
         NoiseDensity density = noise.profile() == null
                 ? new EvenNoise(noises, noise.coverage(), map, noise.erosion())
                 : profiled(noise, moment, noises, new Coverage(noise.coverage(), map));
@@ -118,18 +104,15 @@ public final class CloudFields {
         return new ProfiledNoise(profile, bodies, noises, noise.erosion(), moment.heightMetres());
     }
 
-    /** Returns the coverage map relative to the origin of the noise; {@code null} if there is none. */
-    private static PlanMap coverageMap(CloudMoment moment, CloudFiles files, Vec3 noiseDrift) {
-        if (files.coverage() == null) {
-            return null;
-        }
+    /** Returns a coverage map relative to the origin of the noise. */
+    private static PlanMap coverageMap(CloudMoment moment, VoxelGrid greys, Vec3 noiseDrift) {
         if (moment.isLayer()) {
             double tile = CloudPicture.TILE_METRES;
             Vec3 by = moment.driftWithin(tile, tile).minus(noiseDrift);
-            return new PlanMap(files.coverage().movedTo(files.coverage().box().moved(by)), GridAxis.Edge.REPEATED);
+            return new PlanMap(greys.movedTo(greys.box().moved(by)), GridAxis.Edge.REPEATED);
         }
         Aabb box = moment.bounds();
         var size = new Vec3(box.maxX() - box.minX(), 1, box.maxZ() - box.minZ());
-        return new PlanMap(files.coverage().movedTo(Aabb.around(Vec3.ZERO, size)), GridAxis.Edge.CLAMPED);
+        return new PlanMap(greys.movedTo(Aabb.around(Vec3.ZERO, size)), GridAxis.Edge.CLAMPED);
     }
 }

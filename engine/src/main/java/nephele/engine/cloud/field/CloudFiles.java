@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import java.util.Optional;
 import java.util.function.LongFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -9,16 +10,27 @@ import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 
-/**
- * The files and tables of a cloud's density, decoded; they are the same at all times.
- *
- * @param grid densities of a grid or a picture; {@code null} for other densities
- * @param isOpticalDepth true if the grid holds the vertical optical depth of columns instead
- * @param coverage {@code null} without a coverage map
- * @param tables {@code null} without noise
- */
-record CloudFiles(VoxelGrid grid, boolean isOpticalDepth, VoxelGrid coverage, CloudTables tables) {
-    private static final CloudFiles NONE = new CloudFiles(null, false, null, null);
+/** The files and tables of a cloud's density, decoded; they are the same at all times. */
+sealed interface CloudFiles {
+    /**
+     * The densities of a grid or a picture.
+     *
+     * @param file names them in errors
+     */
+    record Voxels(String file, VoxelGrid grid, Meaning meaning) implements CloudFiles {}
+
+    /** What the numbers of a grid are. */
+    enum Meaning {
+        DENSITY,
+        /** The vertical optical depth of columns. */
+        OPTICAL_DEPTH
+    }
+
+    /** The tables of noise, and its coverage map if it has one. */
+    record OfNoise(Cloud.Density.Noise noise, CloudTables tables, Optional<VoxelGrid> coverage) implements CloudFiles {}
+
+    /** A density in closed form needs none. */
+    record None() implements CloudFiles {}
 
     /**
      * Reads the files of a cloud.
@@ -28,17 +40,19 @@ record CloudFiles(VoxelGrid grid, boolean isOpticalDepth, VoxelGrid coverage, Cl
      */
     static CloudFiles of(Cloud cloud, AssetSource assets, LongFunction<CloudTables> tables) {
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
-            return new CloudFiles(VolFile.parse(grid.file(), assets.bytes(grid.file())), false, null, null);
+            String file = grid.file();
+            return new Voxels(file, VolFile.parse(file, assets.bytes(file)), Meaning.DENSITY);
         }
         if (cloud.density() instanceof Cloud.Density.Image image) {
             var picture = PictureDecoder.decode(image.file(), assets.bytes(image.file()));
-            return new CloudFiles(CloudPicture.densities(picture), CloudPicture.hasAlpha(picture), null, null);
+            Meaning meaning = CloudPicture.hasAlpha(picture) ? Meaning.OPTICAL_DEPTH : Meaning.DENSITY;
+            return new Voxels(image.file(), CloudPicture.densities(picture), meaning);
         }
         if (cloud.density() instanceof Cloud.Density.Noise noise) {
-            String map = noise.coverageMap();
-            VoxelGrid coverage = map == null ? null : CloudPicture.greys(PictureDecoder.decode(map, assets.bytes(map)));
-            return new CloudFiles(null, false, coverage, tables.apply(noise.seed()));
+            Optional<VoxelGrid> coverage = Optional.ofNullable(noise.coverageMap())
+                    .map(map -> CloudPicture.greys(PictureDecoder.decode(map, assets.bytes(map))));
+            return new OfNoise(noise, tables.apply(noise.seed()), coverage);
         }
-        return NONE;
+        return new None();
     }
 }

@@ -8,6 +8,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
@@ -29,7 +30,7 @@ final class AssetRules {
         LevelRule.each(
                 "environment.clouds",
                 level.environment().clouds(),
-                (path, cloud) -> check.density(path + ".density", cloud.density()));
+                (path, cloud) -> check.density(path + ".density", cloud));
     };
 
     private AssetRules() {}
@@ -82,19 +83,23 @@ final class AssetRules {
             }
         }
 
-        void density(String path, Cloud.Density density) {
+        void density(String path, Cloud cloud) {
+            Cloud.Density density = cloud.density();
             if (density instanceof Cloud.Density.Image image) {
                 picture(path + ".file", image.file());
             } else if (density instanceof Cloud.Density.Grid grid) {
-                grid(path + ".file", grid.file());
+                grid(path + ".file", grid.file(), cloud.extent());
             } else if (density instanceof Cloud.Density.Noise noise) {
                 picture(path + ".coverageMap", noise.coverageMap());
             }
         }
 
-        private void grid(String path, String id) {
+        private void grid(String path, String id, Cloud.Extent extent) {
             try {
-                VolFile.parse(id, assets.bytes(id));
+                VoxelGrid grid = VolFile.parse(id, assets.bytes(id));
+                if (extent instanceof Cloud.Extent.Layer) {
+                    VolFile.requireArea(id, grid.box());
+                }
             } catch (AssetException problem) {
                 report.accept(Problem.error(path, problem.getMessage()).about(Topic.MISSING_ASSET));
             }
