@@ -34,7 +34,7 @@ public final class AirOfEnvironment {
     public static Optional<AirOfEnvironment> of(Environment environment) {
         return environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
                 ? Optional.of(new AirOfEnvironment(
-                        AirTables.of(Daylight.air(sky)),
+                        AirCache.tables(Daylight.air(sky)),
                         Directions.unit(environment.sun().directionTowardsSun()),
                         environment.sun().irradiance()))
                 : Optional.empty();

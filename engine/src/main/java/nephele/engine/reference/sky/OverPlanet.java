@@ -9,6 +9,7 @@ import nephele.engine.atmosphere.SkyLattice;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
 import nephele.engine.level.appearance.Moonlight;
@@ -36,8 +37,8 @@ final class OverPlanet implements Surroundings {
      * @param irradiance outside the air, RGB
      */
     private record Scattered(Vec3 towards, Vec3 irradiance, SkyLattice sky) {
-        Scattered(Air air, Vec3 towards, Vec3 irradiance) {
-            this(towards, irradiance, new SkyLattice(AirTables.of(air), towards.y()));
+        Scattered(AirTables tables, Vec3 towards, Vec3 irradiance) {
+            this(towards, irradiance, new SkyLattice(tables, towards.y()));
         }
 
         Vec3 from(PlanetPlace place, Vec3 direction) {
@@ -55,13 +56,14 @@ final class OverPlanet implements Surroundings {
         this.atmosphere = atmosphere;
         outside = sun.irradiance();
         Air air = Daylight.air(atmosphere);
+        AirTables tables = AirCache.tables(air);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        this.sun = new Scattered(air, towardsSun, outside);
+        this.sun = new Scattered(tables, towardsSun, outside);
         lights = new ArrayList<>();
         lights.add(new LightOverPlanet(air, outside, towardsSun));
         Moonlight night = Moonlight.of(atmosphere, sun);
         if (night.shines()) {
-            moon = Optional.of(new Scattered(air, night.towardsMoon(), product(outside, night.irradiance())));
+            moon = Optional.of(new Scattered(tables, night.towardsMoon(), product(outside, night.irradiance())));
             lights.add(new LightOverPlanet(air, product(outside, night.ofWholeDisc()), night.towardsMoon()));
         } else {
             moon = Optional.empty();
