@@ -22,7 +22,7 @@ public final class TwoStreamSlab {
     private final double depth;
     private final double a;
     private final double k;
-    /** The beam's m, c/(m + k) and 3/2 ωg; 0 for diffuse light. */
+    /** The beam's m, c/(m + k) and 3/2 ωg. */
     private final double m;
 
     private final double source;
@@ -36,12 +36,11 @@ public final class TwoStreamSlab {
         double albedo = medium.albedo();
         a = 1.5 * (1 - albedo * medium.g());
         k = Math.sqrt(2 * (1 - albedo) * a);
-        boolean isBeam = cosine > 0;
-        m = isBeam ? 1 / Math.max(LEAST_COSINE, cosine) : 0;
-        forward = isBeam ? 1.5 * albedo * medium.g() : 0;
-        source = isBeam ? 1.5 * albedo * m * (1 - albedo * medium.g() + medium.g()) / (m + k) : 0;
-        double atTop = isBeam ? source - forward : 2 * a;
-        double atBottom = isBeam ? forward * Math.exp(-m * depth) - a * particular(depth) - particularSlope(depth) : 0;
+        m = 1 / Math.max(LEAST_COSINE, cosine);
+        forward = 1.5 * albedo * medium.g();
+        source = 1.5 * albedo * m * (1 - albedo * medium.g() + medium.g()) / (m + k);
+        double atTop = source - forward;
+        double atBottom = forward * Math.exp(-m * depth) - a * particular(depth) - particularSlope(depth);
         double through = Math.exp(-k * depth);
         double deep = a * rising(depth) + risingSlope(depth);
         double determinant = (a + k) * deep + (a - k) * through * through;
@@ -56,20 +55,12 @@ public final class TwoStreamSlab {
      * @param cosine of the angle between beam and normal, 0 to 1; less than 1e-6 counts as that
      */
     public static TwoStreamSlab underBeam(DeltaScaling medium, double opticalDepth, double cosine) {
-        return new TwoStreamSlab(medium, opticalDepth, Math.max(LEAST_COSINE, cosine));
+        return new TwoStreamSlab(medium, opticalDepth, cosine);
     }
 
-    /** Returns a slab under light that is equal from all directions above it. */
-    public static TwoStreamSlab underDiffuseLight(DeltaScaling medium, double opticalDepth) {
-        return new TwoStreamSlab(medium, opticalDepth, 0);
-    }
-
-    /**
-     * Returns the share that leaves the slab at its top; not below 0, where the approximation gets to under diffuse
-     * light if little is scattered.
-     */
+    /** Returns the share that leaves the slab at its top. */
     public double reflectance() {
-        return Math.max(0, m > 0 ? fromTop : fromTop - 1);
+        return Math.max(0, fromTop);
     }
 
     /** Returns the share that leaves the slab below, unscattered light included. */
@@ -113,13 +104,8 @@ public final class TwoStreamSlab {
         return 3 * diffuseNetFlux(opticalDepth) / (4 * Math.PI);
     }
 
-    /** Returns the flux down of diffuse light at a depth below the top, not scaled. */
-    public double diffuseDownward(double opticalDepth) {
-        return (diffuseFluence(opticalDepth) / 2 + diffuseNetFlux(opticalDepth)) / 2;
-    }
-
     private double beam(double at) {
-        return m > 0 ? Math.exp(-m * at) : 0;
+        return Math.exp(-m * at);
     }
 
     private double sum(double at) {
@@ -140,7 +126,7 @@ public final class TwoStreamSlab {
     }
 
     private double particularSlope(double at) {
-        return m > 0 ? source * (Math.exp(-m * at) - k * difference(at)) : 0;
+        return source * (Math.exp(-m * at) - k * difference(at));
     }
 
     /** Returns (e^(−kt) − e^(−mt))/(m − k). */
