@@ -15,11 +15,15 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.Heavens;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -150,7 +154,7 @@ class BakeCommandTest {
         Path from = level("\"sky\": {\"kind\": \"constant\", \"radiance\": [3, 0, 0]}");
         Captured answer = Captured.run("bake", from.toString(), "--sky", "red", "--face-size", "2");
         assertTrue(
-                answer.out().contains("clip 24 of 24 pixels at 1 (100.00 %; the brightest has 3.00), 67 %"),
+                answer.out().contains("clip 24 of 24 pixels at 1.00 (100.00 %; the brightest has 3.00), 67 %"),
                 answer.out());
         Captured dark = Captured.run(
                 "bake",
@@ -160,7 +164,30 @@ class BakeCommandTest {
                 "dark",
                 "--face-size",
                 "2");
-        assertTrue(dark.out().contains("100.00 % of the pixels are darker"), dark.out());
+        assertTrue(dark.out().contains("at 0.000122"), "white of a dark sky: " + dark.out());
+        assertTrue(dark.out().contains("; 0.00 % of the pixels are darker"), dark.out());
+        assertEquals(1e-5, sky(folder.resolve("dark.json")).from(0, 0, 1).x, 2e-7);
+    }
+
+    /** A night is baked with its own white, so that 8 bits hold its glow, and with its moon. */
+    @Test
+    void aNightIsBakedWithItsMoon() throws IOException {
+        Path from = level("\"sky\": {\"kind\": \"atmosphere\", \"dayOfYear\": 20, \"timeOfDayHours\": 23.5}");
+        Captured answer = Captured.run("bake", from.toString(), "--sky", "night", "--face-size", "10", "--spp", "1");
+        assertEquals(0, answer.exitCode(), answer.err());
+        Environment night = Daylight.lit(LevelFile.read(from)).environment();
+        SkyRadiance seen = sky(folder.resolve("night.json"));
+        SkyRadiance air = SkyRadiance.of(night, id -> null, ColourDecoding.SRGB).orElseThrow();
+        Vec3 moon = Heavens.towardsMoon((Sky.Atmosphere) night.sky());
+        double share = seen.from(moon.x(), moon.y(), moon.z()).y / air.from(moon.x(), moon.y(), moon.z()).y;
+        assertTrue(share > 1.15, "the moon is in a pixel that is much larger: " + share);
+        for (int i = 0; i < 30; i++) {
+            double y = 1 - (i + 0.5) / 15;
+            double r = Math.sqrt(1 - y * y);
+            double expected = air.from(r * Math.cos(2.4 * i), y, r * Math.sin(2.4 * i)).y;
+            double found = seen.from(r * Math.cos(2.4 * i), y, r * Math.sin(2.4 * i)).y;
+            assertTrue(found > 0.7 * expected && found < 1.3 * expected, i + ": " + found + ", not " + expected);
+        }
     }
 
     @Test

@@ -139,6 +139,7 @@ public final class FieldWords {
             word("weather", "Weather", "Tempo", "Tempo"),
             word("weatherKeyframes", "Weather over time", "Mudanças do tempo", "Mudanças do tempo"),
             word("weatherSeed", "Seed of the weather", "Semente do tempo", "Semente do tempo"),
+            word("whiteRadiance", "Radiance of white", "Radiância do branco", "Radiância do branco"),
             word("widthMetres", "Width", "Largura", "Largura"),
             word("windMetresPerSecond", "Wind", "Vento", "Vento"),
             word("yawDegrees", "Yaw", "Guinada", "Rumo"),

@@ -22,11 +22,19 @@ public sealed interface Sky {
      * @param files asset ids: one for {@link SkyboxLayout#CROSS}; else six of one square size in the layout's order,
      *     +x, −x, +y, −y, +z, −z for FACES and OPENGL, rt, bk, lf, ft, up, dn for QUAKE2, and front, right, back, left,
      *     up, down for TERRAGEN
+     * @param whiteRadiance linear radiance that white in the files stands for
      */
     record Skybox(
             @Written(absent = "\"faces\"") SkyboxLayout layout,
-            @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files)
-            implements Sky {}
+            @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files,
+            @Written(absent = "1", min = 0, max = 1e9) double whiteRadiance)
+            implements Sky {
+
+        /** Creates a skybox whose files hold radiance as it is. */
+        public Skybox(SkyboxLayout layout, List<String> files) {
+            this(layout, files, 1);
+        }
+    }
 
     /**
      * {@code "kind": "atmosphere"}: sunlight scattered in the air around a round planet, whose ground is at y = 0. The

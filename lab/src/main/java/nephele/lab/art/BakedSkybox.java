@@ -2,6 +2,8 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Environment;
@@ -10,23 +12,28 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.NightSky;
 import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.ToneMapping;
 
-/** The whole sky around an eye as six pictures, in linear radiance until they are encoded in 8 bits. */
+/** The whole sky around an eye as six pictures, in linear radiance until they are encoded in 8 bits, without dither. */
 public final class BakedSkybox {
     private static final List<SkyboxSquare> SQUARES = SkyboxSquare.of(SkyboxLayout.FACES);
 
     public static final int FACES = SQUARES.size();
 
-    /** Places along a side of a pixel at which the sun's disc is evaluated. */
+    /** Least number of places along a side of a pixel at which a disc is evaluated; along its radius there are two. */
     private static final int DISC_STEPS = 8;
+
+    /** Starlight that 8 bits do not show, as a share of white: a thirtieth of the first code. */
+    private static final double FAINT = 1e-5;
 
     private final int side;
     private final List<float[]> faces;
     private final double sunShare;
+    private final double whiteRadiance;
     private final EightBitLoss loss;
     private int discPixels;
 
@@ -39,7 +46,22 @@ public final class BakedSkybox {
         this.side = side;
         this.faces = List.copyOf(faces);
         this.sunShare = sunShare;
+        whiteRadiance = white(faces);
         loss = tallied();
+    }
+
+    /**
+     * Returns the radiance that white stands for: 1, or less under a dark sky, three stops above its brightest place,
+     * which leaves room for moon and stars.
+     */
+    private static double white(List<float[]> faces) {
+        float brightest = 0;
+        for (float[] rgb : faces) {
+            for (float value : rgb) {
+                brightest = Math.max(brightest, value);
+            }
+        }
+        return brightest > 0 ? Math.min(1, Math.scalb(1.0, Math.getExponent(brightest) + 4)) : 1;
     }
 
     /** Returns the file of a picture, without the end that says its format. */
@@ -47,31 +69,68 @@ public final class BakedSkybox {
         return name + "-" + SQUARES.get(face).name();
     }
 
-    /** Adds the sun's disc. */
-    void add(SunDisc disc) {
-        double reach = Math.cos(SunOverLimb.RADIUS_RADIANS + Math.sqrt(2) / side);
+    /**
+     * Adds the sun's disc.
+     *
+     * @param share of its light that passes the clouds
+     */
+    void add(SunDisc sun, double share) {
+        discPixels = add(sun::towards, sun.middle(), SunOverLimb.RADIUS_RADIANS, share);
+    }
+
+    /**
+     * Adds moon and stars.
+     *
+     * @param share of the light from a unit direction that passes the clouds
+     */
+    void add(NightSky night, ToDoubleFunction<Vec3> share) {
+        Vec3 moon = night.towardsMoon();
+        add(night::moon, moon, NightSky.MOON_RADIUS_RADIANS, share.applyAsDouble(moon));
+        IntStream.range(0, FACES).parallel().forEach(face -> {
+            for (int pixel = 0; pixel < side * side; pixel++) {
+                double radians = direction(face, pixel, 1, 0.5)
+                        .minus(direction(face, pixel, 0, 0.5))
+                        .length();
+                Vec3 towards = direction(face, pixel, 0.5, 0.5);
+                Vec3 stars = night.stars(towards, radians);
+                if (stars.y() > FAINT * whiteRadiance) {
+                    add(face, pixel, stars.scaled(share.applyAsDouble(towards)));
+                }
+            }
+        });
+    }
+
+    /** Adds a disc and returns the number of pixels that it is in. */
+    private int add(UnaryOperator<Vec3> disc, Vec3 towards, double radians, double share) {
+        double reach = Math.cos(radians + Math.sqrt(2) / side);
+        int steps = (int) Math.max(DISC_STEPS, Math.ceil(4 / (side * radians)));
+        int pixels = 0;
         for (int face = 0; face < FACES; face++) {
             for (int pixel = 0; pixel < side * side; pixel++) {
-                Vec3 middle = direction(face, pixel, 0.5, 0.5);
-                if (middle.dot(disc.towardsSun()) > reach) {
-                    add(disc, face, pixel);
+                if (direction(face, pixel, 0.5, 0.5).dot(towards) > reach) {
+                    Vec3 light = inPixel(disc, steps, face, pixel);
+                    add(face, pixel, light.scaled(share));
+                    pixels += light.equals(Vec3.ZERO) ? 0 : 1;
                 }
             }
         }
+        return pixels;
     }
 
-    private void add(SunDisc disc, int face, int pixel) {
+    private Vec3 inPixel(UnaryOperator<Vec3> disc, int steps, int face, int pixel) {
         Vec3 sum = Vec3.ZERO;
-        for (int i = 0; i < DISC_STEPS * DISC_STEPS; i++) {
-            Vec3 direction =
-                    direction(face, pixel, (i % DISC_STEPS + 0.5) / DISC_STEPS, (i / DISC_STEPS + 0.5) / DISC_STEPS);
-            sum = sum.addScaled(1.0 / (DISC_STEPS * DISC_STEPS), disc.towards(direction));
+        for (int i = 0; i < steps * steps; i++) {
+            Vec3 direction = direction(face, pixel, (i % steps + 0.5) / steps, (i / steps + 0.5) / steps);
+            sum = sum.addScaled(1.0 / (steps * steps), disc.apply(direction));
         }
-        discPixels += sum.equals(Vec3.ZERO) ? 0 : 1;
+        return sum;
+    }
+
+    private void add(int face, int pixel, Vec3 light) {
         float[] rgb = faces.get(face);
-        rgb[3 * pixel] += (float) sum.x();
-        rgb[3 * pixel + 1] += (float) sum.y();
-        rgb[3 * pixel + 2] += (float) sum.z();
+        rgb[3 * pixel] += (float) light.x();
+        rgb[3 * pixel + 1] += (float) light.y();
+        rgb[3 * pixel + 2] += (float) light.z();
     }
 
     /** Returns the unit direction of a place in a pixel. */
@@ -94,11 +153,11 @@ public final class BakedSkybox {
         return picture;
     }
 
-    private static int code(double linear) {
-        return (int) Math.round(255 * ToneMapping.encodeSrgb(Math.max(0, Math.min(1, linear))));
+    private int code(double radiance) {
+        return (int) Math.round(255 * ToneMapping.encodeSrgb(Math.max(0, Math.min(1, radiance / whiteRadiance))));
     }
 
-    /** Returns what 8 bits lose, the sun's disc apart. */
+    /** Returns what 8 bits lose, sun's disc, moon and stars apart. */
     public EightBitLoss loss() {
         return loss;
     }
@@ -109,7 +168,7 @@ public final class BakedSkybox {
     }
 
     private EightBitLoss tallied() {
-        EightBitLoss.Tally tally = new EightBitLoss.Tally();
+        EightBitLoss.Tally tally = new EightBitLoss.Tally(whiteRadiance);
         for (int face = 0; face < FACES; face++) {
             for (int pixel = 0; pixel < side * side; pixel++) {
                 double fromMiddle = SQUARES.get(face).direction(0, 0).dot(direction(face, pixel, 0.5, 0.5));
@@ -140,7 +199,8 @@ public final class BakedSkybox {
         Sun dimmed = sun == null
                 ? null
                 : new Sun(sun.directionTowardsSun(), sun.irradiance().scaled(sunShare), sun.castsShadow());
-        Environment environment = old.withoutClouds().with(dimmed).with(new Sky.Skybox(SkyboxLayout.FACES, files));
+        Environment environment =
+                old.withoutClouds().with(dimmed).with(new Sky.Skybox(SkyboxLayout.FACES, files, whiteRadiance));
         return lit.with(environment, lit.lights());
     }
 }

@@ -13,6 +13,7 @@ import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.NightSky;
 import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
@@ -38,6 +39,9 @@ public final class SkyboxTrace {
     /** The share of the sun's light is then known to 0.2 per cent, whatever the clouds are. */
     private static final int SUN_ESTIMATES = 100_000;
 
+    /** The share of a star's light is then known to 1.6 per cent. */
+    private static final int STAR_ESTIMATES = 1_000;
+
     private final OpenedLevel opened;
     private final Environment lit;
     private final TracedLevel sky;
@@ -48,7 +52,8 @@ public final class SkyboxTrace {
         this.opened = opened;
         this.eye = eye;
         lit = Daylight.lit(opened.level()).environment();
-        Level alone = Level.of("", "", lit.withFog((Fog) null), List.of());
+        // No surface needs the sky's irradiance, which is integrated unless the ambient light is a constant.
+        Level alone = Level.of("", "", lit.withFog((Fog) null).withAmbient(Vec3.ZERO), List.of());
         sky = AssetProblems.named(
                 opened, () -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
     }
@@ -73,7 +78,10 @@ public final class SkyboxTrace {
         var baked = new BakedSkybox(
                 settings.width(), pictures.stream().map(TiledPicture::rgb).toList(), share);
         if (lit.sky() instanceof Sky.Atmosphere atmosphere) {
-            SunDisc.of(atmosphere, lit.sun(), eye, share).ifPresent(baked::add);
+            SunDisc.of(atmosphere, lit.sun(), eye).ifPresent(sun -> baked.add(sun, share));
+            NightSky.of(atmosphere, lit.sun(), eye.y())
+                    .ifPresent(night ->
+                            baked.add(night, towards -> sky.shareThroughClouds(eye, towards, STAR_ESTIMATES, SEED)));
         }
         return baked;
     }

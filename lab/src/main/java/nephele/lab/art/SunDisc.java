@@ -14,12 +14,12 @@ import nephele.engine.math.Vec3;
  * The sun's disc over an atmosphere as an eye sees it, with the limb darkening of {@code atmosphere.frag}: Eddington's
  * law, with the mean of the disc 1. Traced pictures are without it.
  *
- * @param towardsSun unit
- * @param radiance the mean of the disc outside the air, dimmed by clouds
+ * @param middle unit
+ * @param radiance the mean of the disc outside the air
  */
-record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
-    /** @param share of the sun's light that passes the clouds */
-    static Optional<SunDisc> of(Sky.Atmosphere sky, Sun sun, Vec3 eye, double share) {
+record SunDisc(Vec3 middle, Vec3 radiance, Air air, double eyeHeight) {
+    /** Returns the disc of an hour; empty if all of it is below the eye's horizon. */
+    static Optional<SunDisc> of(Sky.Atmosphere sky, Sun sun, Vec3 eye) {
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         double height = Math.max(0, eye.y());
         double above = Math.asin(towardsSun.y()) + SunOverLimb.RADIUS_RADIANS;
@@ -27,7 +27,7 @@ record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
         return above > SkyTable.horizonRadians(height)
                 ? Optional.of(new SunDisc(
                         towardsSun,
-                        sun.irradiance().scaled(share / (Math.PI * radius * radius)),
+                        sun.irradiance().scaled(1 / (Math.PI * radius * radius)),
                         Daylight.air(sky),
                         height))
                 : Optional.empty();
@@ -35,7 +35,7 @@ record SunDisc(Vec3 towardsSun, Vec3 radiance, Air air, double eyeHeight) {
 
     /** Returns the disc's radiance in a unit direction, zero beside it and below the horizon. */
     Vec3 towards(Vec3 direction) {
-        double fromMiddle = direction.minus(towardsSun).length() / SunOverLimb.RADIUS_RADIANS;
+        double fromMiddle = direction.minus(middle).length() / SunOverLimb.RADIUS_RADIANS;
         if (fromMiddle >= 1 || Math.asin(direction.y()) < SkyTable.horizonRadians(eyeHeight)) {
             return Vec3.ZERO;
         }

@@ -1,5 +1,6 @@
 package nephele.engine.level.appearance;
 
+import java.util.Arrays;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Sky;
@@ -41,13 +42,16 @@ final class SkyboxFaces {
         }
     }
 
-    private SkyboxFaces(SkyboxPictures faces, ColourDecoding decoding) {
+    private SkyboxFaces(SkyboxPictures faces, double[] linear) {
         this.faces = faces;
-        linear = decoding.table();
+        this.linear = linear;
     }
 
     static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
-        return new SkyboxFaces(SkyboxPictures.of(sky, pictureOf), decoding);
+        double[] linear = Arrays.stream(decoding.table())
+                .map(value -> sky.whiteRadiance() * value)
+                .toArray();
+        return new SkyboxFaces(SkyboxPictures.of(sky, pictureOf), linear);
     }
 
     /** Returns the linear radiance interpolated between the four nearest pixels, also across the cube's edges. */

@@ -10,6 +10,7 @@ import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.Moonlight;
+import nephele.engine.level.appearance.NightSky;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
@@ -25,7 +26,8 @@ import nephele.engine.render.resource.ByHeight;
 
 /**
  * Draws the light that the air scatters, the planet's ground, the sun's disc, moon and stars where no solid has been
- * drawn. Fog hides them. The twin of {@code atmosphere.frag} is {@link SkyTable#radiance}.
+ * drawn. Fog hides them. The twins of {@code atmosphere.frag} are {@link SkyTable#radiance} and, for moon and
+ * stars, {@link NightSky}.
  */
 public final class AtmospherePass implements Pass {
     public static final RenderFeature FEATURE =

@@ -69,7 +69,11 @@ public final class SkyboxPass implements Pass {
                 Cube.class,
                 new MadeFrom(context.shared().openedLevel(), sky, context.output()),
                 () -> Cube.of(context, sky));
-        var defines = Defines.of(context).values();
+        Defines all = Defines.of(context);
+        if (sky.whiteRadiance() != 1) {
+            all.with("WHITE_RADIANCE", sky.whiteRadiance());
+        }
+        var defines = all.values();
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(FOLDER + "skybox.vert", defines),

@@ -6,5 +6,9 @@ in vec2 st;
 flat in float face;
 
 void main() {
-    writeRadiance(texture(faces, vec3(st, face)).rgb);
+    vec3 radiance = texture(faces, vec3(st, face)).rgb;
+#ifdef WHITE_RADIANCE
+    radiance *= float(WHITE_RADIANCE);
+#endif
+    writeRadiance(radiance);
 }
