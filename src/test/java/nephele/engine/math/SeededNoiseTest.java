@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Seeded noise is bounded, repeatable and finite for every float; the shader's twin has its own test. */
 class SeededNoiseTest {
@@ -52,6 +56,31 @@ class SeededNoiseTest {
         for (int count : histogram) {
             assertEquals(10_000, count, 500);
         }
+    }
+
+    /** In 256 × 256 cells far away: as many values as 24 random bits have, evenly spread, neighbours unlike. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e6, 1e9, -1e9})
+    void farCellsAreAsGoodAsNearOnes(double far) {
+        int side = 256;
+        Set<Double> distinct = new HashSet<>();
+        int[] histogram = new int[256];
+        double products = 0;
+        double before = 0.5;
+        for (int i = 0; i < side * side; i++) {
+            double value = noise.unit(SeededNoise.cell(far + i % side), SeededNoise.cell(far - i / side), 3);
+            distinct.add(value);
+            histogram[(int) (256 * value)]++;
+            products += (value - 0.5) * (before - 0.5);
+            before = value;
+        }
+        double chi = 0;
+        for (int count : histogram) {
+            chi += (count - 256.0) * (count - 256.0) / 256;
+        }
+        assertTrue(distinct.size() > 65_300, distinct.size() + " distinct values");
+        assertEquals(255, chi, 5 * Math.sqrt(2 * 255), "chi² of 255 degrees of freedom");
+        assertEquals(0, 12 * products / (side * side), 0.02, "correlation of neighbours");
     }
 
     @Test

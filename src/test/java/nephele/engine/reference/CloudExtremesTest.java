@@ -104,6 +104,24 @@ class CloudExtremesTest {
         assertTrue(sum / radiance.length > 0.1, cloud.id() + " is lit: " + sum / radiance.length);
     }
 
+    /** The peak of the sharpest phase function times the brightest sun that may be written, seen against the sun. */
+    @Test
+    void theBrightestSunBehindTheSharpestPeakIsFinite() {
+        var towards = new Vec3(0, 1, -10);
+        TestLevel level = new TestLevel()
+                .skyLight()
+                .sky(WHITE)
+                .castingSun(towards, 1e9)
+                .cloud(cloud("thin", BOX, new Density.Ellipsoid(), 1e-2, 0.999));
+        float[] radiance = picture(level, Traced.eye(Vec3.ZERO, towards, 1e-3), 8);
+        float brightest = 0;
+        for (float value : radiance) {
+            assertTrue(value >= 1 - 1e-6 && Float.isFinite(value), "" + value);
+            brightest = Math.max(brightest, value);
+        }
+        assertTrue(brightest > 1e12, "the peak is seen: " + brightest);
+    }
+
     /** White clouds in a white furnace are invisible, whatever they are and wherever the eye is. */
     @ParameterizedTest
     @ValueSource(doubles = {-0.999, 0, 0.85, 0.999})

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.atmosphere.Air;
 import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.UniformField;
@@ -27,6 +28,7 @@ import nephele.engine.reference.volume.VolumeTracer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The light around clouds over the planet is that of surfaces and of the sky, by day and by moonlight. */
 class OverPlanetTest {
@@ -62,6 +64,32 @@ class OverPlanetTest {
             }
         }
         assertEquals(expected, found, 0.004 * expected);
+    }
+
+    /**
+     * Around the planet, in steps of 0.01 degrees: the sun's direct light falls to nothing without a step, from the blue
+     * end of its colours, and never shines through the planet from below.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1500, 10_000})
+    void theSunSetsWithoutAStepAndStaysBehindThePlanet(double altitude) {
+        DistantLight light = new LightOverPlanet(Air.CLEAR, new Vec3(1, 1, 1), new Vec3(1, 0, 0));
+        double radius = Air.PLANET_RADIUS_METRES + altitude;
+        double set = -Math.toDegrees(Math.acos(Air.PLANET_RADIUS_METRES / radius)) - 0.2666;
+        Vec3 before = null;
+        for (double degrees = 1; degrees > -6; degrees -= 0.01) {
+            double angle = Math.toRadians(degrees);
+            Vec3 now = light.irradiance(
+                    new Vec3(radius * Math.sin(angle), radius * Math.cos(angle) - Air.PLANET_RADIUS_METRES, 0));
+            String where = degrees + " degrees";
+            assertTrue(now.x() >= now.y() && now.y() >= now.z() && now.z() >= 0 && now.x() <= 1, where + ": " + now);
+            assertTrue(degrees > set ? degrees < set + 0.02 || now.x() > 0 : now.x() == 0, where + ": " + now);
+            if (before != null) {
+                assertTrue(now.x() <= before.x() && before.x() - now.x() < 0.02, where + ": " + before + now);
+            }
+            before = now;
+        }
+        assertEquals(Vec3.ZERO, before);
     }
 
     @Test

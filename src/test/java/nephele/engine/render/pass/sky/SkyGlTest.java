@@ -35,17 +35,24 @@ class SkyGlTest {
     void theGradientIsItsJavaTwin() {
         Sky.Gradient sky = new Sky.Gradient(new Vec3(0.1, 0.3, 2), new Vec3(1, 0.9, 0.7), new Vec3(0.2, 0.1, 0));
         try (Offscreen offscreen = new Offscreen(33, 33)) {
-            View view = offscreen.view(Vec3.ZERO, new Vec3(0.3, 0.1, -1));
-            float[] rgb = offscreen.radiance(new TestLevel().sky(sky).level(), TestAssets.NONE, view);
-            for (int y = 0; y < 33; y++) {
-                for (int x = 0; x < 33; x++) {
-                    Vector3d ray = ray(view, (2 * x + 1) / 33.0 - 1, (2 * y + 1) / 33.0 - 1);
-                    Vec3 expected = GradientSky.radiance(sky, ray.normalize().y);
-                    int at = 3 * (33 * y + x);
-                    assertEquals(expected.x(), rgb[at], 2e-3);
-                    assertEquals(expected.y(), rgb[at + 1], 2e-3);
-                    assertEquals(expected.z(), rgb[at + 2], 4e-3);
-                }
+            List<View> views = new ArrayList<>(List.of(offscreen.view(Vec3.ZERO, new Vec3(0.3, 0.1, -1))));
+            AXES.forEach(axis -> views.add(offscreen.view(Vec3.ZERO, axis)));
+            List<float[]> seen = offscreen.radiance(new TestLevel().sky(sky).level(), TestAssets.NONE, views);
+            for (int i = 0; i < views.size(); i++) {
+                isGradient(sky, views.get(i), seen.get(i));
+            }
+        }
+    }
+
+    private static void isGradient(Sky.Gradient sky, View view, float[] rgb) {
+        for (int y = 0; y < 33; y++) {
+            for (int x = 0; x < 33; x++) {
+                Vector3d ray = ray(view, (2 * x + 1) / 33.0 - 1, (2 * y + 1) / 33.0 - 1);
+                Vec3 expected = GradientSky.radiance(sky, ray.normalize().y);
+                int at = 3 * (33 * y + x);
+                assertEquals(expected.x(), rgb[at], 2e-3);
+                assertEquals(expected.y(), rgb[at + 1], 2e-3);
+                assertEquals(expected.z(), rgb[at + 2], 4e-3);
             }
         }
     }

@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.Sun;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
@@ -17,6 +19,7 @@ import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
+import nephele.engine.scene.FrameState;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -42,6 +45,7 @@ class SkyRadianceGlTest {
         List<Sky> skies = List.of(
                 new Sky.Skybox(SkyboxLayout.FACES, List.of("f0.png", "f1.png", "f2.png", "f3.png", "f4.png", "f5.png")),
                 new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png")),
+                new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png"), 0.25),
                 new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), new Vec3(0.7, 0.7, 0.6), new Vec3(0.3, 0.2, 0.1)),
                 new Sky.Constant(new Vec3(0.1, 0.2, 0.3)),
                 new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, 172, 4.6, 0, 0.2666));
@@ -65,7 +69,24 @@ class SkyRadianceGlTest {
                         assertEquals(expected.get(c), drawn[12 + c], 4e-3, sky.getClass() + " towards " + d);
                     }
                 }
+                if (sky instanceof Sky.Atmosphere) {
+                    theBrightestSunIsFinite(offscreen, renderer);
+                }
                 offscreen.gl.requireNoError("test frames");
+            }
+        }
+    }
+
+    /** Disc and aureole are cut at the greatest half float, even those of a sun whose light overflows a float. */
+    private static void theBrightestSunIsFinite(Offscreen offscreen, Renderer renderer) {
+        Environment dawn = renderer.scene().level().environment();
+        Vec3 towards = dawn.sun().directionTowardsSun();
+        FrameState state = FrameState.atStart(renderer.scene().level());
+        for (double irradiance : new double[] {1e9, 1e39}) {
+            state.environment(dawn.with(new Sun(towards, new Vec3(irradiance, irradiance, irradiance), true)));
+            renderer.draw(offscreen.view(Vec3.ZERO, towards), state, offscreen.picture);
+            for (float value : renderer.readRadiance()) {
+                assertEquals(65504, value);
             }
         }
     }
