@@ -6,8 +6,7 @@ import nephele.engine.math.Vec3;
 
 /**
  * The integration of {@link ClearSky} at nodes of the sun's elevation, height, elevation and azimuth: a path tracer that
- * asks for the sky a million times has no time for the integration. Interpolation is linear between elevations of the sun
- * and cubic otherwise. Nodes are integrated when they are first needed, so a picture pays for the places and directions
+ * asks for the sky a million times has no time for the integration. Interpolation is cubic. Nodes are integrated when they are first needed, so a picture pays for the places and directions
  * that its paths leave from and to. Threads may share it.
  *
  * <p>Light scattered once is without its phase functions, which are evaluated for each direction. Of the sky's light the
@@ -46,15 +45,28 @@ public final class SkyLattice {
         double azimuth = azimuth(zenithCosine, sunCosine, between);
         double steps = (degrees(sunCosine) - firstDegrees) / STEP_DEGREES;
         int before = (int) Math.floor(steps);
-        double share = (steps - before) * STEP_DEGREES / Math.max(1e-9, elevation(before + 1) - elevation(before));
+        double[] weights = weights(before, steps - before);
         double[] parts = new double[LatticeSheet.VALUES];
-        if (share < 1) {
-            sheet(before).add(height, row, azimuth, 1 - share, parts);
-        }
-        if (share > 0) {
-            sheet(before + 1).add(height, row, azimuth, share, parts);
+        for (int k = 0; k < weights.length; k++) {
+            if (weights[k] != 0) {
+                sheet(before - 1 + k).add(height, row, azimuth, weights[k], parts);
+            }
         }
         return light(row, between, parts);
+    }
+
+    /** Returns the weights of the nodes around the sun's elevation; next to zenith and nadir those of two. */
+    private double[] weights(int before, double steps) {
+        double[] weights = new double[4];
+        double low = elevation(before);
+        double high = elevation(before + 1);
+        if (elevation(before - 1) > -90 && elevation(before + 2) < 90) {
+            CubicWeights.put(steps, weights);
+        } else {
+            weights[2] = Math.min(1, steps * STEP_DEGREES / Math.max(1e-9, high - low));
+            weights[1] = 1 - weights[2];
+        }
+        return weights;
     }
 
     /** Returns the elevation of a node of the sun, degrees; the uppermost one is the zenith. */
@@ -85,6 +97,6 @@ public final class SkyLattice {
     }
 
     private static double light(LatticeRow row, double part) {
-        return row.isSky() ? part * part : part;
+        return row.isSky() ? part * part : Math.max(0, part);
     }
 }
