@@ -187,7 +187,7 @@ public final class CellMarch {
     /** Returns the mean optical depth at which light that a step takes is taken. */
     private static double meanDepth(double depth) {
         if (depth < 1e-3) {
-            return depth / 2;
+            return depth * (0.5 - depth / 12);
         }
         double left = Math.exp(-depth);
         return 1 - depth * left / (1 - left);
@@ -198,8 +198,7 @@ public final class CellMarch {
     }
 
     private double height(Ray ray, double at) {
-        double level = ray.directionX() * ray.directionX() + ray.directionZ() * ray.directionZ();
-        return ray.originY() + at * ray.directionY() + at * at * level / (2 * cloud.planetRadiusMetres());
+        return StackSpan.height(cloud.planetRadiusMetres(), ray, at);
     }
 
     private static double dot(Ray ray, Vec3 v) {

@@ -4,33 +4,51 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 
 /**
- * The part of a ray in the bounds of a cloud. The twin of {@code insideCloud} in {@code cloud-march.glsl}. Where a layer bends
- * around the planet, a ray at elevation e has the height y + t sin e + t² cos² e / 2R; that holds within 0.3 m up to 30 km
- * and 40 m up to 150 km.
+ * The part of a ray in the bounds of a cloud. The twin of {@code cloud-span.glsl}. A layer bends around the planet below the
+ * eye: at a distance t from an eye at height e, a ray at elevation a has a height h over a planet of radius R with t² / 2R +
+ * t sin a (1 + e / R) = (h − e) (1 + (h + e) / 2R).
  */
 record StackSpan(double fromMetres, double toMetres) {
     static StackSpan of(Aabb box, double planetRadiusMetres, Ray ray) {
-        double level = ray.directionX() * ray.directionX() + ray.directionZ() * ray.directionZ();
-        double bend = level / (2 * planetRadiusMetres);
-        StackSpan heights =
-                betweenHeights(bend, ray.directionY(), ray.originY() - box.minY(), ray.originY() - box.maxY());
+        double bend = 1 / (2 * planetRadiusMetres);
+        double eye = ray.originY();
+        StackSpan heights = betweenHeights(
+                bend, slope(bend, ray), over(bend, eye, box.minY() - eye), over(bend, eye, box.maxY() - eye));
         return behindPlanet(heights, bend, ray)
                 .between(ray.originX(), ray.directionX(), box.minX(), box.maxX())
                 .between(ray.originZ(), ray.directionZ(), box.minZ(), box.maxZ());
     }
 
+    private static double slope(double bend, Ray ray) {
+        return ray.directionY() * (1 + 2 * bend * ray.originY());
+    }
+
+    /** Returns the constant of the quadratic equation for a height that is so much above the eye's. */
+    private static double over(double bend, double eye, double above) {
+        return -above * (1 + bend * (2 * eye + above));
+    }
+
+    /** Returns the height over the planet, or over level ground if its radius is infinite, at a distance. */
+    static double height(double planetRadiusMetres, Ray ray, double metres) {
+        double bend = 1 / (2 * planetRadiusMetres);
+        double above = metres * (slope(bend, ray) + bend * metres);
+        return ray.originY() + above / (1 + bend * (2 * ray.originY() + above));
+    }
+
     private static StackSpan behindPlanet(StackSpan span, double bend, Ray ray) {
-        return bend > 0 && ray.originY() >= 0
-                ? new StackSpan(span.fromMetres, Math.min(span.toMetres, sooner(bend, ray.directionY(), ray.originY())))
-                : span;
+        if (bend == 0 || ray.originY() < 0) {
+            return span;
+        }
+        double ground = sooner(bend, slope(bend, ray), over(bend, ray.originY(), -ray.originY()));
+        return new StackSpan(span.fromMetres, Math.min(span.toMetres, ground));
     }
 
     /**
      * Returns the first part of a ray between two heights.
      *
-     * @param bend half the second derivative of the height
-     * @param slope its first derivative at the eye
-     * @param overBase the eye's height over the lower of both; {@code overTop} over the upper one
+     * @param bend factor of the distance's square in the quadratic equation, 0 over level ground
+     * @param slope that of the distance
+     * @param overBase its constant for the lower height: how far the eye is over it; {@code overTop} for the upper one
      */
     static StackSpan betweenHeights(double bend, double slope, double overBase, double overTop) {
         double never = Double.POSITIVE_INFINITY;

@@ -38,11 +38,9 @@ struct CloudRay {
 // The part of a ray of unit direction in the cloud's boxes.
 vec2 insideCloud(vec3 ray) {
     float widest = pow(WIDENING, cells.z - 1.0);
-    vec2 inside = spanInside(ray, cloudBase, cloudHalf * vec3(widest, 1.0, widest), phase.z);
-    if (phase.z > 0.0 && stepping.z >= 0.0) {
-        inside.y = min(inside.y, sooner(dot(ray.xz, ray.xz) * phase.z, ray.y, stepping.z)); // the planet hides the rest
-    }
-    return inside;
+    vec2 planet = vec2(phase.z, stepping.z);
+    vec2 inside = spanInside(ray, cloudBase, cloudHalf * vec3(widest, 1.0, widest), planet);
+    return vec2(inside.x, min(inside.y, planetMetres(ray, planet)));
 }
 
 // The box that serves a place, and the share that the next wider one has already.
@@ -80,10 +78,10 @@ vec4 lightOf(vec3 place, float height, float box) {
     return cells.w > 0.0 ? mix(light, textureLod(cloudLightToCome, texel, 0.0), cells.w) : light;
 }
 
-vec4 lightAt(vec3 place, float rise) {
+vec4 lightAt(vec3 place, float height) {
     vec2 box = boxOf(place);
-    vec4 light = lightOf(place, place.y + rise, box.x);
-    return box.y > 0.0 ? mix(light, lightOf(place, place.y + rise, box.x + 1.0), box.y) : light;
+    vec4 light = lightOf(place, height, box.x);
+    return box.y > 0.0 ? mix(light, lightOf(place, height, box.x + 1.0), box.y) : light;
 }
 
 // Light that turns once by any angle or often by small ones, per optical depth.
@@ -112,10 +110,15 @@ float octaves(float separation, float sunDepth) {
 }
 #endif
 
+// The share of light that an optical depth takes; the difference would lose the digits of a small one.
+float takenBy(float depth) {
+    return depth < 1e-2 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth);
+}
+
 // Mean optical depth at which light that a step takes is taken.
 float meanDepth(float depth) {
     float left = exp(-depth);
-    return depth < 1e-2 ? 0.5 * depth : 1.0 - depth * left / (1.0 - left);
+    return depth < 1e-2 ? depth * (0.5 - depth / 12.0) : 1.0 - depth * left / (1.0 - left);
 }
 
 // direction: of unit length; visible: the part of the ray in the cloud that no surface hides
@@ -127,7 +130,7 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     float separation = dot(apart, apart);
     float cosine = 1.0 - 0.5 * separation;
     float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
-    float bend = dot(direction.xz, direction.xz) * phase.z;
+    vec2 planet = vec2(phase.z, stepping.z);
     float at = visible.x;
     float share = offset;
     while (at < visible.y && scaled > OPAQUE) {
@@ -136,9 +139,9 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
         float to = min(at + share * stepMetres, visible.y);
         float middle = 0.5 * (from + to);
         vec3 place = middle * direction;
-        float rise = bend * middle * middle;
+        float height = heightAbove(direction, middle, planet);
         vec2 box = boxOf(place);
-        vec4 cell = textureLod(cloudDensity, texelOf(place, place.y + rise, box.x, cells.x), 0.0);
+        vec4 cell = textureLod(cloudDensity, texelOf(place, height, box.x, cells.x), 0.0);
         at = to;
         share = 1.0;
         if (cell.g * FARTHEST >= 1.0) {
@@ -150,11 +153,11 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
             continue;
         }
 #ifdef NOISE
-        float density = noiseDensity(place, rise, box);
+        float density = noiseDensity(vec3(place.x, height, place.z), box);
 #else
         float density = cellDensity(cell);
         if (box.y > 0.0) {
-            vec4 wider = textureLod(cloudDensity, texelOf(place, place.y + rise, box.x + 1.0, cells.x), 0.0);
+            vec4 wider = textureLod(cloudDensity, texelOf(place, height, box.x + 1.0, cells.x), 0.0);
             density = mix(density, cellDensity(wider), box.y);
         }
 #endif
@@ -164,9 +167,9 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
         float depth = density * medium.x * (to - from);
         float mean = meanDepth(depth);
         float lit = from + mean / max(depth, 1e-20) * (to - from);
-        vec4 light = lightAt(lit * direction, bend * lit * lit);
-        float taken = 1.0 - exp(-depth);
-        float scaledTaken = 1.0 - exp(-medium.y * depth);
+        vec4 light = lightAt(lit * direction, heightAbove(direction, lit, planet));
+        float taken = takenBy(depth);
+        float scaledTaken = takenBy(medium.y * depth);
 #ifdef OCTAVES
         ray.sunlight += ray.transmittance * taken * medium.z * octaves(separation, light.r);
 #else

@@ -29,10 +29,9 @@ float bodyDepth(vec3 place, float box) {
     return 2.0 * mix(depths.x, depths.y, cells.w) - 1.0;
 }
 
-// place: relative to the eye; rise: what the planet's curvature adds to its height; box: what boxOf returns
-float noiseDensity(vec3 place, float rise, vec2 box) {
-    vec3 bent = place + vec3(0.0, rise, 0.0);
-    float height = clamp((bent.y - cloudBase.y) / cloudHalf.y, 0.0, 1.0);
+// place: from the eye, its y a height over the planet's curve; box: what boxOf returns
+float noiseDensity(vec3 place, vec2 box) {
+    float height = clamp((place.y - cloudBase.y) / cloudHalf.y, 0.0, 1.0);
     vec4 profile = textureLod(profileTable, vec2((height * (KNOTS - 1.0) + 0.5) / KNOTS, 0.5), 0.0);
     float inside = bodyDepth(place, box.x);
     if (box.y > 0.0) {
@@ -42,11 +41,11 @@ float noiseDensity(vec3 place, float rise, vec2 box) {
     if (inside <= 0.0) {
         return 0.0;
     }
-    inside -= profile.g * (1.0 - evolved(shapeTable, bent, shapePlace, shapeComing, generations.xy));
+    inside -= profile.g * (1.0 - evolved(shapeTable, place, shapePlace, shapeComing, generations.xy));
     if (inside <= 0.0) {
         return 0.0;
     }
-    float detail = evolved(detailTable, bent, detailPlace, detailComing, generations.zw);
+    float detail = evolved(detailTable, place, detailPlace, detailComing, generations.zw);
     inside -= eroding * (1.0 - detail + min(1.0, height / WISPS_TO) * (2.0 * detail - 1.0));
     return profile.a * clamp(profile.b * inside, 0.0, 1.0);
 }

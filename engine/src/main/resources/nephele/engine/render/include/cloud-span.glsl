@@ -15,7 +15,7 @@ float sooner(float a, float b, float c) {
     return b < 0.0 && square >= 0.0 ? 2.0 * c / (-b + sqrt(square)) : NEVER;
 }
 
-// The first part of a ray between two heights. bend: half the second derivative of the ray's height.
+// The first part of a ray between two heights: the coefficients of the quadratic equations.
 vec2 betweenHeights(float bend, float slope, float overBase, float overTop) {
     if (overBase < 0.0) {
         return vec2(later(bend, slope, overBase), later(bend, slope, overTop));
@@ -28,10 +28,32 @@ vec2 betweenHeights(float bend, float slope, float overBase, float overTop) {
     return enter == NEVER ? vec2(NEVER, 0.0) : vec2(enter, min(down, leave));
 }
 
-// base: middle of the lower side; extent: half of the sides x and z, and the height y; halfCurvature: 1 / twice the radius
-// around which the cloud bends
-vec2 spanInside(vec3 ray, vec3 base, vec3 extent, float halfCurvature) {
-    vec2 inside = betweenHeights(dot(ray.xz, ray.xz) * halfCurvature, ray.y, -base.y, -base.y - extent.y);
+// planet: x: 1 / twice the radius around which a layer bends, 0 for none; y: height of the eye, metres
+float spanSlope(vec3 ray, vec2 planet) {
+    return ray.y * (1.0 + 2.0 * planet.x * planet.y);
+}
+
+// The constant for a height that is so much above the eye's.
+float spanOver(float above, vec2 planet) {
+    return -above * (1.0 + planet.x * (2.0 * planet.y + above));
+}
+
+// How much higher than the eye a ray is after a distance.
+float heightAbove(vec3 ray, float metres, vec2 planet) {
+    float above = metres * (spanSlope(ray, planet) + planet.x * metres);
+    return above / (1.0 + planet.x * (2.0 * planet.y + above));
+}
+
+// The distance at which the planet hides the rest of a ray.
+float planetMetres(vec3 ray, vec2 planet) {
+    return planet.x > 0.0 && planet.y >= 0.0
+        ? sooner(planet.x, spanSlope(ray, planet), spanOver(-planet.y, planet)) : NEVER;
+}
+
+// base: middle of the lower side; extent: half of the sides x and z, and the height y
+vec2 spanInside(vec3 ray, vec3 base, vec3 extent, vec2 planet) {
+    vec2 inside = betweenHeights(
+        planet.x, spanSlope(ray, planet), spanOver(base.y, planet), spanOver(base.y + extent.y, planet));
     vec2 a = (base.xz - extent.xz) / ray.xz;
     vec2 b = (base.xz + extent.xz) / ray.xz;
     vec2 near = min(a, b);

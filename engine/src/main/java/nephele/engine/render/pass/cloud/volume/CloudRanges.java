@@ -21,12 +21,12 @@ final class CloudRanges {
     private final double halfCurvature;
 
     /** The uniforms of {@code cloud-ranges.glsl}. */
-    record Places(List<Uniforms.Vector3> base, List<Uniforms.Vector3> half, Uniforms.Scalar bend) {
+    record Places(List<Uniforms.Vector3> base, List<Uniforms.Vector3> half, Uniforms.Vector2 planet) {
         static Places of(Uniforms uniforms, int clouds) {
             return new Places(
                     named(uniforms, "rangeBase", clouds),
                     named(uniforms, "rangeHalf", clouds),
-                    uniforms.scalar("rangeBend"));
+                    uniforms.vector2("rangePlanet"));
         }
 
         private static List<Uniforms.Vector3> named(Uniforms uniforms, String name, int count) {
@@ -82,6 +82,6 @@ final class CloudRanges {
                             (float) (box.maxY() - box.minY()),
                             isLayer ? ENDLESS : (float) ((box.maxZ() - box.minZ()) / 2));
         }
-        places.bend().set((float) halfCurvature);
+        places.planet().set((float) halfCurvature, (float) view.eyeY());
     }
 }

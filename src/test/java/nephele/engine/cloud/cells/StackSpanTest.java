@@ -1,0 +1,53 @@
+package nephele.engine.cloud.cells;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A ray meets a layer where it does around a sphere. */
+class StackSpanTest {
+    private static final double R = 6_360_000;
+    private static final MathContext DIGITS = new MathContext(40);
+
+    /** Returns the distance to an altitude above the eye, or the farther one to an altitude below it, with 40 digits. */
+    private static double exact(double eye, double sine, double altitude) {
+        BigDecimal here = BigDecimal.valueOf(R).add(new BigDecimal(eye));
+        BigDecimal there = BigDecimal.valueOf(R).add(new BigDecimal(altitude));
+        BigDecimal half = here.multiply(new BigDecimal(sine), DIGITS);
+        BigDecimal constant = here.multiply(here, DIGITS).subtract(there.multiply(there, DIGITS), DIGITS);
+        return half.multiply(half, DIGITS)
+                .subtract(constant, DIGITS)
+                .sqrt(DIGITS)
+                .subtract(half, DIGITS)
+                .doubleValue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1.7, 90",
+        "1.7, 30",
+        "1.7, 3",
+        "1.7, 0.3",
+        "1.7, 0",
+        "0, 0",
+        "1400, 0.3",
+        "1499.5, 0.3",
+        "1499.999, 0",
+        "0.5, 0.3"
+    })
+    void theSlantIsThatAroundASphere(double eye, double degrees) {
+        double sine = Math.sin(Math.toRadians(degrees));
+        Ray ray = new Ray(
+                0, eye, 0, 0.6 * Math.cos(Math.toRadians(degrees)), sine, 0.8 * Math.cos(Math.toRadians(degrees)));
+        StackSpan span = StackSpan.of(new Aabb(-1e6, 1500, -1e6, 1e6, 1800, 1e6), R, ray);
+        assertEquals(exact(eye, sine, 1500), span.fromMetres(), 1e-5);
+        assertEquals(exact(eye, sine, 1800), span.toMetres(), 1e-5);
+        assertEquals(1500, StackSpan.height(R, ray, span.fromMetres()), 0.01);
+        assertEquals(1800, StackSpan.height(R, ray, span.toMetres()), 0.01);
+    }
+}
