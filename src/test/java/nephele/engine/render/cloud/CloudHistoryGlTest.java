@@ -114,6 +114,21 @@ class CloudHistoryGlTest {
         }
     }
 
+    /** With a surface as far as clouds, depth is read from a copy of the view; otherwise the depth test decides. */
+    @Test
+    void aSurfaceFarBehindTheEyeChangesNothing() {
+        TestLevel walled = clouds().box("wall", new Vec3(-2, 6, -8), new Vec3(4, 12, 1));
+        Level near = walled.level();
+        Level far = walled.box("wall", new Vec3(0, 0, 400), new Vec3(4, 4, 4)).level();
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+                Renderer tested = load(offscreen, near, CloudHistory.FOUR_FRAMES);
+                Renderer read = load(offscreen, far, CloudHistory.FOUR_FRAMES)) {
+            for (View view : flight(offscreen, EYE, 0.3).subList(0, 3)) {
+                assertArrayEquals(drawn(offscreen, read, view), drawn(offscreen, tested, view));
+            }
+        }
+    }
+
     private static float[] drawnWithAllRays(Offscreen offscreen, View view) {
         try (Renderer renderer = load(offscreen, clouds().level(), CloudHistory.NONE)) {
             return drawn(offscreen, renderer, view);
