@@ -10,6 +10,7 @@ import nephele.lab.prove.cloud.CloudFlightProof;
 import nephele.lab.prove.cloud.CloudLawsProof;
 import nephele.lab.prove.cloud.CloudReferenceProof;
 import nephele.lab.prove.cloud.CloudSlabsProof;
+import nephele.lab.prove.cloud.CloudVolumeProof;
 import nephele.lab.prove.edits.EditedTown;
 import nephele.lab.prove.edits.EditsProof;
 import nephele.lab.prove.geometry.HeightFieldProof;
@@ -71,6 +72,7 @@ public final class Proofs {
             new CloudSlabsProof(),
             new CloudLawsProof(),
             new CloudReferenceProof(),
+            new CloudVolumeProof(),
             new CloudFlightProof(),
             new AirFieldsProof(),
             new SkyTableProof(),

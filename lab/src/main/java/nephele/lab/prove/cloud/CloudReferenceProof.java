@@ -10,8 +10,7 @@ import nephele.lab.prove.proof.ProofResult;
 
 /** Traces levels of the clouds of the reference pictures and compares each pixel. */
 public final class CloudReferenceProof implements Proof {
-    static final List<String> CASES = List.of("sphere", "puff", "cumulus");
-
+    private static final List<String> CASES = ReferenceCase.OF_MITSUBA;
     private static final int SAMPLES = 512;
     private static final double MOST_BIAS = 0.007;
     private static final double MOST_BIAS_SIGMAS = 4;

@@ -8,9 +8,11 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.zip.GZIPInputStream;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.PlacedLevel;
@@ -19,37 +21,56 @@ import nephele.engine.measure.LinearPicture;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
+import nephele.engine.scene.View;
 import nephele.lab.oracle.PinholeViews;
 
 /**
- * A level of one cloud with its picture by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path length).
- * It is read and traced as {@code render --reference} does it.
+ * A level of one cloud with its exact picture: three by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path
+ * length), three by {@code render --reference --error}. It is read and traced as that command does it.
  *
  * @param sky its radiance, which is all that a pixel without cloud has
  * @param radiance rows from the bottom, as {@code error}
  * @param error standard error of each value of {@code radiance}
  */
 record ReferenceCase(
-        String name, TracedLevel level, Pinhole eye, Vec3 sky, LinearPicture radiance, LinearPicture error) {
+        String name,
+        PlacedLevel placed,
+        TracedLevel level,
+        View view,
+        Vec3 sky,
+        LinearPicture radiance,
+        LinearPicture error) {
+    /** Those whose picture is Mitsuba's, as scenes of another format. */
+    static final List<String> OF_MITSUBA = List.of("sphere", "puff", "cumulus");
 
-    /** Reads a case from the resources of this package: "sphere", "puff" or "cumulus". */
+    /** Those whose picture is our own tracer's. */
+    static final List<String> OWN = List.of("low-sun", "inside", "deck");
+
+    /** Reads a case from the resources of this package. */
     static ReferenceCase named(String name) {
-        JsonObject scene = JsonParser.parseString(new String(bytes(name + ".json"), StandardCharsets.UTF_8))
-                .getAsJsonObject();
-        Level level = LevelJson.read(name, level(name, scene).toString().getBytes(StandardCharsets.UTF_8));
+        byte[] json = bytes(name + ".json");
+        Level level = LevelJson.read(name, OF_MITSUBA.contains(name) ? converted(name, json) : json);
         LinearPicture radiance = picture(name + ".pfm.gz");
         double aspect = (double) radiance.width() / radiance.height();
-        JsonArray sky = scene.getAsJsonArray("skyRadiance");
+        PlacedLevel placed = PlacedLevel.of(level, new Grids());
         return new ReferenceCase(
                 name,
-                TracedLevel.of(PlacedLevel.of(level, new Grid(name)), ColourDecoding.SRGB),
-                PinholeViews.of(Viewpoints.standard(level, name, aspect).view(0)),
-                new Vec3(
-                        sky.get(0).getAsDouble(),
-                        sky.get(1).getAsDouble(),
-                        sky.get(2).getAsDouble()),
+                placed,
+                TracedLevel.of(placed, ColourDecoding.SRGB),
+                Viewpoints.standard(level, name, aspect).view(0),
+                ((Sky.Constant) level.environment().sky()).radiance(),
                 radiance,
                 picture(name + "-se.pfm.gz"));
+    }
+
+    Pinhole eye() {
+        return PinholeViews.of(view);
+    }
+
+    private static byte[] converted(String name, byte[] scene) {
+        JsonObject json = JsonParser.parseString(new String(scene, StandardCharsets.UTF_8))
+                .getAsJsonObject();
+        return level(name, json).toString().getBytes(StandardCharsets.UTF_8);
     }
 
     private static JsonObject level(String name, JsonObject scene) {
@@ -90,8 +111,8 @@ record ReferenceCase(
         return list;
     }
 
-    /** The grid of a case as the level's only asset. */
-    private record Grid(String name) implements AssetSource {
+    /** The grids of the cases. */
+    private record Grids() implements AssetSource {
         @Override
         public byte[] bytes(String assetId) {
             return ReferenceCase.bytes(assetId + ".gz");
@@ -99,7 +120,7 @@ record ReferenceCase(
 
         @Override
         public boolean exists(String assetId) {
-            return assetId.equals(name + ".vol");
+            return ReferenceCase.class.getResource(assetId + ".gz") != null;
         }
     }
 
