@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -56,6 +57,10 @@ public final class TradeSite implements AutoCloseable {
 
     public Level level() {
         return opened.level();
+    }
+
+    public PlacedLevel placed() {
+        return opened.placed();
     }
 
     public View view() {

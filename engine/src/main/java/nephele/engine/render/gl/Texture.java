@@ -57,6 +57,7 @@ public final class Texture implements GlObject {
             glTexParameteri(shape.target, GL_TEXTURE_MAX_LEVEL, 0);
         }
         allocate();
+        gl.live().stored(bytes());
     }
 
     private static void requireFits(GpuLimits limits, String name, Shape shape, Extent extent) {
@@ -123,6 +124,16 @@ public final class Texture implements GlObject {
         int side = Math.max(extent.width, extent.height);
         int largest = shape == Shape.VOLUME ? Math.max(side, extent.layers) : side;
         return sampling.isMipmapped() ? 32 - Integer.numberOfLeadingZeros(largest) : 1;
+    }
+
+    private long bytes() {
+        long bytes = 0;
+        for (int level = 0; level < levels(); level++) {
+            long texels = (long) Math.max(extent.width >> level, 1) * Math.max(extent.height >> level, 1);
+            int layers = shape == Shape.VOLUME ? Math.max(extent.layers >> level, 1) : extent.layers;
+            bytes += format.bytes * texels * (shape == Shape.CUBE ? 6 : layers);
+        }
+        return bytes;
     }
 
     /** Replaces one layer, slice or cube face; the first row is at t = 0. {@code texels} is a direct buffer. */
@@ -209,5 +220,6 @@ public final class Texture implements GlObject {
     @Override
     public void close() {
         handle.close();
+        gl.live().stored(-bytes());
     }
 }

@@ -3,12 +3,17 @@ package nephele.lab.trade.subject;
 import java.util.List;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
+import nephele.lab.trade.subject.CloudExperiment.Judged;
 
 /** The quality fields of clouds: most on the sample of a grid, the history while the view turns. */
 public final class CloudSubjects {
-    private static final String LEVEL = "levels/samples/clouds-grid.json";
-    private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they take";
+    private static final String GRID = "levels/samples/clouds-grid.json";
+    private static final String CUMULUS = "levels/samples/clouds-cumulus.json";
+    private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they"
+        + " take. Flicker is the RMS change of the error from frame to frame, in linear light, while the view turns by"
+        + " 0.3 pixels a frame";
 
     public static final Trade SCATTERING = subject(
             "cloudScattering",
@@ -48,32 +53,38 @@ public final class CloudSubjects {
             PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
             PictureSetting.of("cloudHistory", "sixteen_frames", "low"));
 
-    public static final Trade HISTORY = new Trade(
-                    "cloudHistory",
-                    historyText(),
-                    List.of("cloudHistory"),
-                    HISTORIES.stream().map(PictureSetting::setting).toList(),
-                    1,
-                    ErrorMetric.DISPLAYED,
-                    CloudHistoryExperiment.FIGURES,
-                    CostMetric.FRAME,
-                    null,
-                    site -> new CloudHistoryExperiment(site, HISTORIES))
-            .in("levels/samples/clouds-cumulus.json", "cloudHistory", historyText());
+    public static final Trade HISTORY = subject(
+            "cloudHistory",
+            new Trade.Text(
+                    "Rays through clouds among frames",
+                    "A frame marches one ray of each square of rays; the others show what earlier frames have seen in"
+                            + " their direction. A still view loses nothing, a moving one some sharpness.",
+                    "the engine's own frames of all rays, while the view turns by 0.3 pixels a frame"),
+            "four_frames",
+            HISTORIES,
+            Judged.TURNING);
 
     private CloudSubjects() {}
 
-    private static Trade.Text historyText() {
-        return new Trade.Text(
-                "Rays through clouds among frames",
-                "A frame marches one ray of each square of rays; the others show what earlier frames have seen in"
-                        + " their direction. A still view loses nothing, a moving one some sharpness.",
-                "the engine's own frames of all rays, while the view turns by 0.3 pixels a frame. Flicker is the RMS"
-                        + " change of the error from frame to frame, in linear light");
+    private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
+        return subject(field, new Trade.Text(title, text, ORACLE), usual, settings, Judged.STILL);
     }
 
-    private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
-        var words = new Trade.Text(title, text, ORACLE);
-        return PictureSubjects.of(field, words, List.of(field), usual, settings).in(LEVEL, field, words);
+    private static Trade subject(
+            String field, Trade.Text words, String usual, List<PictureSetting> settings, Judged judged) {
+        List<Setting> named = settings.stream().map(PictureSetting::setting).toList();
+        String level = judged == Judged.STILL ? GRID : CUMULUS;
+        return new Trade(
+                        field,
+                        words,
+                        List.of(field),
+                        named,
+                        named.stream().map(Setting::name).toList().indexOf(usual),
+                        judged == Judged.STILL ? ErrorMetric.PICTURE : ErrorMetric.DISPLAYED,
+                        CloudExperiment.FIGURES,
+                        CostMetric.FRAME,
+                        null,
+                        site -> new CloudExperiment(site, settings, judged))
+                .in(level, field, words);
     }
 }

@@ -101,7 +101,11 @@ final class PictureExperiment implements Experiment {
         if (renderers.get(setting) == null) {
             renderers.set(setting, renderer(shots.get(setting)));
         }
-        renderers.get(setting).draw(site.view(), picture);
+        draw(renderers.get(setting));
+    }
+
+    void draw(Renderer renderer) {
+        renderer.draw(site.view(), picture);
         site.gl().finish();
     }
 

@@ -1,0 +1,26 @@
+package nephele.lab.trade.subject;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+
+class CloudRaysTest {
+    @Test
+    void longerStepsEvaluateLessAndMissMore() {
+        OpenedLevel opened = new LevelName("levels/samples/clouds-grid.json").open();
+        PlacedLevel placed = opened.placed();
+        View view = Viewpoints.standard(opened.level(), opened.file(), 4).view(0);
+        try (var rays = new CloudRays(placed, view)) {
+            CloudRays.Marched fine = rays.marched(0.5);
+            CloudRays.Marched coarse = rays.marched(8);
+            assertTrue(fine.evaluations() > 8 * coarse.evaluations(), fine + ", " + coarse);
+            assertTrue(fine.transmittanceError() < 0.02, fine.toString());
+            assertTrue(coarse.transmittanceError() > 2 * fine.transmittanceError(), fine + ", " + coarse);
+        }
+    }
+}
