@@ -6,9 +6,16 @@ package nephele.engine.cloud.light;
  * @param x towards +x, {@code minusX} towards −x; the others likewise; +y is up
  */
 public record AxisDepths(double x, double minusX, double y, double minusY, double z, double minusZ) {
-    /** Returns the depths with others added that lie above and below the cloud. */
+    /** Depth of other clouds on each side, divided by their depth along the vertical. */
+    private static final double WIDTH = 2;
+
+    /**
+     * Returns the depths with those of other clouds added that lie above and below. They count on all sides, since such clouds
+     * are wide: torn cloud under a deck is a part of its slab.
+     */
     public AxisDepths with(double above, double below) {
-        return new AxisDepths(x, minusX, y + above, minusY + below, z, minusZ);
+        double aside = WIDTH * (above + below);
+        return new AxisDepths(x + aside, minusX + aside, y + above, minusY + below, z + aside, minusZ + aside);
     }
 
     /**
