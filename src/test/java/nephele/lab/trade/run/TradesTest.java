@@ -36,6 +36,7 @@ class TradesTest {
             assertTrue(trade.subject().matches("[A-Za-z]+"), trade.subject());
             assertTrue(trade.settings().size() >= 2, trade.subject());
             assertTrue(trade.text().about().length() > 40, trade.subject());
+            assertTrue(trade.figures().size() <= 7, "as many as the table has columns: " + trade.subject());
         }
     }
 

@@ -4,17 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import nephele.lab.trade.Findings;
 import nephele.lab.trade.SettingFindings;
 
 /** All findings as CSV, one line a setting. */
 final class CsvReport {
+    /** The most figures that a subject has. */
+    private static final int FIGURES = 7;
+
     static final String HEADER =
             "subject,setting,usual,recommended,dominatedBy,errorName,errorUnit,error,costName,costUnit,"
                 + "cost,costLow,costHigh,ratioToUsual,ratioLow,ratioHigh,wallMs,wallMsLow,wallMsHigh,allocatedBytes,rounds,"
-                + "figure1Name,figure1,figure2Name,figure2,figure3Name,figure3";
-
-    private static final int FIGURES = 3;
+                    + IntStream.rangeClosed(1, FIGURES)
+                            .mapToObj(figure -> "figure" + figure + "Name,figure" + figure)
+                            .collect(Collectors.joining(","));
 
     private CsvReport() {}
 
