@@ -67,8 +67,8 @@ class CloudExtremesTest {
     @Test
     void aCloudWithoutOpticalDepthChangesNoBit() {
         TestLevel together = stage(WHITE);
+        float[] without = picture(stage(WHITE).ambient(0.1), ahead(), 2);
         invisible().forEach(cloud -> {
-            float[] without = picture(stage(WHITE).ambient(0.1), ahead(), 2);
             assertArrayEquals(without, picture(stage(WHITE).ambient(0.1).cloud(cloud), ahead(), 2), cloud.id());
             together.cloud(cloud);
         });

@@ -1,5 +1,6 @@
 package nephele.engine.cloud.light;
 
+import java.util.stream.IntStream;
 import nephele.engine.cloud.TwoStreamSlab;
 
 /**
@@ -28,12 +29,12 @@ public final class SmallAngleScattering {
     public SmallAngleScattering(CloudOptics optics) {
         deepest = Math.min(MOST_DEPTH, SCALED_DEPTH / optics.scaled().depthFactor());
         int orders = (int) (deepest + 10 * Math.sqrt(deepest) + 20);
-        for (int column = 0; column < SEPARATIONS; column++) {
+        IntStream.range(0, SEPARATIONS).parallel().forEach(column -> {
             double[] terms = terms(optics, separation(column), orders);
             for (int row = 0; row < DEPTHS; row++) {
                 values[row * SEPARATIONS + column] = (float) sum(terms, depth(row));
             }
-        }
+        });
     }
 
     private static double separation(int column) {
