@@ -85,6 +85,11 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     0.25,
                     16,
                     (all, value) -> all.with(all.quality().withCloudStep(value))),
+            SettingKey.whole(
+                    "cloudLightCell",
+                    1,
+                    8,
+                    (all, value) -> all.with(all.quality().withCloudLightCell(value))),
             SettingKey.word(
                     "cloudScattering",
                     CloudScattering.class,

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.cloud.cells.CellMarch;
+import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.field.CloudFields;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
@@ -49,7 +50,7 @@ class CloudTimelineTest {
     }
 
     private static CloudTimeline timeline(Environment environment) {
-        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION);
+        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION, LightCells.DIVISOR);
     }
 
     /** An edit of anything else keeps the samples. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.cloud.cells.CellMarch;
+import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.level.Cloud;
@@ -70,7 +71,10 @@ class CloudMarchGlTest {
                 Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(
-                        level.environment(), TestAssets.NONE, Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20)))) {
+                        level.environment(),
+                        TestAssets.NONE,
+                        Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20)),
+                        LightCells.DIVISOR)) {
             View view = offscreen.view(EYE, EYE.plus(new Vec3(-0.2, 0.6, -1)));
             renderer.draw(view, offscreen.picture);
             offscreen.gl.requireNoError("frame");

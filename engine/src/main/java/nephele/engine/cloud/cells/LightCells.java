@@ -12,11 +12,8 @@ public final class LightCells {
     /** Sun-ward depth, diffuse mean, diffuse slope, share from above, share from below. */
     static final int VALUES = 5;
 
-    /** Cells of density along each edge of a cell of light. */
-    private static final int DIVISOR = 2;
-
-    /** Cells of density between one with some and the farthest cell of light that is mixed in there. */
-    private static final int FARTHEST_LIT = 2 * DIVISOR + 1;
+    /** The usual number of cells of density along each edge of a cell of light. */
+    public static final int DIVISOR = 2;
 
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -34,16 +31,12 @@ public final class LightCells {
      *
      * @param towardsSun unit
      * @param others clouds that shade it
+     * @param divisor number of cells of density along each edge of a cell in which it is found
      */
-    public record Around(Vec3 towardsSun, List<ShadingCloud> others) {
+    public record Around(Vec3 towardsSun, List<ShadingCloud> others, int divisor) {
         public static Around sun(Vec3 towardsSun) {
-            return new Around(towardsSun, List.of());
+            return new Around(towardsSun, List.of(), DIVISOR);
         }
-    }
-
-    /** Returns the number and the box of the cells of light in a box of cells of density. */
-    public static CellBox cellsIn(CellBox density) {
-        return density.coarser(DIVISOR);
     }
 
     /**
@@ -54,7 +47,7 @@ public final class LightCells {
     public static List<LightCells> of(List<DensityCells> density, boolean isLayer, CloudLight physics, Around around) {
         List<LightCells> lit = new ArrayList<>();
         for (int level = 0; level < density.size(); level++) {
-            CellBox cells = cellsIn(density.get(level).cells());
+            CellBox cells = density.get(level).cells().coarser(around.divisor);
             float[] values = new float[VALUES * cells.count()];
             var sums = new CellDepths(density.get(level), cells);
             int ofLevel = level;
@@ -62,7 +55,7 @@ public final class LightCells {
                 var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, ofLevel, around);
                 for (int j = 0; j < cells.ny(); j++) {
                     for (int i = 0; i < cells.nx(); i++) {
-                        if (isNear(density.get(ofLevel), cells, i, j, k)) {
+                        if (isNear(density.get(ofLevel), cells, around.divisor, i, j, k)) {
                             put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
                         }
                     }
@@ -74,12 +67,14 @@ public final class LightCells {
     }
 
     /** Returns false for cells so far from all extinction that no lookup of light there meets any. */
-    private static boolean isNear(DensityCells density, CellBox cells, int i, int j, int k) {
+    private static boolean isNear(DensityCells density, CellBox cells, int divisor, int i, int j, int k) {
         CellBox dense = density.cells();
         int x = i * dense.nx() / cells.nx();
         int y = j * dense.ny() / cells.ny();
         int z = k * dense.nz() / cells.nz();
-        return density.distances()[dense.index(x, y, z)] < FARTHEST_LIT;
+        // The farthest cell of light that is mixed in at a cell with some extinction.
+        int farthest = 2 * divisor + 1;
+        return density.distances()[dense.index(x, y, z)] < farthest;
     }
 
     /** Finds the light in a slice of cells. For one thread. */
@@ -111,7 +106,7 @@ public final class LightCells {
             double sunDepth = depths.from(level, x, y, z, sun.x(), sun.y(), sun.z());
             double shadeDepth = depths.from(level, x, y, z, -sun.x(), -sun.y(), -sun.z());
             for (ShadingCloud.Walk other : others) {
-                double edge = cells.sizeX() / DIVISOR;
+                double edge = cells.sizeX() / around.divisor();
                 axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
                 sunDepth += other.from(x, y, z, edge, sun);
                 shadeDepth += other.from(x, y, z, edge, sun.negated());

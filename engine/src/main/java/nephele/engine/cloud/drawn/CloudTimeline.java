@@ -52,6 +52,7 @@ public final class CloudTimeline implements AutoCloseable {
 
     private final Environment authored;
     private final LoadedClouds loaded;
+    private final int lightDivisor;
     private final Aabb region;
     private final List<CloudSource> sources;
     private final double stepSeconds;
@@ -67,10 +68,12 @@ public final class CloudTimeline implements AutoCloseable {
      *
      * @param authored the environment at time 0
      * @param region of the level, which they shade
+     * @param lightDivisor cells of density along each edge of a cell of light
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
-    public CloudTimeline(Environment authored, AssetSource assets, Aabb region) {
+    public CloudTimeline(Environment authored, AssetSource assets, Aabb region, int lightDivisor) {
         this.authored = causes(authored);
+        this.lightDivisor = lightDivisor;
         this.region = region;
         loaded = LoadedClouds.of(authored, assets);
         LoadedClouds still = loaded.withoutWind();
@@ -239,7 +242,7 @@ public final class CloudTimeline implements AutoCloseable {
         List<DrawnCloud> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
-            var around = new LightCells.Around(key.towardsSun, shading(i, sampled, seconds));
+            var around = new LightCells.Around(key.towardsSun, shading(i, sampled, seconds), lightDivisor);
             all.add(new DrawnCloud(
                     source,
                     source.lit(sampled.get(i).density(), around),

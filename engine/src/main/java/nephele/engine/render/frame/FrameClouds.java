@@ -23,20 +23,22 @@ public final class FrameClouds implements GlObject {
     private Vec3 focus = Vec3.ZERO;
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    record Source(Same assets, Environment causes, Aabb region) {
-        static Source of(Scene scene) {
+    record Source(Same assets, Environment causes, Aabb region, int lightDivisor) {
+        static Source of(Scene scene, Quality quality) {
             return new Source(
                     new Same(scene.assets()),
                     CloudTimeline.causes(scene.level().environment()),
-                    CloudShadeRegion.of(scene.statics()));
+                    CloudShadeRegion.of(scene.statics()),
+                    quality.cloudLightCell());
         }
     }
 
-    FrameClouds(Scene scene) {
+    FrameClouds(Scene scene, Quality quality) {
         Environment environment = scene.level().environment();
         timeline = WeatherClouds.all(environment).isEmpty()
                 ? null
-                : new CloudTimeline(environment, scene.assets(), CloudShadeRegion.of(scene.statics()));
+                : new CloudTimeline(
+                        environment, scene.assets(), CloudShadeRegion.of(scene.statics()), quality.cloudLightCell());
     }
 
     /** Takes the clouds of a frame, sampled finely around its eye. */

@@ -18,6 +18,7 @@ import java.util.function.Consumer;
  * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
  * @param cloudHistory frames among which the rays of the main view through clouds are divided
  * @param cloudStep length of a step through a cloud, in its cells
+ * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
@@ -37,6 +38,7 @@ public record Quality(
         double cloudResolution,
         CloudHistory cloudHistory,
         double cloudStep,
+        int cloudLightCell,
         CloudScattering cloudScattering,
         PortalTechnique portalTechnique,
         int viewBudget,
@@ -58,6 +60,7 @@ public record Quality(
             0.5,
             CloudHistory.FOUR_FRAMES,
             1,
+            2,
             CloudScattering.TWO_STREAM,
             PortalTechnique.STENCIL,
             12,
@@ -211,6 +214,10 @@ public record Quality(
         return with(draft -> draft.cloudStep = cells);
     }
 
+    public Quality withCloudLightCell(int edge) {
+        return with(draft -> draft.cloudLightCell = edge);
+    }
+
     public Quality withCloudScattering(CloudScattering model) {
         return with(draft -> draft.cloudScattering = model);
     }
@@ -247,6 +254,7 @@ public record Quality(
         private double cloudResolution;
         private CloudHistory cloudHistory;
         private double cloudStep;
+        private int cloudLightCell;
         private CloudScattering cloudScattering;
         private PortalTechnique portalTechnique;
         private int viewBudget;
@@ -266,6 +274,7 @@ public record Quality(
             cloudResolution = from.cloudResolution;
             cloudHistory = from.cloudHistory;
             cloudStep = from.cloudStep;
+            cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
@@ -287,6 +296,7 @@ public record Quality(
                     cloudResolution,
                     cloudHistory,
                     cloudStep,
+                    cloudLightCell,
                     cloudScattering,
                     portalTechnique,
                     viewBudget,

@@ -180,7 +180,10 @@ public final class SharedResources implements GlObject {
     /** Returns the level's clouds; all techniques draw these. */
     public FrameClouds clouds() {
         if (clouds == null) {
-            clouds = share(FrameClouds.class, FrameClouds.Source.of(scene), () -> new FrameClouds(scene));
+            clouds = share(
+                    FrameClouds.class,
+                    FrameClouds.Source.of(scene, request.quality()),
+                    () -> new FrameClouds(scene, request.quality()));
         }
         return clouds;
     }

@@ -35,6 +35,7 @@ public final class Trades {
             CloudSubjects.SCATTERING,
             CloudSubjects.STEP,
             CloudSubjects.RESOLUTION,
+            CloudSubjects.LIGHT,
             CloudSubjects.HISTORY,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,

@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.cloud.cells.CellMarch;
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
+import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.cloud.field.CloudMedium;
@@ -37,7 +38,7 @@ final class CloudRays implements AutoCloseable {
         this.view = view;
         height = (int) Math.round(WIDTH / view.projection().aspect());
         Environment environment = placed.level().environment();
-        timeline = new CloudTimeline(environment, placed.assets(), Aabb.around(view.eye(), REGION));
+        timeline = new CloudTimeline(environment, placed.assets(), Aabb.around(view.eye(), REGION), LightCells.DIVISOR);
         clouds = timeline.at(environment, 0, view.eye()).from().clouds().all();
         List<CloudMedium> media = LoadedClouds.of(environment, placed.assets()).at(0);
         exact = new double[WIDTH * height];

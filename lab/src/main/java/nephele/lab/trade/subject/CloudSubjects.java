@@ -48,6 +48,18 @@ public final class CloudSubjects {
                     PictureSetting.of("cloudResolution", "0.5", "low, medium and high"),
                     PictureSetting.of("cloudResolution", "1", "ultra")));
 
+    public static final Trade LIGHT = subject(
+            "cloudLightCell",
+            "Map of the light in clouds",
+            "The optical depth towards the sun and the diffuse light are found once for each cell of a map, whose edge"
+                + " this is, in cells of density. Small cells take longer to make and more memory, and show shadows of"
+                + " smaller lobes; a frame reads one of either size as fast.",
+            "2",
+            List.of(
+                    PictureSetting.of("cloudLightCell", 1, ""),
+                    PictureSetting.of("cloudLightCell", 2, "all presets"),
+                    PictureSetting.of("cloudLightCell", 4, "")));
+
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),
             PictureSetting.of("cloudHistory", "four_frames", "medium and high"),

@@ -5,7 +5,6 @@ import java.nio.FloatBuffer;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.cells.CellTexels;
-import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.light.SmallAngleScattering;
 import nephele.engine.render.frame.LoadContext;
@@ -33,8 +32,9 @@ public final class CloudTextures {
     public CloudTextures(LoadContext context, CloudSource cloud) {
         CellBox cells = cloud.narrowest();
         density = volume(context, "cloud density", PixelFormat.RGBA8, cells, cloud.levels());
-        last = volume(context, "cloud light", PixelFormat.RGBA16F, LightCells.cellsIn(cells), cloud.levels());
-        next = volume(context, "cloud light to come", PixelFormat.RGBA16F, LightCells.cellsIn(cells), cloud.levels());
+        CellBox lit = cells.coarser(context.quality().cloudLightCell());
+        last = volume(context, "cloud light", PixelFormat.RGBA16F, lit, cloud.levels());
+        next = volume(context, "cloud light to come", PixelFormat.RGBA16F, lit, cloud.levels());
         smallAngles = context.own(new Texture(
                 context.gl(),
                 "small-angle scattering",
