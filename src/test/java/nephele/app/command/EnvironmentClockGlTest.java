@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** {@code render --time} sets the clock of a sky whose sun moves, drawn and traced. */
 class EnvironmentClockGlTest {
-    private static final int HEADER_BYTES = "PF\n6 4\n-1.0\n".length();
+    private static final int HEADER_BYTES = "PF\n24 16\n-1.0\n".length();
     private static final float SAME = 1e-4f;
     private static final int FOUR_YEARS_SECONDS = 1461 * 600;
 
@@ -39,12 +39,12 @@ class EnvironmentClockGlTest {
 
     private float[] picture(String level, String... more) throws IOException {
         Path file = folder.resolve("picture.pfm");
-        List<String> words = new ArrayList<>(List.of("render", level, "--out", file.toString(), "--size", "6x4"));
+        List<String> words = new ArrayList<>(List.of("render", level, "--out", file.toString(), "--size", "24x16"));
         words.addAll(Arrays.asList(more));
         var answer = Captured.run(words.toArray(String[]::new));
         assertEquals(0, answer.exitCode(), answer.err());
         assertFalse(answer.err().contains("nothing"), answer.err());
-        FloatBuffer numbers = ByteBuffer.wrap(Files.readAllBytes(file), HEADER_BYTES, 6 * 4 * 12)
+        FloatBuffer numbers = ByteBuffer.wrap(Files.readAllBytes(file), HEADER_BYTES, 24 * 16 * 12)
                 .order(ByteOrder.LITTLE_ENDIAN)
                 .asFloatBuffer();
         float[] radiance = new float[numbers.remaining()];

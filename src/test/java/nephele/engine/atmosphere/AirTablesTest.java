@@ -6,11 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.DoubleConsumer;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -23,17 +29,7 @@ class AirTablesTest {
     };
 
     private final Map<String, byte[]> kept = new HashMap<>();
-    private final AirFiles files = new AirFiles() {
-        @Override
-        public Optional<byte[]> find(String name) {
-            return Optional.ofNullable(kept.get(name));
-        }
-
-        @Override
-        public void store(String name, byte[] bytes) {
-            kept.put(name, bytes);
-        }
-    };
+    private final AirFiles files = AirFiles.in(kept);
 
     private void keep(Air air, LightField field) {
         files.store(LightFieldFile.nameFor(air), LightFieldFile.encode(air, field));
@@ -72,5 +68,23 @@ class AirTablesTest {
     void clearAirNeedsNoFile() {
         AirTables.of(Air.CLEAR, files, STOP);
         assertTrue(kept.isEmpty());
+    }
+
+    /** What the proof air-fields compares. */
+    @Test
+    void anotherNumberInTheFieldOfClearAirIsFound() throws IOException {
+        byte[] own;
+        try (InputStream file = LightFieldFile.class.getResourceAsStream("clear-air.field")) {
+            own = file.readAllBytes();
+        }
+        assertEquals(0, LightFieldFile.differenceFromClear(new ByteArrayInputStream(own)));
+        ByteBuffer numbers = ByteBuffer.wrap(new GZIPInputStream(new ByteArrayInputStream(own)).readAllBytes());
+        int last = numbers.capacity() - Float.BYTES;
+        numbers.putFloat(last, numbers.getFloat(last) + 0.25f);
+        ByteArrayOutputStream other = new ByteArrayOutputStream();
+        try (GZIPOutputStream compressed = new GZIPOutputStream(other)) {
+            compressed.write(numbers.array());
+        }
+        assertEquals(0.25, LightFieldFile.differenceFromClear(new ByteArrayInputStream(other.toByteArray())), 1e-6);
     }
 }

@@ -38,15 +38,15 @@ class AerialPerspectiveGlTest {
         return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, 1, 0.05, 2e5));
     }
 
-    /** Walls that fill the picture, at three distances; the upper half of the picture is above the horizon. */
+    /** Walls that fill the picture, at four distances; the upper half of the picture is above the horizon. */
     @ParameterizedTest
-    @ValueSource(doubles = {50, -3})
+    @ValueSource(doubles = {50, 1, -3})
     void theShaderIsTheTableAtEveryPixel(double sunDegrees) {
         double elevation = Math.toRadians(sunDegrees);
         Vec3 sun = new Vec3(0.6 * Math.cos(elevation), Math.sin(elevation), -0.8 * Math.cos(elevation));
         AerialTable table = new AerialTable(CLEAR, 2, sun.y());
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
-            for (double metres : new double[] {5, 9_000, 60_000}) {
+            for (double metres : new double[] {5, 700, 9_000, 60_000}) {
                 Level wall = glowing(sun)
                         .box("glow", new Vec3(0, 0, -1.5 * metres), new Vec3(3 * metres, 3 * metres, metres))
                         .level();

@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import java.util.Map;
 import java.util.Optional;
 
 /** Where light fields are kept that took seconds to compute. A field that is not found is computed again. */
@@ -20,4 +21,19 @@ public interface AirFiles {
 
     /** Keeps a file if possible. */
     void store(String name, byte[] bytes);
+
+    /** Returns files in memory, with a map of their bytes by name. */
+    static AirFiles in(Map<String, byte[]> kept) {
+        return new AirFiles() {
+            @Override
+            public Optional<byte[]> find(String name) {
+                return Optional.ofNullable(kept.get(name));
+            }
+
+            @Override
+            public void store(String name, byte[] bytes) {
+                kept.put(name, bytes);
+            }
+        };
+    }
 }

@@ -1,9 +1,8 @@
 package nephele.engine.math;
 
 /**
- * A noise function in integer arithmetic, so that a shader with the same lines produces the same bits. The hash is
- * pcg3d of Jarzyński and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3). The lattice repeats after 2³²
- * cells.
+ * A noise function in integer arithmetic, so that a shader with the same lines produces the same bits. The hash is {@link
+ * Pcg3d}. The lattice repeats after 2³² cells.
  */
 public final class SeededNoise {
     private final int seed;
@@ -15,22 +14,12 @@ public final class SeededNoise {
 
     /** Returns 32 random bits for a lattice cell. */
     public int bits(int x, int y, int z) {
-        int a = (x ^ seed) * 1664525 + 1013904223;
-        int b = (y + seed * 0x9E3779B9) * 1664525 + 1013904223;
-        int c = z * 1664525 + 1013904223;
-        a += b * c;
-        b += c * a;
-        c += a * b;
-        a ^= a >>> 16;
-        b ^= b >>> 16;
-        c ^= c >>> 16;
-        a += b * c;
-        return a;
+        return Pcg3d.of(x ^ seed, y + seed * 0x9E3779B9, z).x();
     }
 
     /** Returns a number in [0, 1) from the upper 24 bits of a lattice cell; exact in float as well. */
     public double unit(int x, int y, int z) {
-        return (bits(x, y, z) >>> 8) * 0x1p-24;
+        return Pcg3d.unit(bits(x, y, z));
     }
 
     /** Returns trilinear value noise with a smooth step, in [0, 1); 0 if a coordinate is not finite. */

@@ -13,29 +13,45 @@ final class XmlTags {
 
     private static final int MOST_ATTRIBUTES = 100;
     private static final int MOST_NAME_LETTERS = 64;
+    private static final int MOST_SHARED_LETTERS = 16;
 
     private final String text;
+    /** Those of the text; its length is that of a file, which is limited. */
+    private final char[] letters;
+
+    /** Short strings by a hash; a later one takes the place of an earlier one. */
+    private final String[] shared = new String[1024];
+
     private final SceneWarnings warnings;
+    /** Those of the tag that is being read. */
+    private final List<XmlAttribute> attributes = new ArrayList<>();
+
     private final List<String> unquoted = new ArrayList<>();
     private int tags;
     private int inThisTag;
     private int at;
-    private int counted;
     private int line = 1;
+    private int lineEnd;
 
     XmlTags(String text, SceneWarnings warnings) {
         this.text = text;
+        letters = text.toCharArray();
         this.warnings = warnings;
+        lineEnd = endOfLine(0);
     }
 
     /** Returns {@code null} after the last one. */
     XmlTag next() {
         while (true) {
             skipText();
-            if (at >= text.length()) {
+            if (at >= letters.length) {
                 return null;
             }
-            if (text.startsWith("<!--", at)) {
+            int nameAt = text.startsWith("</", at) ? at + 2 : at + 1;
+            if (isNameStart(nameAt)) {
+                countTag();
+                return tag(nameAt);
+            } else if (text.startsWith("<!--", at)) {
                 skipPast("-->", 4, "a comment");
             } else if (text.startsWith("<![CDATA[", at)) {
                 warnings.warn(lineHere(), "text means nothing here: skipped");
@@ -45,11 +61,6 @@ final class XmlTags {
             } else if (text.startsWith("<!", at)) {
                 throw warnings.error(lineHere(), "document types and entities are not read", "delete <!…>");
             } else {
-                int nameAt = text.startsWith("</", at) ? at + 2 : at + 1;
-                if (isNameStart(nameAt)) {
-                    countTag();
-                    return tag(nameAt);
-                }
                 warnings.warn(lineHere(), "'<' without a name: skipped");
                 at++;
             }
@@ -64,19 +75,24 @@ final class XmlTags {
 
     /** Returns the line at which the search for the next tag began. */
     int lineHere() {
-        for (; counted < at; counted++) {
-            if (text.charAt(counted) == '\n') {
-                line++;
-            }
+        while (lineEnd < at) {
+            line++;
+            lineEnd = endOfLine(lineEnd + 1);
         }
         return line;
     }
 
+    /** Returns the end of the line of a place; beyond the text for the last line. */
+    private int endOfLine(int from) {
+        int end = text.indexOf('\n', from);
+        return end < 0 ? Integer.MAX_VALUE : end;
+    }
+
     private void skipText() {
         int tag = text.indexOf('<', at);
-        int end = tag < 0 ? text.length() : tag;
+        int end = tag < 0 ? letters.length : tag;
         int start = at;
-        while (start < end && text.charAt(start) <= ' ') {
+        while (start < end && letters[start] <= ' ') {
             start++;
         }
         if (start < end) {
@@ -102,19 +118,19 @@ final class XmlTags {
         boolean closing = nameAt == at + 2;
         at = nameAt;
         String name = name();
-        List<XmlAttribute> attributes = new ArrayList<>(4);
+        attributes.clear();
         unquoted.clear();
         inThisTag = 0;
         while (true) {
             skipBlanks();
-            if (at >= text.length()) {
+            if (at >= letters.length) {
                 throw warnings.error(tagLine, "the file ends inside <" + name, "restore its end");
             }
-            char c = text.charAt(at);
-            if (c == '>' || text.startsWith("/>", at) || c == '<') {
-                return ended(c, closing, name, tagLine, List.copyOf(attributes));
+            char c = letters[at];
+            if (c == '>' || c == '<' || c == '/' && text.startsWith("/>", at)) {
+                return ended(c, closing, name, tagLine);
             } else if (isNameStart(at)) {
-                attribute(name, attributes);
+                attribute(name);
             } else {
                 warnings.warn(
                         lineHere(),
@@ -124,7 +140,7 @@ final class XmlTags {
         }
     }
 
-    private XmlTag ended(char sign, boolean closing, String name, int tagLine, List<XmlAttribute> attributes) {
+    private XmlTag ended(char sign, boolean closing, String name, int tagLine) {
         if (sign == '<') {
             warnings.warn(tagLine, () -> "<" + name + " has no '>'");
         }
@@ -133,10 +149,10 @@ final class XmlTags {
         }
         at += sign == '<' ? 0 : sign == '>' ? 1 : 2;
         XmlTag.Kind open = sign == '/' ? XmlTag.Kind.EMPTY : XmlTag.Kind.OPEN;
-        return new XmlTag(closing ? XmlTag.Kind.CLOSE : open, name, tagLine, attributes);
+        return new XmlTag(closing ? XmlTag.Kind.CLOSE : open, name, tagLine, List.copyOf(attributes));
     }
 
-    private void attribute(String tag, List<XmlAttribute> attributes) {
+    private void attribute(String tag) {
         int attributeLine = lineHere();
         if (++inThisTag > MOST_ATTRIBUTES) {
             throw warnings.error(
@@ -144,61 +160,85 @@ final class XmlTags {
         }
         String name = name();
         skipBlanks();
-        if (at >= text.length() || text.charAt(at) != '=') {
+        if (at >= letters.length || letters[at] != '=') {
             warnings.warn(attributeLine, () -> "'" + name + "' in <" + tag + "> has no value: skipped");
             return;
         }
         at++;
         skipBlanks();
         String value = value(name);
-        if (holds(attributes, name)) {
+        if (holds(name)) {
             warnings.warn(attributeLine, () -> "'" + name + "' is there twice in <" + tag + ">: the first counts");
         } else {
             attributes.add(new XmlAttribute(name, value, attributeLine));
         }
     }
 
-    private static boolean holds(List<XmlAttribute> attributes, String name) {
-        return attributes.stream().anyMatch(attribute -> attribute.name().equalsIgnoreCase(name));
+    private boolean holds(String name) {
+        // A stream for each of a million attributes would take a third of the time of the whole file.
+        for (int i = 0; i < attributes.size(); i++) {
+            if (attributes.get(i).name().equalsIgnoreCase(name)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private String value(String name) {
-        char quote = at < text.length() ? text.charAt(at) : ' ';
+        char quote = at < letters.length ? letters[at] : ' ';
         if (quote == '"' || quote == '\'') {
             at++;
             int end = at;
-            while (end < text.length() && text.charAt(end) != quote && text.charAt(end) != '<') {
+            while (end < letters.length && letters[end] != quote && letters[end] != '<') {
                 end++;
             }
-            if (end < text.length() && text.charAt(end) == quote) {
-                String quoted = text.substring(at, end);
+            if (end < letters.length && letters[end] == quote) {
+                String quoted = string(at, end);
                 at = end + 1;
                 return XmlEntities.expanded(quoted, lineHere(), warnings);
             }
         }
         unquoted.add(name);
         int start = at;
-        while (at < text.length() && !endsValue()) {
+        while (at < letters.length && !endsValue()) {
             at++;
         }
-        return XmlEntities.expanded(text.substring(start, at), lineHere(), warnings);
+        return XmlEntities.expanded(string(start, at), lineHere(), warnings);
     }
 
     private boolean endsValue() {
-        char c = text.charAt(at);
-        return c <= ' ' || c == '>' || c == '<' || text.startsWith("/>", at);
+        char c = letters[at];
+        return c <= ' ' || c == '>' || c == '<' || c == '/' && text.startsWith("/>", at);
     }
 
     private String name() {
         int start = at;
-        while (at < text.length() && isNamePart(text.charAt(at))) {
+        while (at < letters.length && isNamePart(letters[at])) {
             at++;
         }
-        return text.substring(start, Math.min(at, start + MOST_NAME_LETTERS));
+        return string(start, Math.min(at, start + MOST_NAME_LETTERS));
+    }
+
+    /** Returns a part of the text; most are short and have been there before, so that there is one of each in memory. */
+    private String string(int from, int to) {
+        if (to - from > MOST_SHARED_LETTERS) {
+            return text.substring(from, to);
+        }
+        int hash = 0;
+        for (int i = from; i < to; i++) {
+            hash = 31 * hash + letters[i];
+        }
+        int place = (hash ^ hash >>> 8) & shared.length - 1;
+        String known = shared[place];
+        if (known == null || known.length() != to - from || !text.startsWith(known, from)) {
+            known = text.substring(from, to);
+            shared[place] = known;
+        }
+        return known;
     }
 
     private boolean isNameStart(int position) {
-        return position < text.length() && isNameStart(text.charAt(position));
+        return position < letters.length && isNameStart(letters[position]);
     }
 
     private static boolean isNameStart(char c) {
@@ -210,7 +250,7 @@ final class XmlTags {
     }
 
     private void skipBlanks() {
-        while (at < text.length() && text.charAt(at) <= ' ') {
+        while (at < letters.length && letters[at] <= ' ') {
             at++;
         }
     }

@@ -2,8 +2,7 @@ package nephele.engine.cloud.cells;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
+import nephele.engine.cloud.ExactSlant;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,20 +11,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** A ray meets a layer where it does around a sphere. */
 class StackSpanTest {
     private static final double R = 6_360_000;
-    private static final MathContext DIGITS = new MathContext(40);
-
-    /** Returns the distance to an altitude above the eye, or the farther one to an altitude below it, with 40 digits. */
-    private static double exact(double eye, double sine, double altitude) {
-        BigDecimal here = BigDecimal.valueOf(R).add(new BigDecimal(eye));
-        BigDecimal there = BigDecimal.valueOf(R).add(new BigDecimal(altitude));
-        BigDecimal half = here.multiply(new BigDecimal(sine), DIGITS);
-        BigDecimal constant = here.multiply(here, DIGITS).subtract(there.multiply(there, DIGITS), DIGITS);
-        return half.multiply(half, DIGITS)
-                .subtract(constant, DIGITS)
-                .sqrt(DIGITS)
-                .subtract(half, DIGITS)
-                .doubleValue();
-    }
 
     @ParameterizedTest
     @CsvSource({
@@ -45,8 +30,8 @@ class StackSpanTest {
         Ray ray = new Ray(
                 0, eye, 0, 0.6 * Math.cos(Math.toRadians(degrees)), sine, 0.8 * Math.cos(Math.toRadians(degrees)));
         StackSpan span = StackSpan.of(new Aabb(-1e6, 1500, -1e6, 1e6, 1800, 1e6), R, ray);
-        assertEquals(exact(eye, sine, 1500), span.fromMetres(), 1e-5);
-        assertEquals(exact(eye, sine, 1800), span.toMetres(), 1e-5);
+        assertEquals(ExactSlant.metres(eye, sine, 1500), span.fromMetres(), 1e-5);
+        assertEquals(ExactSlant.metres(eye, sine, 1800), span.toMetres(), 1e-5);
         assertEquals(1500, StackSpan.height(R, ray, span.fromMetres()), 0.01);
         assertEquals(1800, StackSpan.height(R, ray, span.toMetres()), 0.01);
     }

@@ -4,11 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
+import nephele.engine.cloud.ExactSlant;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.cloud.OpticalDepth;
@@ -35,28 +34,13 @@ class ShellFieldTest {
         return new Ray(0, eye, 0, Math.cos(radians) * 0.6, Math.sin(radians), Math.cos(radians) * 0.8);
     }
 
-    /** Returns the distance to an altitude with 40 digits; the eye is below it, or above it and looks up. */
-    private static double exact(double eye, double elevationDegrees, double altitude) {
-        var digits = new MathContext(40);
-        BigDecimal sine = new BigDecimal(Math.sin(Math.toRadians(elevationDegrees)));
-        BigDecimal half = BigDecimal.valueOf(R).add(new BigDecimal(eye)).multiply(sine, digits);
-        BigDecimal radius = BigDecimal.valueOf(R).add(new BigDecimal(altitude));
-        BigDecimal here = BigDecimal.valueOf(R).add(new BigDecimal(eye));
-        BigDecimal constant = here.multiply(here, digits).subtract(radius.multiply(radius, digits), digits);
-        return half.multiply(half, digits)
-                .subtract(constant, digits)
-                .sqrt(digits)
-                .subtract(half, digits)
-                .doubleValue();
-    }
-
     @ParameterizedTest
     @CsvSource({"1.7, 90", "1.7, 30", "1.7, 3", "1.7, 0.3", "1.7, 0", "0, 0", "1400, 0.3", "1499.5, 0.3", "1499.999, 0"
     })
     void aSlantIsExactToAMicrometre(double eye, double elevation) {
         var shell = new ShellField(flat(1500, 1800, 0.02));
-        double near = exact(eye, elevation, 1500);
-        double far = exact(eye, elevation, 1800);
+        double near = ExactSlant.metres(eye, Math.sin(Math.toRadians(elevation)), 1500);
+        double far = ExactSlant.metres(eye, Math.sin(Math.toRadians(elevation)), 1800);
         MajorantWalk walk = shell.walk(ray(eye, elevation), 0, INFINITE);
         assertTrue(walk.next());
         assertEquals(near, walk.fromMetres(), 1e-6);

@@ -116,7 +116,7 @@ class OverPlanetTest {
                 SkyRadiance.of(environment, id -> null, ColourDecoding.SRGB).orElseThrow();
         OverPlanet paths = OverPlanet.of(environment, 1);
         var random = new SplittableRandom(2);
-        for (int i = 0; i < 20; i++) {
+        for (int i = 0; i < 40; i++) {
             Vec3 d = Directions.unit(
                     random.nextDouble() - 0.5, 0.6 * random.nextDouble() - 0.1, random.nextDouble() - 0.5);
             Vec3 expected = Vec3.of(eyes.from(2, d.x(), d.y(), d.z()));
@@ -151,7 +151,7 @@ class OverPlanetTest {
         var random = new SplittableRandom(1);
         double sum = 0;
         double squares = 0;
-        int count = 1500;
+        int count = 4000;
         for (int i = 0; i < count; i++) {
             double value = tracer.radiance(ray, random).y();
             sum += value;

@@ -53,10 +53,12 @@ class CloudExtremesGlTest {
 
     static Stream<Arguments> furnaces() {
         return Stream.of(
+                Arguments.of(Quality.LOW, 1, 0.85),
                 Arguments.of(Quality.LOW, 1e4, 0.85),
                 Arguments.of(Quality.MEDIUM, 1e-3, 0.85),
                 Arguments.of(Quality.HIGH, 100, 0),
-                Arguments.of(Quality.ULTRA, 1, 0.999));
+                Arguments.of(Quality.ULTRA, 1, 0.999),
+                Arguments.of(Quality.ULTRA, 1e4, 0.85));
     }
 
     /** A cloud that absorbs nothing, under light that is equal from everywhere, cannot be seen. */
@@ -77,7 +79,7 @@ class CloudExtremesGlTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 3})
+    @ValueSource(ints = {0, 1, 2, 3})
     void aCloudWithoutDepthIsNotDrawn(int preset) {
         TestLevel level = evenSky(0.7).sun(new Vec3(1, 2, 1), 3).box("wall", new Vec3(0, -2, -8), new Vec3(6, 1, 6));
         level.material("wall", TestLevel.grey(0.5));

@@ -1,6 +1,7 @@
 package nephele.engine.level.appearance;
 
 import nephele.engine.math.Directions;
+import nephele.engine.math.Pcg3d;
 import nephele.engine.math.Vec3;
 
 /**
@@ -31,41 +32,24 @@ final class StarCells {
         double along = Math.abs(d[axis]);
         int column = (int) Math.floor((d[next] / along * 0.5 + 0.5) * CELLS);
         int row = (int) Math.floor((d[last] / along * 0.5 + 0.5) * CELLS);
-        double[] unit = random(column + 64, row, axis * 2 + (d[axis] > 0 ? 1 : 0));
+        Pcg3d random = Pcg3d.of(column + 64, row, axis * 2 + (d[axis] > 0 ? 1 : 0));
         double[] star = new double[3];
         star[axis] = Math.signum(d[axis]);
-        star[next] = (column + 0.15 + 0.7 * unit[0]) / CELLS * 2 - 1;
-        star[last] = (row + 0.15 + 0.7 * unit[1]) / CELLS * 2 - 1;
+        star[next] = (column + 0.15 + 0.7 * Pcg3d.unit(random.x())) / CELLS * 2 - 1;
+        star[last] = (row + 0.15 + 0.7 * Pcg3d.unit(random.y())) / CELLS * 2 - 1;
         double spread = 0.6 * Math.max(pixelRadians, 2e-4);
         double apart =
                 direction.minus(Directions.unit(star[0], star[1], star[2])).length();
         // The number of stars grows by 10^0.5 with each magnitude.
-        double magnitude = Math.max(-1, 6 + 2 * Math.log10(Math.max(unit[2], 1e-4)));
+        double magnitude = Math.max(-1, 6 + 2 * Math.log10(Math.max(Pcg3d.unit(random.z()), 1e-4)));
         double flux = Math.pow(10, -0.4 * (magnitude - SUN_MAGNITUDE)) * Moonlight.NIGHT_GAIN;
         double square = 2 * spread * spread;
-        return tint(unit[0]).scaled(flux * Math.exp(-apart * apart / square) / (Math.PI * square));
+        return tint(Pcg3d.unit(random.x())).scaled(flux * Math.exp(-apart * apart / square) / (Math.PI * square));
     }
 
     /** Returns a colour between an orange and a blue star's. */
     private static Vec3 tint(double random) {
         double blue = random * 57 - Math.floor(random * 57);
         return new Vec3(1, 0.8, 0.6).scaled(1 - blue).addScaled(blue, new Vec3(0.7, 0.85, 1));
-    }
-
-    /** M. Jarzyński and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d, all three numbers in [0, 1). */
-    private static double[] random(int x, int y, int z) {
-        int a = x * 1664525 + 1013904223;
-        int b = y * 1664525 + 1013904223;
-        int c = z * 1664525 + 1013904223;
-        a += b * c;
-        b += c * a;
-        c += a * b;
-        a ^= a >>> 16;
-        b ^= b >>> 16;
-        c ^= c >>> 16;
-        a += b * c;
-        b += c * a;
-        c += a * b;
-        return new double[] {(a >>> 8) * 0x1p-24, (b >>> 8) * 0x1p-24, (c >>> 8) * 0x1p-24};
     }
 }

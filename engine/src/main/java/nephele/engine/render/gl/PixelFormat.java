@@ -21,7 +21,7 @@ public enum PixelFormat {
     final int internal;
     final int pixels;
     final int type;
-    /** Of a texel in the graphics memory. */
+    /** The size of a texel in graphics memory, bytes. */
     final int bytes;
 
     PixelFormat(int internal, int pixels, int type, int bytes) {

@@ -19,7 +19,7 @@ public final class CloudVolumeProof implements Proof {
 
     private static final double MOST_BIAS = 0.05;
     /** Standard error of a kept picture of our own, as a share of the error that is measured with it. */
-    private static final double MOST_NOISE = 0.4;
+    private static final double MOST_NOISE = 0.25;
 
     private static final double MOST_OF_OCTAVES = 1.0 / 3;
 

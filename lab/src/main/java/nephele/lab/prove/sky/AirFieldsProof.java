@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirFiles;
 import nephele.engine.atmosphere.AirTables;
@@ -71,17 +70,7 @@ public final class AirFieldsProof implements Proof {
 
     private static ProofResult other(Air air) {
         Map<String, byte[]> kept = new HashMap<>();
-        AirFiles files = new AirFiles() {
-            @Override
-            public Optional<byte[]> find(String name) {
-                return Optional.ofNullable(kept.get(name));
-            }
-
-            @Override
-            public void store(String name, byte[] bytes) {
-                kept.put(name, bytes);
-            }
-        };
+        AirFiles files = AirFiles.in(kept);
         List<Double> progress = Collections.synchronizedList(new ArrayList<>());
         Vec3 computed = colour(AirTables.of(air, files, progress::add));
         List<Double> grown = progress.stream().sorted().toList();

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class SkyboxLayoutsGlTest {
     private static final int SIDE = 32;
     private static final int COARSE_SIDE = 4;
-    private static final int PIXELS = 48;
+    private static final int PIXELS = 96;
 
     /** Returns the axes and the corners of the cube; the views of 90° towards the corners contain all edges. */
     private static List<Vec3> targets() {
