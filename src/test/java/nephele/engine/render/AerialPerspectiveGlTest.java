@@ -12,9 +12,11 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
+import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -86,6 +88,31 @@ class AerialPerspectiveGlTest {
             for (int c = 0; c < 3; c++) {
                 assertEquals(1, through[MIDDLE + c] / moved[MIDDLE + c], 1e-3);
                 assertNotEquals(1, moved[MIDDLE + c] / number(GLOW, c), 0.05, "20 km of air are seen");
+            }
+        }
+    }
+
+    /** Black walls in a night of full moon, towards the moon's side and away from it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {4_000, 40_000})
+    void atNightTheAirIsMoonlit(double metres) {
+        Vec3 sun = new Vec3(0, Math.sin(Math.toRadians(-30)), Math.cos(Math.toRadians(-30)));
+        var night = new Sky.Atmosphere(0.3, 1, 0.8, 1, 40, 20, 23, 0, 0.267);
+        for (double side : new double[] {-1, 1}) {
+            Level wall = glowing(sun)
+                    .sky(night)
+                    .material(new Material("black", Vec3.ZERO, null, null, null, null, Vec3.ZERO, 1))
+                    .box("black", new Vec3(0, 0, side * 1.5 * metres), new Vec3(3 * metres, 3 * metres, metres))
+                    .level();
+            AirOfEnvironment exact = AirOfEnvironment.of(wall.environment()).orElseThrow();
+            try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
+                Vec3 eye = new Vec3(0, 2, 0);
+                float[] seen = offscreen.radiance(wall, TestAssets.NONE, view(eye, new Vec3(0, 2, side)));
+                Vec3 there = new Vec3(0, 2, side * metres);
+                Vector3d wanted = exact.over(new Vector3d(), there, new Vector3d(0, 0, side), metres);
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(1, seen[MIDDLE + c] / wanted.get(c), 0.06, "side " + side);
+                }
             }
         }
     }

@@ -1,6 +1,5 @@
 package nephele.engine.atmosphere;
 
-import java.nio.FloatBuffer;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
@@ -130,9 +129,9 @@ public final class AerialTable {
         return sunSine;
     }
 
-    /** Puts a slice for a texture of RGBA. */
-    public void putTexels(int slice, FloatBuffer texels) {
-        texels.put(values, index(slice, 0, 0), ROWS * AZIMUTHS * NUMBERS);
+    /** Returns the texels of a texture of RGBA, slice by slice. */
+    public float[] texels() {
+        return values.clone();
     }
 
     /** Returns the density of the molecules, relative to that at the ground, averaged along a segment. */

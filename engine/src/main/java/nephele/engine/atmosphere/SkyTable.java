@@ -162,12 +162,14 @@ public final class SkyTable {
         return heightMetres < LIMB_METRES ? 0.5 : 0.85;
     }
 
-    /** Puts the square roots of a part for a texture of RGBA, row by row, those of the sky first. */
-    public void putTexels(int part, FloatBuffer texels) {
-        int first = index(part, 0, 0);
-        for (int i = 0; i < ROWS * AZIMUTHS; i++) {
-            texels.put(values, first + i * CHANNELS, CHANNELS).put(1);
+    /** Returns the square roots of all parts for a texture of RGBA, row by row, those of the sky first. */
+    public float[] texels() {
+        int count = PARTS * ROWS * AZIMUTHS;
+        FloatBuffer texels = FloatBuffer.allocate(4 * count);
+        for (int i = 0; i < count; i++) {
+            texels.put(values, i * CHANNELS, CHANNELS).put(1);
         }
+        return texels.array();
     }
 
     /**

@@ -70,7 +70,8 @@ public final class FrameState {
      * Sets another environment light, such as that of another hour.
      *
      * @param now differs from the level's only in the sun's direction and irradiance, the sky's radiance and the
-     *     exposure
+     *     exposure; of a sky that does not move, the moon lights the air between eye and surfaces only if it does in
+     *     the level
      */
     public void environment(Environment now) {
         environment = now;

@@ -6,7 +6,6 @@ import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.ClearSky;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -17,13 +16,11 @@ import org.joml.Vector3dc;
  */
 public final class AirOfEnvironment {
     private final AirTables tables;
-    private final Vec3 towardsSun;
-    private final Vec3 irradiance;
+    private final SunAndMoon lights;
 
-    private AirOfEnvironment(AirTables tables, Vec3 towardsSun, Vec3 irradiance) {
+    private AirOfEnvironment(AirTables tables, SunAndMoon lights) {
         this.tables = tables;
-        this.towardsSun = towardsSun;
-        this.irradiance = irradiance;
+        this.lights = lights;
     }
 
     /**
@@ -33,10 +30,7 @@ public final class AirOfEnvironment {
      */
     public static Optional<AirOfEnvironment> of(Environment environment) {
         return environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
-                ? Optional.of(new AirOfEnvironment(
-                        AirCache.tables(Daylight.air(sky)),
-                        Directions.unit(environment.sun().directionTowardsSun()),
-                        environment.sun().irradiance()))
+                ? Optional.of(new AirOfEnvironment(AirCache.tables(Daylight.air(sky)), SunAndMoon.of(environment)))
                 : Optional.empty();
     }
 
@@ -48,18 +42,27 @@ public final class AirOfEnvironment {
      * @param metres length of the path
      */
     public Vector3d over(Vector3d radiance, Vec3 place, Vector3dc direction, double metres) {
-        AirLight light = along(place, direction, metres);
-        Vector3d added = light.radiance().toVector().mul(irradiance.toVector());
-        return radiance.mul(light.transmittance().toVector()).add(added);
+        AirLight sunlit = along(place, direction, metres, lights.towardsSun());
+        Vector3d sun = lights.environment().sun().irradiance().toVector();
+        radiance.mul(sunlit.transmittance().toVector())
+                .add(sun.mul(sunlit.radiance().toVector()));
+        if (lights.moonlight().shines()) {
+            Vec3 moonlit = along(place, direction, metres, lights.moonlight().towardsMoon())
+                    .radiance();
+            radiance.add(lights.moonIrradiance().toVector().mul(moonlit.toVector()));
+        }
+        return radiance;
     }
 
     /** Returns the share of radiance that the air of the same path lets pass, for each channel. */
     public Vector3d transmittance(Vec3 place, Vector3dc direction, double metres) {
-        return along(place, direction, metres).transmittance().toVector();
+        return along(place, direction, metres, lights.towardsSun())
+                .transmittance()
+                .toVector();
     }
 
-    private AirLight along(Vec3 place, Vector3dc direction, double metres) {
+    private AirLight along(Vec3 place, Vector3dc direction, double metres, Vec3 towardsLight) {
         double eyeHeight = place.y() - metres * direction.y();
-        return new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsSun, metres);
+        return new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsLight, metres);
     }
 }

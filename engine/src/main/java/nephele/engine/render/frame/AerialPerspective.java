@@ -1,19 +1,22 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.atmosphere.AerialTable;
+import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.math.Directions;
-import nephele.engine.math.Vec3;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.AerialTexture;
 import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.SunAndMoonTables;
 import nephele.engine.scene.View;
 
 /**
@@ -21,18 +24,27 @@ import nephele.engine.scene.View;
  * views at a height share it.
  */
 public final class AerialPerspective implements GlObject {
+    private final GlContext gl;
     private final SharedResources shared;
-    private final ByHeight<AerialTexture> byHeight;
+    private final ByHeight<SunAndMoonTables> byHeight;
 
     private AirTables tables;
-    private Environment environment;
-    private Sky.Atmosphere sky;
-    private Sun sun;
-    private Vec3 towardsSun;
+    private SunAndMoon lights;
 
     AerialPerspective(GlContext gl, SharedResources shared) {
+        this.gl = gl;
         this.shared = shared;
-        byHeight = new ByHeight<>(height -> new AerialTexture(gl, shared.background(), tables, height));
+        byHeight = new ByHeight<>(this::tables);
+    }
+
+    private SunAndMoonTables tables(double heightMetres) {
+        AirTables air = tables;
+        var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, 2 * AerialTable.SLICES);
+        return new SunAndMoonTables(
+                new Texture(gl, "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP),
+                shared.background(),
+                heightMetres,
+                sine -> new AerialTable(air, heightMetres, sine).texels());
     }
 
     /** Returns true if surfaces of an environment are seen through air: under an atmosphere with a sun. */
@@ -40,34 +52,37 @@ public final class AerialPerspective implements GlObject {
         return environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
     }
 
+    /** Returns true if the moon lights the air of an environment, at once or, while its sky moves, at some time. */
+    static boolean isMoonlit(Environment environment) {
+        return isIn(environment)
+                && (Daylight.moves(environment)
+                        || SunAndMoon.of(Daylight.at(environment, 0))
+                                .moonlight()
+                                .shines());
+    }
+
     /** Begins a frame. */
     void follow(Environment now) {
-        if (now.sky() == sky && now.sun() == sun) {
+        if (lights != null
+                && now.sky() == lights.environment().sky()
+                && now.sun() == lights.environment().sun()) {
             return;
         }
-        environment = now;
-        sky = (Sky.Atmosphere) now.sky();
-        sun = now.sun();
-        towardsSun = Directions.unit(sun.directionTowardsSun());
-        if (tables == null || !Daylight.air(sky).equals(tables.air())) {
-            tables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+        lights = SunAndMoon.of(now);
+        Air air = Daylight.air((Sky.Atmosphere) now.sky());
+        if (tables == null || !air.equals(tables.air())) {
+            tables = shared.shareValue(AirTables.class, air, () -> AirCache.tables(air));
             byHeight.clear();
         }
     }
 
     /** Sets the air of the draws in a view. */
     void setView(View view, FrameUniforms uniforms) {
-        boolean isMoving = Daylight.moves(environment);
-        AerialTexture texture =
-                byHeight.near(view.eyeY(), known -> known.sun().isReady(towardsSun.y(), isMoving), known -> known.sun()
-                        .prepare(towardsSun.y()));
-        if (isMoving) {
-            texture.sun().follow(towardsSun.y(), seconds -> Daylight.sunSineAfter(environment, seconds));
-        } else {
-            texture.sun().show(towardsSun.y());
-        }
-        texture.bind(TextureUnit.AIR);
-        uniforms.air(texture.heightMetres(), towardsSun, sun.irradiance());
+        SunAndMoonTables shown =
+                byHeight.near(view.eyeY(), known -> known.isReady(lights), known -> known.prepare(lights));
+        shown.show(lights);
+        shown.bind(TextureUnit.AIR);
+        uniforms.air(shown.heightMetres(), lights);
     }
 
     @Override

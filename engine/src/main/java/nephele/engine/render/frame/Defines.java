@@ -23,6 +23,7 @@ public final class Defines {
                 .withIf(MeteredExposure.isRequiredBy(context.request()), "EXPOSURE_METERED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(AerialPerspective.isIn(environment), "AIR")
+                .withIf(AerialPerspective.isMoonlit(environment), "MOONLIT_AIR")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");
     }

@@ -5,6 +5,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.DrawState;
@@ -29,7 +30,7 @@ public final class FrameUniforms implements GlObject {
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
-    private static final int FLOATS = 16 + 14 * 4;
+    private static final int FLOATS = 16 + 16 * 4;
     private static final int SAMPLE_POSITIONS = 40;
     private static final int AIR = 60;
 
@@ -59,20 +60,26 @@ public final class FrameUniforms implements GlObject {
     }
 
     /**
-     * Sets the numbers of the air for the next view: {@code airPlace}, {@code airSun} and {@code airIrradiance}.
+     * Sets the numbers of the air for the next view: {@code airPlace}, {@code airTowards} and {@code airIrradiance}.
      *
      * @param tableMetres height for which the air is tabulated
      */
-    public void air(double tableMetres, Vec3 towardsSun, Vec3 irradiance) {
+    public void air(double tableMetres, SunAndMoon lights) {
         double height = Math.min(Air.TOP_METRES, tableMetres);
-        double level = Math.max(1e-12, Math.hypot(towardsSun.x(), towardsSun.z()));
         values[AIR] = (float) height;
         values[AIR + 1] = (float) SkyTable.horizon(height);
         values[AIR + 2] = (float) AerialTable.column(height);
         values[AIR + 3] = (float) AerialTable.density(height);
-        values[AIR + 4] = (float) (towardsSun.x() / level);
-        values[AIR + 5] = (float) (towardsSun.z() / level);
-        irradiance.put(values, AIR + 8, 0);
+        putAzimuth(AIR + 4, lights.towardsSun());
+        putAzimuth(AIR + 8, lights.moonlight().towardsMoon());
+        lights.environment().sun().irradiance().put(values, AIR + 12, 0);
+        lights.moonIrradiance().put(values, AIR + 16, lights.moonlight().shines() ? 1 : 0);
+    }
+
+    private void putAzimuth(int at, Vec3 towards) {
+        double level = Math.max(1e-12, Math.hypot(towards.x(), towards.z()));
+        values[at] = (float) (towards.x() / level);
+        values[at + 1] = (float) (towards.z() / level);
     }
 
     /**

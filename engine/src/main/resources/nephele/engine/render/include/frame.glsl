@@ -12,6 +12,6 @@ layout(std140) uniform Frame {
     vec4 mirrorTint; // rgb: product of the tints of the mirrors in front of the view
     vec4 airPlace; // x: height of the eye, metres, y: tan(e / 2) of the horizon's elevation e, z: molecules below the
                    // eye, metres at the density of the ground, w: their density at the eye, relative to that
-    vec4 airSun; // xy: horizontal unit direction towards the sun, as x and z
-    vec4 airIrradiance; // rgb: of the sun outside the air
+    vec4 airTowards[2]; // xy: horizontal unit direction towards the sun, then towards the moon, as x and z
+    vec4 airIrradiance[2]; // rgb: of the sun and of the moon outside the air, a: 0 where the light does not count
 };

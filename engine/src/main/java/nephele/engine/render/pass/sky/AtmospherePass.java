@@ -1,18 +1,16 @@
 package nephele.engine.render.pass.sky;
 
 import java.util.List;
+import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.FogTransmittance;
-import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.NightSky;
-import nephele.engine.math.Directions;
-import nephele.engine.math.Vec3;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -21,8 +19,12 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.ByHeight;
+import nephele.engine.render.resource.SunAndMoonTables;
 
 /**
  * Draws the light that the air scatters, the planet's ground, the sun's disc, moon and stars where no solid has been
@@ -38,20 +40,32 @@ public final class AtmospherePass implements Pass {
     private SkyProgram night;
 
     private final LoadContext context;
-    private final ByHeight<SkyTextures> byHeight;
+    private final ByHeight<SunAndMoonTables> byHeight;
     private AirTables tables;
-    private Sky.Atmosphere skyShown;
-    private Sun sunShown;
-    private Vec3 towardsSun;
-    private Moonlight moonlight;
+    private SunAndMoon lights;
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
         day = SkyProgram.of(context, false);
         tables = context.shared()
                 .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
-        byHeight = context.own(new ByHeight<>(
-                height -> new SkyTextures(context.gl(), context.shared().background(), tables, height)));
+        byHeight = context.own(new ByHeight<>(this::tables));
+    }
+
+    private SunAndMoonTables tables(double heightMetres) {
+        AirTables air = tables;
+        var extent = new Texture.Extent(SkyTable.AZIMUTHS, SkyTable.ROWS, 2 * SkyTable.PARTS);
+        return new SunAndMoonTables(
+                new Texture(
+                        context.gl(),
+                        "sky table",
+                        Texture.Shape.ARRAY,
+                        PixelFormat.RGBA32F,
+                        extent,
+                        Sampling.LINEAR_CLAMP),
+                context.shared().background(),
+                heightMetres,
+                sine -> new SkyTable(air, heightMetres, sine).texels());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -64,49 +78,21 @@ public final class AtmospherePass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        Environment now = frame.frameState().environment();
         double height = frame.view().eye().y();
-        Sky.Atmosphere sky = (Sky.Atmosphere) now.sky();
-        if (sky != skyShown || now.sun() != sunShown) {
-            followSun(sky, now.sun());
-        }
-        skyShown = sky;
-        boolean isMoving = Daylight.moves(now);
-        SkyTextures shown = byHeight.near(
-                height,
-                textures -> textures.isReady(towardsSun, moonlight, isMoving),
-                textures -> textures.prepare(towardsSun, moonlight));
-        if (isMoving) {
-            follow(shown, now);
-        } else {
-            show(shown);
-        }
+        follow(frame.frameState().environment());
+        SunAndMoonTables shown = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
+        shown.show(lights);
         SkyProgram program = program();
-        program.sun(sunShown, towardsSun, tables.air(), new SkyProgram.Heights(shown.heightMetres(), height));
+        program.sun(lights, tables.air(), new SkyProgram.Heights(shown.heightMetres(), height));
         if (program == night) {
-            program.heavens(sky, moonlight);
+            program.heavens(lights);
         }
         shown.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());
     }
 
-    private void follow(SkyTextures shown, Environment now) {
-        Sky.Atmosphere sky = skyShown;
-        shown.sun().follow(towardsSun.y(), seconds -> Daylight.sunSineAfter(now, seconds));
-        if (moonlight.shines()) {
-            shown.moon().follow(moonlight.towardsMoon().y(), seconds -> Moonlight.sineAfter(sky, seconds));
-        }
-    }
-
-    private void show(SkyTextures shown) {
-        shown.sun().show(towardsSun.y());
-        if (moonlight.shines()) {
-            shown.moon().show(moonlight.towardsMoon().y());
-        }
-    }
-
     private SkyProgram program() {
-        if (towardsSun.y() >= 0) {
+        if (lights.towardsSun().y() >= 0) {
             return day;
         }
         if (night == null) {
@@ -115,13 +101,17 @@ public final class AtmospherePass implements Pass {
         return night;
     }
 
-    private void followSun(Sky.Atmosphere sky, Sun sun) {
-        if (!Daylight.air(sky).equals(tables.air())) {
-            tables = AirCache.tables(Daylight.air(sky));
+    private void follow(Environment now) {
+        if (lights != null
+                && now.sky() == lights.environment().sky()
+                && now.sun() == lights.environment().sun()) {
+            return;
+        }
+        lights = SunAndMoon.of(now);
+        Air air = Daylight.air((Sky.Atmosphere) now.sky());
+        if (!air.equals(tables.air())) {
+            tables = AirCache.tables(air);
             byHeight.clear();
         }
-        sunShown = sun;
-        towardsSun = Directions.unit(sun.directionTowardsSun());
-        moonlight = Moonlight.of(sky, sun);
     }
 }

@@ -7,6 +7,7 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Heavens;
 import nephele.engine.level.appearance.Moonlight;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -95,7 +96,9 @@ final class SkyProgram {
      */
     record Heights(double ofTable, double ofEye) {}
 
-    void sun(Sun sun, Vec3 towardsSun, Air air, Heights heights) {
+    void sun(SunAndMoon lights, Air air, Heights heights) {
+        Sun sun = lights.environment().sun();
+        Vec3 towardsSun = lights.towardsSun();
         if (sun == sunShown && heights.equals(heightsShown)) {
             return;
         }
@@ -117,7 +120,9 @@ final class SkyProgram {
     }
 
     /** Sets moon and stars of the program of the night. */
-    void heavens(Sky.Atmosphere sky, Moonlight moonlight) {
+    void heavens(SunAndMoon lights) {
+        Sky.Atmosphere sky = (Sky.Atmosphere) lights.environment().sky();
+        Moonlight moonlight = lights.moonlight();
         set(nightNumbers.moonlight, moonlight.irradiance());
         if (sky == skyShown) {
             return;

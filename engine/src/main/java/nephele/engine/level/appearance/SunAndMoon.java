@@ -1,0 +1,50 @@
+package nephele.engine.level.appearance;
+
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky.Atmosphere;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * The lights of an atmosphere at an instant.
+ *
+ * @param environment with an atmosphere and the sun of its hour
+ * @param towardsSun unit
+ */
+public record SunAndMoon(Environment environment, Vec3 towardsSun, Moonlight moonlight) {
+    /** Returns the lights of an environment with an atmosphere and a sun. */
+    public static SunAndMoon of(Environment environment) {
+        return new SunAndMoon(
+                environment,
+                Directions.unit(environment.sun().directionTowardsSun()),
+                Moonlight.of((Atmosphere) environment.sky(), environment.sun()));
+    }
+
+    /** Returns true if they follow the simulated time. */
+    public boolean move() {
+        return Daylight.moves(environment);
+    }
+
+    /** Returns the sine of the sun's elevation some simulated seconds later. */
+    public double sunSineAfter(double seconds) {
+        return Daylight.sunSineAfter(environment, seconds);
+    }
+
+    /** Returns the sine of the moon's elevation some simulated seconds later. */
+    public double moonSineAfter(double seconds) {
+        return Moonlight.sineAfter((Atmosphere) environment.sky(), seconds);
+    }
+
+    /** Returns true if the moon gives light, or will some simulated seconds later. */
+    public boolean moonShinesWithin(double seconds) {
+        return moonlight.shines()
+                || move() && of(Daylight.at(environment, seconds)).moonlight.shines();
+    }
+
+    /** Returns the irradiance of the moon outside the air; zero while the moon does not count. */
+    public Vec3 moonIrradiance() {
+        Vec3 sun = environment.sun().irradiance();
+        Vec3 share = moonlight.irradiance();
+        return new Vec3(sun.x() * share.x(), sun.y() * share.y(), sun.z() * share.z());
+    }
+}
