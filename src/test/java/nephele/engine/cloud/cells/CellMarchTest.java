@@ -41,11 +41,44 @@ class CellMarchTest {
     })
     void aConservativeSlabReflectsWhatItShould(double depth, double upright, double slanted) {
         double[] beam = fluxes(depth, 1);
-        assertEquals(upright, beam[0], 0.01);
+        double most = depth < 4 ? 0.012 : 0.003;
+        assertEquals(upright, beam[0], Math.min(0.01, most));
         assertTrue(beam[0] + beam[1] <= 1.001, "no light is made: " + (beam[0] + beam[1]));
         double[] low = fluxes(depth, 0.5);
-        assertEquals(slanted, low[0], 0.04);
+        assertEquals(slanted, low[0], most);
         assertTrue(low[0] + low[1] <= 1.001, "no light is made: " + (low[0] + low[1]));
+    }
+
+    /**
+     * Radiance of an even layer of depth 25 under a beam of cosine 0.53, by the cosine and the azimuth of the ray from the
+     * beam's; walks of 400,000 photons with a standard error of 0.5 %.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "0.3, 0, .2797, .0266",
+        "0.3, 180, .0907, .0272",
+        "0.5, 0, .2119, .0336",
+        "0.5, 60, .1537, .0330",
+        "0.5, 180, .1008, .0341",
+        "0.7, 0, .1650, .0399",
+        "0.7, 180, .1043, .0409",
+        "0.9, 0, .1299, .0463",
+        "0.9, 180, .1069, .0469"
+    })
+    void aLayerHasTheRadianceOfItsDirection(double mu, double azimuthDegrees, double fromAbove, double fromBelow) {
+        double wide = 1e7;
+        var field = new UniformField(new Aabb(-wide, 0, -wide, wide, 100, wide), 0.25);
+        var sun = new Vec3(Math.sqrt(1 - 0.53 * 0.53), 0.53, 0);
+        var march = new CellMarch(
+                stack(field, new CellBox(field.bounds(), 3, 256, 3), WHITE, sun),
+                new OutsideOfCloud(sun, ONE, Vec3.ZERO, Vec3.ZERO));
+        double level = Math.sqrt(1 - mu * mu);
+        double x = level * Math.cos(Math.toRadians(azimuthDegrees));
+        double z = level * Math.sin(Math.toRadians(azimuthDegrees));
+        march.march(new Ray(0, 100, 0, x, -mu, z), 0, 1e9, 1 / mu, 0.5);
+        assertEquals(1, march.radiance().x() / fromAbove, 0.1, "from above");
+        march.march(new Ray(0, 0, 0, x, mu, z), 0, 1e9, 1 / mu, 0.5);
+        assertEquals(1, march.radiance().x() / fromBelow, 0.1, "from below");
     }
 
     /** Returns reflected and transmitted flux, the radiance integrated over 64 Gauss directions. */

@@ -24,9 +24,11 @@ public final class CellMarch {
     private final List<CellPlace> dense;
     private final List<CellPlace> lit;
     private final FocusedStack boxes;
+    private final Vec3 diffuseAxis;
     private final ExtinctionField exact;
     private final double[] light = new double[LightCells.VALUES];
     private double transmittance;
+    private double eyeDepth;
     private double scaledTransmittance;
     private double sunlight;
     private double above;
@@ -65,6 +67,7 @@ public final class CellMarch {
                 .toList();
         lit = cloud.light().stream().map(cells -> new CellPlace(cells.cells())).toList();
         boxes = new FocusedStack(cloud, focus.x(), focus.z());
+        diffuseAxis = cloud.diffuseAxis(outside.towardsSun());
     }
 
     /**
@@ -76,6 +79,7 @@ public final class CellMarch {
     public void march(Ray ray, double fromMetres, double toMetres, double stepCells, double offset) {
         transmittance = 1;
         scaledTransmittance = 1;
+        eyeDepth = 0;
         sunlight = 0;
         above = 0;
         below = 0;
@@ -115,15 +119,19 @@ public final class CellMarch {
         double taken = -Math.expm1(-depth);
         double scaledTaken = -Math.expm1(-scale * depth);
         double cosine = 1 - turned / 2;
-        double eyeDepth = -Math.log(transmittance);
+        double alongAxis = -dot(ray, diffuseAxis);
+        double beam = Math.exp(-scale * sunDepth);
         double narrow = physics.smallAngles().at(turned, sunDepth + eyeDepth + mean) * taken * Math.exp(mean);
-        double diffuse = (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * Math.exp(-scale * sunDepth)
-                + Math.max(0, light[1] + medium.g() * cosine * light[2]);
+        double alongBeam = Math.max(-light[1], Math.min(light[1], physics.slopeOfBeam() * beam));
+        double slope = cosine * alongBeam + alongAxis * light[2];
+        double diffuse =
+                (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * beam + Math.max(0, light[1] + medium.g() * slope);
         lastDiffuse = medium.albedo() * diffuse;
         sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
         double even = transmittance * taken * optics.albedo();
         above += even * light[3];
         below += even * light[4];
+        eyeDepth += depth;
         covered += transmittance * taken;
         lightAt += transmittance * taken * middle;
         transmittance *= 1 - taken;

@@ -2,6 +2,8 @@ package nephele.engine.cloud.cells;
 
 import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.DiffuseAxis;
+import nephele.engine.math.Vec3;
 
 /**
  * A cloud as it is marched: boxes of cells of extinction and light. A finite cloud has one box. A layer has several of
@@ -47,6 +49,17 @@ public record CellStack(
                 physics,
                 planetRadiusMetres,
                 LayerGrid.REACH * density.get(0).cells().sizeX());
+    }
+
+    /**
+     * Returns the axis along which diffuse light flows, see {@link DiffuseAxis}.
+     *
+     * @param towardsSun unit
+     */
+    public Vec3 diffuseAxis(Vec3 towardsSun) {
+        return isLayer()
+                ? DiffuseAxis.ofLayer(towardsSun)
+                : DiffuseAxis.of(narrowest().box(), towardsSun);
     }
 
     /** Returns the box of the narrowest cells. */

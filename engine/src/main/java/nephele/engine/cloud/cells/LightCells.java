@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.light.AxisDepths;
 import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.DiffuseAxis;
 import nephele.engine.math.Vec3;
 
 /** The light at the centres of cells of a cloud, for one direction of the sun. Immutable. */
@@ -86,6 +87,7 @@ public final class LightCells {
         private final int level;
         private final Around around;
         private final List<ShadingCloud.Walk> others;
+        private final double axisCosine;
 
         private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, int level, Around around) {
             this.cells = cells;
@@ -95,6 +97,9 @@ public final class LightCells {
             this.level = level;
             this.around = around;
             others = around.others().stream().map(ShadingCloud::walk).toList();
+            Vec3 sun = around.towardsSun();
+            Vec3 axis = isLayer ? DiffuseAxis.ofLayer(sun) : DiffuseAxis.of(cells.box(), sun);
+            axisCosine = -axis.dot(sun);
         }
 
         private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics) {
@@ -111,7 +116,7 @@ public final class LightCells {
                 sunDepth += other.from(x, y, z, edge, sun);
                 shadeDepth += other.from(x, y, z, edge, sun.negated());
             }
-            return physics.at(axes, sunDepth, shadeDepth);
+            return physics.at(axes, sunDepth, shadeDepth, axisCosine);
         }
 
         private AxisDepths axes(int i, int j, int k, double x, double y, double z) {

@@ -28,7 +28,8 @@ public final class CloudLight {
      *
      * @param sunDepth optical depth towards the sun
      * @param diffuseMean mean radiance of diffuse sunlight per unit irradiance, I₀
-     * @param diffuseSlope what is added to it along the beam and subtracted against it, I₁
+     * @param diffuseSlope what is added to it along the {@link DiffuseAxis} and subtracted against it, I₁ without the part
+     *     that follows the beam
      * @param fromAbove share of the upper sky's mean radiance that reaches the point
      * @param fromBelow share of the lower one's
      */
@@ -49,12 +50,23 @@ public final class CloudLight {
     }
 
     /**
+     * Returns I₁ along the beam of the diffuse light per unit irradiance of the beam at a point, its forward peak included. In
+     * Eddington's approximation the flux is (ωg s − ∇φ/3) / (1 − ωg), s being the beam's irradiance (Ishimaru 1978, "Wave
+     * Propagation and Scattering in Random Media", section 9-1). It is at most I₀, so that no radiance is negative.
+     */
+    public double slopeOfBeam() {
+        double turned = medium.albedo() * medium.g();
+        return 3 / (4 * Math.PI) * turned / (1 - turned);
+    }
+
+    /**
      * Returns the light at a point.
      *
      * @param sunDepth optical depth from the point towards the sun
      * @param shadeDepth optical depth from the point away from the sun
+     * @param axisCosine cosine of the angle between the beam and the {@link DiffuseAxis}, times the length of this
      */
-    public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth) {
+    public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth, double axisCosine) {
         double thickness = depths.slabThickness();
         double through = sunDepth + shadeDepth;
         double cosine = through > thickness ? Math.max(LEAST_COSINE, thickness / through) : 1;
@@ -65,7 +77,9 @@ public final class CloudLight {
         double below = openness(depths.minusY()) + sides(depths) / 2;
         double left = remaining(depths, thickness) / (above + below);
         double mean = Math.max(0, factor * cosine * slab.diffuseMean(depth));
-        double slope = factor * cosine * slab.diffuseSlope(depth);
+        double alongBeam = slopeOfBeam() * Math.exp(-medium.depthFactor() * sunDepth);
+        double slope =
+                factor * cosine * slab.diffuseSlope(depth) - axisCosine * Math.max(-mean, Math.min(mean, alongBeam));
         return new AtPoint(sunDepth, mean, slope, above * left, below * left);
     }
 

@@ -27,7 +27,7 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
     }
 
     /** Returns the Legendre moment of the phase function, 1 for degree 0. */
-    private double moment(int degree) {
+    double moment(int degree) {
         return (1 - backShare) * Math.pow(g, degree) + backShare * Math.pow(backG, degree);
     }
 

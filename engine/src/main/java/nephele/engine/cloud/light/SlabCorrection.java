@@ -1,5 +1,6 @@
 package nephele.engine.cloud.light;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.TwoStreamSlab;
@@ -7,15 +8,18 @@ import nephele.engine.math.GaussLegendre;
 
 /**
  * The factor on the diffuse light of {@link TwoStreamSlab} with which the radiance that leaves a slab carries the fluxes
- * that Eddington's approximation gives it. Light inside is too weak near the lit side, so that the formal solution of
- * the transport equation would lose up to a tenth of the energy. The factor is linear in the depth; two unknowns meet
- * two fluxes, except for thin slabs, where one factor keeps the energy.
+ * of {@link SlabDoubling}. Eddington's light is too weak near the lit side, so that the formal solution of the transport
+ * equation would lose up to a tenth of the energy, and a slab reflects up to a sixth less of a low sun. The factor is linear
+ * in the depth; two unknowns meet two fluxes, except for thin slabs, where one factor keeps the energy.
  */
 final class SlabCorrection {
     private static final int THICKNESSES = 20;
     private static final int COSINES = 12;
     /** Ratio of successive thicknesses, the first of which is 1. */
     private static final double RATIO = Math.sqrt(2);
+
+    /** From a slab in which light is scattered once to the first of the table. */
+    private static final int FIRST_DOUBLINGS = 22;
 
     private static final double GREATEST = 4;
     /** Share of the fluxes that is aimed at, below 1: no error of the quadrature may make light. */
@@ -33,7 +37,20 @@ final class SlabCorrection {
     SlabCorrection(CloudOptics optics, SmallAngleScattering smallAngles) {
         medium = optics.scaled();
         this.smallAngles = smallAngles;
-        IntStream.range(0, atTop.length).parallel().forEach(this::fit);
+        double[] cosines = new double[COSINES];
+        Arrays.setAll(cosines, column -> (column + 1.0) / COSINES);
+        IntStream.range(0, 2).parallel().forEach(chain -> {
+            var slabs = new SlabDoubling(optics, Math.pow(RATIO, chain) / (1 << FIRST_DOUBLINGS), cosines);
+            for (int doubling = 0; doubling < FIRST_DOUBLINGS; doubling++) {
+                slabs.addToItself();
+            }
+            for (int row = chain; row < THICKNESSES; row += 2) {
+                for (int column = 0; column < COSINES; column++) {
+                    fit(row, column, slabs.reflectance(column), slabs.transmittance(column));
+                }
+                slabs.addToItself();
+            }
+        });
     }
 
     /** Fluxes out of the lit and the far side: without diffuse light, with that of the source, and with it × depth. */
@@ -43,14 +60,15 @@ final class SlabCorrection {
         private final double[] growing = new double[2];
     }
 
-    private void fit(int index) {
-        double thickness = Math.pow(RATIO, index / COSINES);
-        double cosine = (index % COSINES + 1.0) / COSINES;
+    private void fit(int row, int column, double reflectance, double transmittance) {
+        int index = row * COSINES + column;
+        double thickness = Math.pow(RATIO, row);
+        double cosine = (column + 1.0) / COSINES;
         var slab = TwoStreamSlab.underBeam(medium, thickness, cosine);
         double unscattered = Math.exp(-thickness / cosine);
         double straight = Math.exp(-medium.depthFactor() * thickness / cosine);
-        double reflected = KEPT * slab.reflectance();
-        double transmitted = KEPT * (slab.transmittance() - straight) + straight - unscattered;
+        double reflected = KEPT * reflectance;
+        double transmitted = KEPT * (transmittance - straight) + straight - unscattered;
         Fluxes fluxes = fluxes(slab, thickness, cosine);
         double missingAbove = reflected - fluxes.direct[0];
         double missingBelow = transmitted - fluxes.direct[1];
@@ -58,7 +76,7 @@ final class SlabCorrection {
         double determinant = fluxes.even[0] * fluxes.growing[1] - fluxes.growing[0] * fluxes.even[1];
         double top = (missingAbove * fluxes.growing[1] - fluxes.growing[0] * missingBelow) / determinant;
         double rise = (fluxes.even[0] * missingBelow - missingAbove * fluxes.even[1]) / determinant;
-        double thick = clamped(Math.log(thickness) / Math.log(2) - 1, 0, 1);
+        double thick = clamped(Math.log(thickness) / Math.log(2), 0, 1);
         atTop[index] = clamped(one + thick * (clamped(top, -1, GREATEST) - one), 0, GREATEST);
         slope[index] = thick * clamped(rise, -GREATEST, GREATEST);
     }
@@ -99,10 +117,14 @@ final class SlabCorrection {
         }
     }
 
-    /** Adds the flux of light that is linear in the cosine of the angle to the beam. */
+    /**
+     * Adds the flux of light that is linear in the cosine of an angle. On the mean over azimuths the flow along the beam is as
+     * much as {@link CloudLight} takes from the flow along the normal.
+     */
     private void addDiffuse(Fluxes fluxes, TwoStreamSlab slab, Exit exit, double thickness, double cosine) {
         double scale = medium.depthFactor();
-        double turned = medium.g() * exit.turned;
+        double alongBeam = medium.g() * exit.turned;
+        double down = medium.g() * (exit.side == 0 ? -exit.mu : exit.mu);
         double reach = Math.min(thickness, 24 * exit.mu / scale);
         for (int step = 0; step < STEPS; step++) {
             double from = exit.inside(reach, step);
@@ -110,8 +132,8 @@ final class SlabCorrection {
             double depth = exit.depth((from + to) / 2, thickness);
             double taken = Math.exp(-scale * from / exit.mu) * -Math.expm1(-scale * (to - from) / exit.mu);
             double emitted = exit.weight * taken * medium.albedo();
-            double diffuse = Math.max(0, cosine * (slab.diffuseMean(depth) + turned * slab.diffuseSlope(depth)));
-            double once = (1 + 3 * turned) / (4 * Math.PI) * Math.exp(-scale * depth / cosine);
+            double once = (1 + 3 * alongBeam) / (4 * Math.PI) * Math.exp(-scale * depth / cosine);
+            double diffuse = Math.max(0, cosine * (slab.diffuseMean(depth) + down * slab.diffuseSlope(depth)));
             fluxes.direct[exit.side] += emitted * once;
             fluxes.even[exit.side] += emitted * diffuse;
             fluxes.growing[exit.side] += emitted * diffuse * depth / thickness;

@@ -15,6 +15,8 @@ uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of 
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
 uniform vec4 phase; // scaled cosine; deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
 uniform vec3 cloudSun; // towards the sun
+uniform vec4 diffuseAxis; // xyz: along which diffuse light flows besides along the beam; w: its slope along the beam per
+                          // unit irradiance of the beam
 uniform vec3 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet
 
 const float FOUR_PI = 12.5663706;
@@ -85,10 +87,10 @@ vec4 lightAt(vec3 place, float height) {
 }
 
 // Light that turns once by any angle or often by small ones, per optical depth.
-float smallAngleLight(float separation, float depth) {
-    vec2 place = vec2(sqrt(sqrt(0.25 * separation)), sqrt(min(1.0, depth / phase.y)));
-    vec2 size = vec2(SEPARATIONS, DEPTHS);
-    return textureLod(smallAngles, (place * (size - 1.0) + 0.5) / size, 0.0).r;
+// column: of the separation in smallAngles
+float smallAngleLight(float column, float depth) {
+    float row = sqrt(min(1.0, depth / phase.y)) * ((DEPTHS - 1.0) / DEPTHS) + 0.5 / DEPTHS;
+    return textureLod(smallAngles, vec2(column, row), 0.0).r;
 }
 
 #ifdef OCTAVES
@@ -125,11 +127,14 @@ float meanDepth(float depth) {
 CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     CloudRay ray = CloudRay(1.0, 0.0, 0.0, 0.0, 0.0);
     float scaled = 1.0;
+    float eyeDepth = 0.0;
     float lastDiffuse = 0.0;
     vec3 apart = direction - cloudSun;
     float separation = dot(apart, apart);
     float cosine = 1.0 - 0.5 * separation;
+    float column = sqrt(sqrt(0.25 * separation)) * ((SEPARATIONS - 1.0) / SEPARATIONS) + 0.5 / SEPARATIONS;
     float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
+    float axisCosine = -dot(direction, diffuseAxis.xyz);
     vec2 planet = vec2(phase.z, stepping.z);
     float at = visible.x;
     float share = offset;
@@ -173,9 +178,11 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
 #ifdef OCTAVES
         ray.sunlight += ray.transmittance * taken * medium.z * octaves(separation, light.r);
 #else
-        float eyeDepth = -log(max(ray.transmittance, 1e-30));
-        float narrow = smallAngleLight(separation, light.r + eyeDepth + mean) * taken * exp(mean);
-        lastDiffuse = medium.w * (once * exp(-medium.y * light.r) + max(0.0, light.g + phase.x * cosine * light.b));
+        float narrow = smallAngleLight(column, light.r + eyeDepth + mean) * taken * exp(mean);
+        float beam = exp(-medium.y * light.r);
+        float slope = cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + axisCosine * light.b;
+        lastDiffuse = medium.w * (once * beam + max(0.0, light.g + phase.x * slope));
+        eyeDepth += depth;
         ray.sunlight += narrow + scaled * scaledTaken * lastDiffuse;
 #endif
         float seen = ray.transmittance * taken;

@@ -30,11 +30,13 @@ final class MarchProgram {
             Uniforms.Vector4 medium,
             Uniforms.Vector4 phase,
             Uniforms.Vector3 cloudSun,
+            Uniforms.Vector4 diffuseAxis,
             Uniforms.Vector3 stepping,
             Uniforms.Vector3 irradiance,
             Uniforms.Vector3 skyAbove,
             Uniforms.Vector3 skyBelow) {
-        static Places of(Uniforms uniforms) {
+        /** @param scattering octaves have no {@code diffuseAxis}, which is then {@code null} */
+        static Places of(Uniforms uniforms, CloudScattering scattering) {
             return new Places(
                     IntStream.range(0, MOST_BOXES)
                             .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
@@ -46,6 +48,7 @@ final class MarchProgram {
                     uniforms.vector4("medium"),
                     uniforms.vector4("phase"),
                     uniforms.vector3("cloudSun"),
+                    scattering == CloudScattering.TWO_STREAM ? uniforms.vector4("diffuseAxis") : null,
                     uniforms.vector3("stepping"),
                     uniforms.vector3("irradiance"),
                     uniforms.vector3("skyAbove"),
@@ -114,7 +117,7 @@ final class MarchProgram {
                     found[0] = pixels == Pixels.MIXED ? CloudRanges.Places.of(uniforms, clouds) : null;
                     rayPlaces[0] = pixels == Pixels.WHOLE ? Rays.of(uniforms) : null;
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
-                    return Places.of(uniforms);
+                    return Places.of(uniforms, context.quality().cloudScattering());
                 });
         noisePlaces = tables[0];
         ranges = found[0];

@@ -131,6 +131,11 @@ final class MarchedCloud {
                         (float) optics.meanCosine());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY());
         set(places.cloudSun(), towardsSun);
+        if (places.diffuseAxis() != null) {
+            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
+            places.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
+                    cloud.physics().slopeOfBeam());
+        }
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);
         set(places.skyBelow(), below.scaled(groundShare));
