@@ -44,6 +44,11 @@ public record Plane(double nx, double ny, double nz, double distance) {
         return signedDistance(p.x(), p.y(), p.z());
     }
 
+    /** Returns the point of the plane that is nearest to another point. */
+    public Vec3 nearest(Vec3 p) {
+        return p.addScaled(-signedDistance(p), normal());
+    }
+
     /** Returns the unit normal. */
     public Vec3 normal() {
         return new Vec3(nx, ny, nz);

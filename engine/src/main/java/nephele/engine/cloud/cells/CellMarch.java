@@ -29,6 +29,8 @@ public final class CellMarch {
     private final double[] light = new double[LightCells.VALUES];
     private double transmittance;
     private double eyeDepth;
+    private double depthAround;
+    private double exitLight;
     private double scaledTransmittance;
     private double sunlight;
     private double above;
@@ -80,6 +82,11 @@ public final class CellMarch {
         transmittance = 1;
         scaledTransmittance = 1;
         eyeDepth = 0;
+        depthAround = cloud.leastDepth(new Vec3(
+                ray.originX() + fromMetres * ray.directionX(),
+                ray.originY() + fromMetres * ray.directionY(),
+                ray.originZ() + fromMetres * ray.directionZ()));
+        exitLight = Double.NaN;
         sunlight = 0;
         above = 0;
         below = 0;
@@ -121,11 +128,16 @@ public final class CellMarch {
         double cosine = 1 - turned / 2;
         double alongAxis = -dot(ray, diffuseAxis);
         double beam = Math.exp(-scale * sunDepth);
+        if (transmittance == 1) {
+            exitLight = beam;
+        }
         double narrow = physics.smallAngles().at(turned, sunDepth + eyeDepth + mean) * taken * Math.exp(mean);
+        double greatest = physics.greatestMean(sunDepth, depthAround + eyeDepth + mean, exitLight);
+        double kept = light[1] > greatest ? greatest / light[1] : 1;
         double alongBeam = Math.max(-light[1], Math.min(light[1], physics.slopeOfBeam() * beam));
         double slope = cosine * alongBeam + alongAxis * light[2];
-        double diffuse =
-                (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * beam + Math.max(0, light[1] + medium.g() * slope);
+        double diffuse = (1 + 3 * medium.g() * cosine) / (4 * Math.PI) * beam
+                + kept * Math.max(0, light[1] + medium.g() * slope);
         lastDiffuse = medium.albedo() * diffuse;
         sunlight += narrow + scaledTransmittance * scaledTaken * lastDiffuse;
         double even = transmittance * taken * optics.albedo();

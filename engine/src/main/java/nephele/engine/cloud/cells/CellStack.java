@@ -3,6 +3,7 @@ package nephele.engine.cloud.cells;
 import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.DiffuseAxis;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
@@ -60,6 +61,30 @@ public record CellStack(
         return isLayer()
                 ? DiffuseAxis.ofLayer(towardsSun)
                 : DiffuseAxis.of(narrowest().box(), towardsSun);
+    }
+
+    /** Returns the least optical depth from a place to the outside along an axis; 0 outside of the boxes. */
+    public double leastDepth(Vec3 place) {
+        Aabb box = density.get(density.size() - 1).cells().box();
+        if (!box.contains(place.x(), place.y(), place.z())) {
+            return 0;
+        }
+        var depths = new StackDepths(density, isLayer());
+        int level = depths.level(place.x(), place.z(), narrowest().sizeX());
+        double least = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 6; axis++) {
+            int sign = axis < 3 ? 1 : -1;
+            double depth = depths.nearBy(
+                    level,
+                    place.x(),
+                    place.y(),
+                    place.z(),
+                    axis % 3 == 0 ? sign : 0,
+                    axis % 3 == 1 ? sign : 0,
+                    axis % 3 == 2 ? sign : 0);
+            least = Math.min(least, depth);
+        }
+        return least;
     }
 
     /** Returns the box of the narrowest cells. */

@@ -11,6 +11,11 @@ public final class CloudLight {
     /** The slab of the two-stream solution is lit at least at this angle. */
     private static final double LEAST_COSINE = 0.05;
 
+    /** Mean diffuse radiance deep under the side of a thick cloud that the sun lights at a right angle. */
+    private static final double BRIGHTEST = 5 / (4 * Math.PI);
+    /** Distance from a side along its normal, divided by the distance along a ray of any direction, on the mean. */
+    private static final double OBLIQUITY = 2.0 / 3;
+
     private final CloudOptics optics;
     private final DeltaScaling medium;
     private final SmallAngleScattering smallAngles;
@@ -67,8 +72,8 @@ public final class CloudLight {
      * @param axisCosine cosine of the angle between the beam and the {@link DiffuseAxis}, times the length of this
      */
     public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth, double axisCosine) {
-        double thickness = depths.slabThickness();
         double through = sunDepth + shadeDepth;
+        double thickness = Math.min(depths.slabThickness(), Math.max(through, 1e-10));
         double cosine = through > thickness ? Math.max(LEAST_COSINE, thickness / through) : 1;
         double depth = Math.min(thickness, sunDepth * cosine);
         var slab = TwoStreamSlab.underBeam(medium, thickness, cosine);
@@ -81,6 +86,21 @@ public final class CloudLight {
         double slope =
                 factor * cosine * slab.diffuseSlope(depth) - axisCosine * Math.max(-mean, Math.min(mean, alongBeam));
         return new AtPoint(sunDepth, mean, slope, above * left, below * left);
+    }
+
+    /**
+     * Returns the greatest mean of diffuse light at a point that an eye sees. Between the side towards the sun and the one towards
+     * the eye the light is no brighter than in a slab between them: cells do not know that a point in them is near a side that
+     * only the eye's ray reaches, such as a wall deep in a gap between towers.
+     *
+     * @param sunDepth optical depth towards the sun
+     * @param eyeDepth optical depth towards the eye
+     * @param exitLight share of the sunlight that reaches the side towards the eye
+     */
+    public double greatestMean(double sunDepth, double eyeDepth, double exitLight) {
+        double toSun = 1 / openness(OBLIQUITY * sunDepth);
+        double toEye = 1 / openness(eyeDepth);
+        return BRIGHTEST * (toEye + exitLight * toSun) / (toEye + toSun);
     }
 
     private double sides(AxisDepths depths) {

@@ -23,7 +23,7 @@ final class SlabCorrection {
 
     private static final double GREATEST = 4;
     /** Share of the fluxes that is aimed at, below 1: no error of the quadrature may make light. */
-    private static final double KEPT = 0.998;
+    private static final double KEPT = 0.9988;
 
     private static final GaussLegendre ZENITH = new GaussLegendre(32);
     private static final int AZIMUTHS = 24;
@@ -37,20 +37,35 @@ final class SlabCorrection {
     SlabCorrection(CloudOptics optics, SmallAngleScattering smallAngles) {
         medium = optics.scaled();
         this.smallAngles = smallAngles;
-        double[] cosines = new double[COSINES];
-        Arrays.setAll(cosines, column -> (column + 1.0) / COSINES);
-        IntStream.range(0, 2).parallel().forEach(chain -> {
-            var slabs = new SlabDoubling(optics, Math.pow(RATIO, chain) / (1 << FIRST_DOUBLINGS), cosines);
-            for (int doubling = 0; doubling < FIRST_DOUBLINGS; doubling++) {
-                slabs.addToItself();
-            }
-            for (int row = chain; row < THICKNESSES; row += 2) {
-                for (int column = 0; column < COSINES; column++) {
-                    fit(row, column, slabs.reflectance(column), slabs.transmittance(column));
-                }
-                slabs.addToItself();
-            }
+        double[][] reflected = new double[THICKNESSES][COSINES];
+        double[][] passed = new double[THICKNESSES][COSINES];
+        IntStream.range(0, 2).parallel().forEach(chain -> putFluxes(optics, chain, reflected, passed));
+        IntStream.range(0, atTop.length).parallel().forEach(index -> {
+            int row = index / COSINES;
+            int column = index % COSINES;
+            fit(row, column, reflected[row][column], passed[row][column]);
         });
+    }
+
+    /** Puts the fluxes of every second thickness: each is twice as thick as the one before. */
+    private static void putFluxes(CloudOptics optics, int first, double[][] reflected, double[][] passed) {
+        double[] cosines = new double[COSINES];
+        Arrays.setAll(cosines, SlabCorrection::cosine);
+        var slabs = new SlabDoubling(optics, Math.pow(RATIO, first) / (1 << FIRST_DOUBLINGS), cosines);
+        for (int doubling = 0; doubling < FIRST_DOUBLINGS; doubling++) {
+            slabs.addToItself();
+        }
+        for (int row = first; row < THICKNESSES; row += 2) {
+            for (int column = 0; column < COSINES; column++) {
+                reflected[row][column] = slabs.reflectance(column);
+                passed[row][column] = slabs.transmittance(column);
+            }
+            slabs.addToItself();
+        }
+    }
+
+    private static double cosine(int column) {
+        return (column + 1.0) / COSINES;
     }
 
     /** Fluxes out of the lit and the far side: without diffuse light, with that of the source, and with it × depth. */
@@ -63,7 +78,7 @@ final class SlabCorrection {
     private void fit(int row, int column, double reflectance, double transmittance) {
         int index = row * COSINES + column;
         double thickness = Math.pow(RATIO, row);
-        double cosine = (column + 1.0) / COSINES;
+        double cosine = cosine(column);
         var slab = TwoStreamSlab.underBeam(medium, thickness, cosine);
         double unscattered = Math.exp(-thickness / cosine);
         double straight = Math.exp(-medium.depthFactor() * thickness / cosine);

@@ -17,9 +17,12 @@ uniform vec4 phase; // scaled cosine; deepest depth of smallAngles; 1 / twice th
 uniform vec3 cloudSun; // towards the sun
 uniform vec4 diffuseAxis; // xyz: along which diffuse light flows besides along the beam; w: its slope along the beam per
                           // unit irradiance of the beam
-uniform vec3 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet
+uniform vec4 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet; optical
+                       // depth around the place where the view begins
 
 const float FOUR_PI = 12.5663706;
+const float BRIGHTEST = 0.397887358; // mean diffuse radiance deep under a side that is lit at a right angle
+const float OBLIQUITY = 0.666666667; // distance from a side along its normal, divided by that along a ray, on the mean
 const float OPAQUE = 0.01;
 const float GROWTH = 0.01; // metres of a step per metre of distance
 const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
@@ -128,6 +131,7 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     CloudRay ray = CloudRay(1.0, 0.0, 0.0, 0.0, 0.0);
     float scaled = 1.0;
     float eyeDepth = 0.0;
+    float exitLight = 0.0;
     float lastDiffuse = 0.0;
     vec3 apart = direction - cloudSun;
     float separation = dot(apart, apart);
@@ -135,6 +139,7 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     float column = sqrt(sqrt(0.25 * separation)) * ((SEPARATIONS - 1.0) / SEPARATIONS) + 0.5 / SEPARATIONS;
     float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
     float axisCosine = -dot(direction, diffuseAxis.xyz);
+    float resistance = 0.75 * (1.0 - phase.x) * medium.y; // to diffuse light, per optical depth
     vec2 planet = vec2(phase.z, stepping.z);
     float at = visible.x;
     float share = offset;
@@ -180,8 +185,13 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
 #else
         float narrow = smallAngleLight(column, light.r + eyeDepth + mean) * taken * exp(mean);
         float beam = exp(-medium.y * light.r);
+        // Between the sides towards the sun and towards the eye the light is no brighter than in a slab between them.
+        exitLight = ray.transmittance == 1.0 ? beam : exitLight;
+        float toSun = 1.0 + resistance * OBLIQUITY * light.r;
+        float toEye = 1.0 + resistance * (stepping.w + eyeDepth + mean);
+        float kept = min(1.0, BRIGHTEST * (toEye + exitLight * toSun) / ((toEye + toSun) * max(light.g, 1e-10)));
         float slope = cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + axisCosine * light.b;
-        lastDiffuse = medium.w * (once * beam + max(0.0, light.g + phase.x * slope));
+        lastDiffuse = medium.w * (once * beam + kept * max(0.0, light.g + phase.x * slope));
         eyeDepth += depth;
         ray.sunlight += narrow + scaled * scaledTaken * lastDiffuse;
 #endif

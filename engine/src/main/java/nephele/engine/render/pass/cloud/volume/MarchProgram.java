@@ -31,7 +31,7 @@ final class MarchProgram {
             Uniforms.Vector4 phase,
             Uniforms.Vector3 cloudSun,
             Uniforms.Vector4 diffuseAxis,
-            Uniforms.Vector3 stepping,
+            Uniforms.Vector4 stepping,
             Uniforms.Vector3 irradiance,
             Uniforms.Vector3 skyAbove,
             Uniforms.Vector3 skyBelow) {
@@ -49,7 +49,7 @@ final class MarchProgram {
                     uniforms.vector4("phase"),
                     uniforms.vector3("cloudSun"),
                     scattering == CloudScattering.TWO_STREAM ? uniforms.vector4("diffuseAxis") : null,
-                    uniforms.vector3("stepping"),
+                    uniforms.vector4("stepping"),
                     uniforms.vector3("irradiance"),
                     uniforms.vector3("skyAbove"),
                     uniforms.vector3("skyBelow"));

@@ -14,6 +14,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResources;
@@ -37,6 +38,7 @@ final class MarchedCloud {
     private Vec3 above;
     private Vec3 below;
     private DrawnCloud shown;
+    private DrawnCloud toCome;
     private double share;
     private double groundShare;
     private double presence;
@@ -82,16 +84,16 @@ final class MarchedCloud {
     /** Takes its cells at the present time. */
     void follow(CloudInterval now) {
         shown = now.from().clouds().all().get(index);
-        DrawnCloud next = now.to().clouds().all().get(index);
+        toCome = now.to().clouds().all().get(index);
         share = now.share();
         presence = cloud.share(now.seconds());
         groundShare = now.groundShare();
         drift = cloud.drift(now.seconds());
         fullPerMetre = shown.fullPerMetre();
-        textures.show(shown.cells(), next.cells());
+        textures.show(shown.cells(), toCome.cells());
         if (noiseTextures != null) {
             noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
-            noiseTextures.show(shown.plans(), next.plans());
+            noiseTextures.show(shown.plans(), toCome.plans());
         }
     }
 
@@ -129,7 +131,7 @@ final class MarchedCloud {
                         (float) cloud.physics().smallAngles().deepest(),
                         (float) halfCurvature(),
                         (float) optics.meanCosine());
-        places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY());
+        places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) depthAround(view));
         set(places.cloudSun(), towardsSun);
         if (places.diffuseAxis() != null) {
             Vec3 axis = shown.cells().diffuseAxis(towardsSun);
@@ -139,6 +141,16 @@ final class MarchedCloud {
         set(places.irradiance(), irradiance);
         set(places.skyAbove(), above);
         set(places.skyBelow(), below.scaled(groundShare));
+    }
+
+    /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */
+    private double depthAround(View view) {
+        Plane exit = view.clip();
+        Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
+        Vec3 place = begin.minus(drift);
+        double before = shown.cells().leastDepth(place);
+        double after = share == 0 ? before : toCome.cells().leastDepth(place);
+        return presence * (before + share * (after - before));
     }
 
     /** Sets how far the wind has carried it since another time. */
