@@ -13,7 +13,7 @@ uniform vec4 cellEdges; // xyz: edges of a cell of the narrowest box; w: the sho
 uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
 uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of all boxes, metres
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
-uniform vec4 phase; // scaled cosine; deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
+uniform vec4 phase; // scaled cosine; 1 / deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
 uniform vec3 cloudSun; // towards the sun
 uniform vec4 diffuseAxis; // xyz: along which diffuse light flows besides along the beam; w: its slope along the beam per
                           // unit irradiance of the beam
@@ -92,7 +92,7 @@ vec4 lightAt(vec3 place, float height) {
 // Light that turns once by any angle or often by small ones, per optical depth.
 // column: of the separation in smallAngles
 float smallAngleLight(float column, float depth) {
-    float row = sqrt(min(1.0, depth / phase.y)) * ((DEPTHS - 1.0) / DEPTHS) + 0.5 / DEPTHS;
+    float row = sqrt(min(1.0, depth * phase.y)) * ((DEPTHS - 1.0) / DEPTHS) + 0.5 / DEPTHS;
     return textureLod(smallAngles, vec2(column, row), 0.0).r;
 }
 

@@ -128,7 +128,7 @@ final class MarchedCloud {
         places.phase()
                 .set(
                         (float) scaled.g(),
-                        (float) cloud.physics().smallAngles().deepest(),
+                        (float) (1 / cloud.physics().smallAngles().deepest()),
                         (float) halfCurvature(),
                         (float) optics.meanCosine());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) depthAround(view));
