@@ -24,6 +24,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 /** The shader that marches clouds is its Java twin, within a code of 255 of white. */
@@ -58,6 +59,34 @@ class CloudMarchGlTest {
                         "a layer of computed noise",
                         () -> compare(
                                 layer(new Cloud.Density.Noise(3, 500, 0.5, 0, CloudProfile.STRATUS, null, 0), 0.008))));
+    }
+
+    /** Pixels that a cloud covers wholly, or not at all, are the same; at its edge display values are blended instead of light. */
+    @Test
+    void withoutALinearTargetTheCloudLooksTheSame() {
+        Cloud ball = new Cloud(
+                "ball",
+                new Cloud.Extent.Volume(new Vec3(0, 60, -190), new Vec3(120, 60, 90)),
+                CloudTechnique.AUTO,
+                new Cloud.Density.Ellipsoid(),
+                0.1,
+                0.98,
+                0.8);
+        Level level = new TestLevel()
+                .sun(SUN, 3)
+                .sky(new Sky.Constant(new Vec3(0.1, 0.2, 0.4)))
+                .cloud(ball)
+                .level();
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));
+            int[] blended = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT));
+            int[] linear = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.HDR));
+            int equal = 0;
+            for (int i = 0; i < linear.length; i++) {
+                equal += Math.abs(Offscreen.green(blended[i]) - Offscreen.green(linear[i])) <= 1 ? 1 : 0;
+            }
+            assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
+        }
     }
 
     private static void compare(Cloud cloud) {

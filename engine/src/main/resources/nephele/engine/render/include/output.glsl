@@ -26,6 +26,17 @@ void writeRadiance(vec3 radiance) {
 #endif
 }
 
+// Writes what lies in front of a pixel without hiding it: premultiplied radiance and coverage, blended with what is behind.
+// Directly, display values are blended instead of radiance.
+void writeCovering(vec4 covering) {
+#ifdef OUTPUT_DIRECT
+    vec3 radiance = covering.rgb / max(covering.a, 1e-4);
+    pixel = vec4(toneMapped(radiance, exposureFactor()) * covering.a, covering.a);
+#else
+    pixel = covering;
+#endif
+}
+
 // Writes the radiance of a surface, with air and fog between it and the eye. Behind an opening the eye is a virtual one, at
 // the distance of the whole path.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {

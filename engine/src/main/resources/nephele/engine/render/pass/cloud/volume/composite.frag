@@ -23,5 +23,5 @@ void main() {
         }
     }
 #endif
-    pixel = texture(clouds, (gl_FragCoord.xy / DIVISOR + 0.5) / vec2(textureSize(clouds, 0)));
+    writeCovering(texture(clouds, (gl_FragCoord.xy / DIVISOR + 0.5) / vec2(textureSize(clouds, 0))));
 }

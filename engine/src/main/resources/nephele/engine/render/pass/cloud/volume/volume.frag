@@ -92,8 +92,10 @@ void main() {
 #ifdef MIRRORS
     radiance *= mirrorTint.rgb;
 #endif
-    pixel = vec4(min(radiance, 65504.0), covered);
 #ifdef WHOLE
+    pixel = vec4(min(radiance, 65504.0), covered);
     place = vec4(covered * vec3(0.001 * cloud.metres, motionAcross(ray)), covered);
+#else
+    writeCovering(vec4(min(radiance, 65504.0), covered));
 #endif
 }
