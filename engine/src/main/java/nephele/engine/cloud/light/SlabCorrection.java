@@ -98,17 +98,21 @@ final class SlabCorrection {
 
     private Fluxes fluxes(TwoStreamSlab slab, double thickness, double cosine) {
         var fluxes = new Fluxes();
+        var above = smallAngles.new Steps(STEPS);
+        var below = smallAngles.new Steps(STEPS);
         for (int node = 0; node < ZENITH.nodes.length; node++) {
             double mu = ZENITH.nodes[node];
             double weight = 2 * Math.PI * mu * ZENITH.weights[node] / cosine;
             addDiffuse(fluxes, slab, new Exit(0, mu, -mu * cosine, weight), thickness, cosine);
             addDiffuse(fluxes, slab, new Exit(1, mu, mu * cosine, weight), thickness, cosine);
             double sines = Math.sqrt((1 - mu * mu) * (1 - cosine * cosine));
+            double share = weight / AZIMUTHS;
+            setNarrow(above, new Exit(0, mu, -mu * cosine, share), thickness, cosine);
+            setNarrow(below, new Exit(1, mu, mu * cosine, share), thickness, cosine);
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double level = sines * Math.cos((azimuth + 0.5) * Math.PI / AZIMUTHS);
-                double share = weight / AZIMUTHS;
-                addNarrow(fluxes, new Exit(0, mu, level - mu * cosine, share), thickness, cosine);
-                addNarrow(fluxes, new Exit(1, mu, level + mu * cosine, share), thickness, cosine);
+                fluxes.direct[0] = above.addedTo(fluxes.direct[0], 2 - 2 * (level - mu * cosine));
+                fluxes.direct[1] = below.addedTo(fluxes.direct[1], 2 - 2 * (level + mu * cosine));
             }
         }
         return fluxes;
@@ -155,14 +159,15 @@ final class SlabCorrection {
         }
     }
 
-    private void addNarrow(Fluxes fluxes, Exit exit, double thickness, double cosine) {
+    /** Sets the steps of light that turns by small angles; their depths are the same at all azimuths of an exit. */
+    private void setNarrow(SmallAngleScattering.Steps steps, Exit exit, double thickness, double cosine) {
         double reach = Math.min(thickness, smallAngles.deepest() * exit.mu);
         for (int step = 0; step < STEPS; step++) {
             double from = exit.inside(reach, step);
             double to = exit.inside(reach, step + 1);
             double inside = (from + to) / 2;
             double path = exit.depth(inside, thickness) / cosine + inside / exit.mu;
-            fluxes.direct[exit.side] += exit.weight * (to - from) / exit.mu * smallAngles.at(2 - 2 * exit.turned, path);
+            steps.set(step, path, exit.weight * (to - from) / exit.mu);
         }
     }
 

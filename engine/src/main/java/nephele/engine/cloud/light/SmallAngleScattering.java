@@ -88,15 +88,60 @@ public final class SmallAngleScattering {
      * @param depth of the whole path, from outside to the point and from there to the eye
      */
     public double at(double separation, double depth) {
-        double x = Math.sqrt(Math.sqrt(separation / 4)) * (SEPARATIONS - 1);
-        double y = Math.sqrt(Math.min(1, depth / deepest)) * (DEPTHS - 1);
-        int column = Math.min(SEPARATIONS - 2, (int) x);
+        double x = columnOf(separation);
+        double y = rowOf(depth);
         int row = Math.min(DEPTHS - 2, (int) y);
+        return between(x, Math.min(SEPARATIONS - 2, (int) x), y - row, row);
+    }
+
+    private static double columnOf(double separation) {
+        return Math.sqrt(Math.sqrt(separation / 4)) * (SEPARATIONS - 1);
+    }
+
+    private double rowOf(double depth) {
+        return Math.sqrt(Math.min(1, depth / deepest)) * (DEPTHS - 1);
+    }
+
+    private double between(double x, int column, double v, int row) {
         double u = x - column;
-        double v = y - row;
         int at = row * SEPARATIONS + column;
         double near = values[at] + u * (values[at + 1] - values[at]);
         double far = values[at + SEPARATIONS] + u * (values[at + SEPARATIONS + 1] - values[at + SEPARATIONS]);
         return near + v * (far - near);
+    }
+
+    /**
+     * Weighted optical depths whose light is summed for many separations: their places in the table are found once.
+     * Not for several threads.
+     */
+    final class Steps {
+        private final int[] rows;
+        private final double[] shares;
+        private final double[] weights;
+
+        Steps(int count) {
+            rows = new int[count];
+            shares = new double[count];
+            weights = new double[count];
+        }
+
+        /** Sets the depth of a whole path, as in {@link #at}, and the factor on its light. */
+        void set(int step, double depth, double weight) {
+            double y = rowOf(depth);
+            rows[step] = Math.min(DEPTHS - 2, (int) y);
+            shares[step] = y - rows[step];
+            weights[step] = weight;
+        }
+
+        /** Returns a sum to which the light of all steps is added one by one. */
+        double addedTo(double sum, double separation) {
+            double x = columnOf(separation);
+            int column = Math.min(SEPARATIONS - 2, (int) x);
+            double all = sum;
+            for (int step = 0; step < rows.length; step++) {
+                all += weights[step] * between(x, column, shares[step], rows[step]);
+            }
+            return all;
+        }
     }
 }
