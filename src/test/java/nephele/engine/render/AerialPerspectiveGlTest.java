@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.Air;
@@ -26,6 +27,8 @@ class AerialPerspectiveGlTest {
     private static final int SIDE = 15;
     private static final int MIDDLE = 3 * (SIDE * SIDE / 2);
     private static final double IRRADIANCE = 1000;
+    private static final Vec3 EYE = new Vec3(0, 2, 0);
+    private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 GLOW = new Vec3(20, 10, 5);
     private static final AirTables CLEAR = AirTables.of(Air.CLEAR);
 
@@ -37,29 +40,55 @@ class AerialPerspectiveGlTest {
     }
 
     private static View view(Vec3 eye, Vec3 target) {
-        return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, 1, 0.05, 2e5));
+        return View.lookAt(eye, target, UP, new Projection(Math.PI / 2, 1, 0.05, 2e5));
     }
 
-    /** Walls that fill the picture, at four distances; the upper half of the picture is above the horizon. */
+    /** A distance and the direction, one of four, in which a wall that fills the picture is as far away. */
+    private record Wall(double metres, Vec3 towards) {
+        private static final List<Wall> ALL = List.of(
+                new Wall(5, new Vec3(0, 0, -1)),
+                new Wall(700, new Vec3(0, 0, 1)),
+                new Wall(9_000, new Vec3(-1, 0, 0)),
+                new Wall(60_000, new Vec3(1, 0, 0)));
+
+        /** Builds a wall that leaves the walls beside it in sight. */
+        TestLevel addTo(TestLevel level, String material) {
+            Vec3 across = new Vec3(Math.abs(towards.z()), 0, Math.abs(towards.x()));
+            Vec3 along = new Vec3(Math.abs(towards.x()), 0, Math.abs(towards.z()));
+            Vec3 size = across.scaled(2 * metres).addScaled(metres, along).plus(new Vec3(0, 3 * metres, 0));
+            return level.box(material, towards.scaled(1.5 * metres), size);
+        }
+
+        View view() {
+            return AerialPerspectiveGlTest.view(EYE, EYE.plus(towards));
+        }
+    }
+
+    /** The upper half of each picture is above the horizon. */
     @ParameterizedTest
     @ValueSource(doubles = {50, 1, -3})
     void theShaderIsTheTableAtEveryPixel(double sunDegrees) {
         double elevation = Math.toRadians(sunDegrees);
         Vec3 sun = new Vec3(0.6 * Math.cos(elevation), Math.sin(elevation), -0.8 * Math.cos(elevation));
-        AerialTable table = new AerialTable(CLEAR, 2, sun.y());
+        AerialTable table = new AerialTable(CLEAR, EYE.y(), sun.y());
+        TestLevel level = glowing(sun);
+        Wall.ALL.forEach(wall -> wall.addTo(level, "glow"));
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
-            for (double metres : new double[] {5, 700, 9_000, 60_000}) {
-                Level wall = glowing(sun)
-                        .box("glow", new Vec3(0, 0, -1.5 * metres), new Vec3(3 * metres, 3 * metres, metres))
-                        .level();
-                Vec3 eye = new Vec3(0, 2, 0);
-                float[] seen = offscreen.radiance(wall, TestAssets.NONE, view(eye, new Vec3(0, 2, -1)));
+            List<float[]> pictures = offscreen.radiance(
+                    level.level(),
+                    TestAssets.NONE,
+                    Wall.ALL.stream().map(Wall::view).toList());
+            for (int n = 0; n < pictures.size(); n++) {
+                Wall wall = Wall.ALL.get(n);
+                Vec3 right = wall.towards().cross(UP);
                 for (int i = 0; i < SIDE * SIDE; i++) {
                     double x = (2 * (i % SIDE) + 1.0) / SIDE - 1;
                     double y = (2 * (i / SIDE) + 1.0) / SIDE - 1;
                     double length = Math.sqrt(x * x + y * y + 1);
-                    Vec3 away = new Vec3(x / length, y / length, -1 / length);
-                    assertSeen(table.along(away, sun, length * metres), seen, 3 * i, metres + " m, " + away);
+                    Vec3 away =
+                            wall.towards().addScaled(x, right).addScaled(y, UP).scaled(1 / length);
+                    AirLight air = table.along(away, sun, length * wall.metres());
+                    assertSeen(air, pictures.get(n), 3 * i, wall.metres() + " m, " + away);
                 }
             }
         }
@@ -92,26 +121,30 @@ class AerialPerspectiveGlTest {
         }
     }
 
-    /** Black walls in a night of full moon, towards the moon's side and away from it. */
-    @ParameterizedTest
-    @ValueSource(doubles = {4_000, 40_000})
-    void atNightTheAirIsMoonlit(double metres) {
+    /** Black walls in a night of full moon, around the eye. */
+    @Test
+    void atNightTheAirIsMoonlit() {
         Vec3 sun = new Vec3(0, Math.sin(Math.toRadians(-30)), Math.cos(Math.toRadians(-30)));
-        var night = new Sky.Atmosphere(0.3, 1, 0.8, 1, 40, 20, 23, 0, 0.267);
-        for (double side : new double[] {-1, 1}) {
-            Level wall = glowing(sun)
-                    .sky(night)
-                    .material(new Material("black", Vec3.ZERO, null, null, null, null, Vec3.ZERO, 1))
-                    .box("black", new Vec3(0, 0, side * 1.5 * metres), new Vec3(3 * metres, 3 * metres, metres))
-                    .level();
-            AirOfEnvironment exact = AirOfEnvironment.of(wall.environment()).orElseThrow();
-            try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
-                Vec3 eye = new Vec3(0, 2, 0);
-                float[] seen = offscreen.radiance(wall, TestAssets.NONE, view(eye, new Vec3(0, 2, side)));
-                Vec3 there = new Vec3(0, 2, side * metres);
-                Vector3d wanted = exact.over(new Vector3d(), there, new Vector3d(0, 0, side), metres);
+        TestLevel level = new TestLevel()
+                .sky(new Sky.Atmosphere(0.3, 1, 0.8, 1, 40, 20, 23, 0, 0.267))
+                .sun(sun, IRRADIANCE)
+                .material(new Material("black", Vec3.ZERO, null, null, null, null, Vec3.ZERO, 1));
+        List<Wall> walls = Wall.ALL.subList(1, 4);
+        walls.forEach(wall -> wall.addTo(level, "black"));
+        AirOfEnvironment exact =
+                AirOfEnvironment.of(level.level().environment()).orElseThrow();
+        try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
+            List<float[]> pictures = offscreen.radiance(
+                    level.level(),
+                    TestAssets.NONE,
+                    walls.stream().map(Wall::view).toList());
+            for (int n = 0; n < walls.size(); n++) {
+                Wall wall = walls.get(n);
+                Vec3 there = EYE.addScaled(wall.metres(), wall.towards());
+                Vector3d wanted =
+                        exact.over(new Vector3d(), there, wall.towards().toVector(), wall.metres());
                 for (int c = 0; c < 3; c++) {
-                    assertEquals(1, seen[MIDDLE + c] / wanted.get(c), 0.06, "side " + side);
+                    assertEquals(1, pictures.get(n)[MIDDLE + c] / wanted.get(c), 0.06, wall.towards() + "");
                 }
             }
         }
