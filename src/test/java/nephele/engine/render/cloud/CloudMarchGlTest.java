@@ -40,18 +40,21 @@ class CloudMarchGlTest {
                 "layer", new Cloud.Extent.Layer(900, 500), CloudTechnique.AUTO, density, extinctionPerMetre, 1, 0.85);
     }
 
-    @TestFactory
-    Stream<DynamicTest> theShaderIsTheJavaTwin() {
-        Cloud ellipsoid = new Cloud(
+    private static Cloud ball(Vec3 centre) {
+        return new Cloud(
                 "ball",
-                new Cloud.Extent.Volume(new Vec3(20, 60, -190), new Vec3(120, 60, 90)),
+                new Cloud.Extent.Volume(centre, new Vec3(120, 60, 90)),
                 CloudTechnique.AUTO,
                 new Cloud.Density.Ellipsoid(),
                 0.1,
                 0.98,
                 0.8);
+    }
+
+    @TestFactory
+    Stream<DynamicTest> theShaderIsTheJavaTwin() {
         return Stream.of(
-                DynamicTest.dynamicTest("a finite cloud", () -> compare(ellipsoid)),
+                DynamicTest.dynamicTest("a finite cloud", () -> compare(ball(new Vec3(20, 60, -190)))),
                 DynamicTest.dynamicTest("an even layer", () -> compare(layer(new Cloud.Density.Ellipsoid(), 0.004))),
                 DynamicTest.dynamicTest(
                         "a layer of noise in cells", () -> compare(layer(new Cloud.Density.Noise(3, 900, 0.6), 0.01))),
@@ -64,18 +67,10 @@ class CloudMarchGlTest {
     /** Pixels that a cloud covers wholly, or not at all, are the same; at its edge display values are blended instead of light. */
     @Test
     void withoutALinearTargetTheCloudLooksTheSame() {
-        Cloud ball = new Cloud(
-                "ball",
-                new Cloud.Extent.Volume(new Vec3(0, 60, -190), new Vec3(120, 60, 90)),
-                CloudTechnique.AUTO,
-                new Cloud.Density.Ellipsoid(),
-                0.1,
-                0.98,
-                0.8);
         Level level = new TestLevel()
                 .sun(SUN, 3)
                 .sky(new Sky.Constant(new Vec3(0.1, 0.2, 0.4)))
-                .cloud(ball)
+                .cloud(ball(new Vec3(0, 60, -190)))
                 .level();
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
             View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));

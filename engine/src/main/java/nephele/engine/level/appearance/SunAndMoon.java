@@ -20,6 +20,11 @@ public record SunAndMoon(Environment environment, Vec3 towardsSun, Moonlight moo
                 Moonlight.of((Atmosphere) environment.sky(), environment.sun()));
     }
 
+    /** Returns true if an environment has the same sky and sun objects. */
+    public boolean areOf(Environment other) {
+        return other.sky() == environment.sky() && other.sun() == environment.sun();
+    }
+
     /** Returns true if they follow the simulated time. */
     public boolean move() {
         return Daylight.moves(environment);

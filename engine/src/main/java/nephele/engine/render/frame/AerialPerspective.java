@@ -63,9 +63,7 @@ public final class AerialPerspective implements GlObject {
 
     /** Begins a frame. */
     void follow(Environment now) {
-        if (lights != null
-                && now.sky() == lights.environment().sky()
-                && now.sun() == lights.environment().sun()) {
+        if (lights != null && lights.areOf(now)) {
             return;
         }
         lights = SunAndMoon.of(now);

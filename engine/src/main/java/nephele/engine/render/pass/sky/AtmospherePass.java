@@ -102,9 +102,7 @@ public final class AtmospherePass implements Pass {
     }
 
     private void follow(Environment now) {
-        if (lights != null
-                && now.sky() == lights.environment().sky()
-                && now.sun() == lights.environment().sun()) {
+        if (lights != null && lights.areOf(now)) {
             return;
         }
         lights = SunAndMoon.of(now);
