@@ -59,6 +59,13 @@ class AerialPerspectiveGlTest {
             return level.box(material, towards.scaled(1.5 * metres), size);
         }
 
+        /** Returns the way from the eye to what a pixel shows. */
+        Vec3 pathTo(int pixel) {
+            double x = (2 * (pixel % SIDE) + 1.0) / SIDE - 1;
+            double y = (2 * (pixel / SIDE) + 1.0) / SIDE - 1;
+            return towards.addScaled(x, towards.cross(UP)).addScaled(y, UP).scaled(metres);
+        }
+
         View view() {
             return AerialPerspectiveGlTest.view(EYE, EYE.plus(towards));
         }
@@ -80,15 +87,10 @@ class AerialPerspectiveGlTest {
                     Wall.ALL.stream().map(Wall::view).toList());
             for (int n = 0; n < pictures.size(); n++) {
                 Wall wall = Wall.ALL.get(n);
-                Vec3 right = wall.towards().cross(UP);
                 for (int i = 0; i < SIDE * SIDE; i++) {
-                    double x = (2 * (i % SIDE) + 1.0) / SIDE - 1;
-                    double y = (2 * (i / SIDE) + 1.0) / SIDE - 1;
-                    double length = Math.sqrt(x * x + y * y + 1);
-                    Vec3 away =
-                            wall.towards().addScaled(x, right).addScaled(y, UP).scaled(1 / length);
-                    AirLight air = table.along(away, sun, length * wall.metres());
-                    assertSeen(air, pictures.get(n), 3 * i, wall.metres() + " m, " + away);
+                    Vec3 path = wall.pathTo(i);
+                    AirLight air = table.along(path.scaled(1 / path.length()), sun, path.length());
+                    assertSeen(air, pictures.get(n), 3 * i, "" + path);
                 }
             }
         }
@@ -121,7 +123,7 @@ class AerialPerspectiveGlTest {
         }
     }
 
-    /** Black walls in a night of full moon, around the eye. */
+    /** Black walls in a night of full moon, around the eye: every pixel is what the integration gives. */
     @Test
     void atNightTheAirIsMoonlit() {
         Vec3 sun = new Vec3(0, Math.sin(Math.toRadians(-30)), Math.cos(Math.toRadians(-30)));
@@ -139,12 +141,13 @@ class AerialPerspectiveGlTest {
                     TestAssets.NONE,
                     walls.stream().map(Wall::view).toList());
             for (int n = 0; n < walls.size(); n++) {
-                Wall wall = walls.get(n);
-                Vec3 there = EYE.addScaled(wall.metres(), wall.towards());
-                Vector3d wanted =
-                        exact.over(new Vector3d(), there, wall.towards().toVector(), wall.metres());
-                for (int c = 0; c < 3; c++) {
-                    assertEquals(1, pictures.get(n)[MIDDLE + c] / wanted.get(c), 0.06, wall.towards() + "");
+                for (int i = 0; i < SIDE * SIDE; i++) {
+                    Vec3 path = walls.get(n).pathTo(i);
+                    Vec3 away = path.scaled(1 / path.length());
+                    Vector3d wanted = exact.over(new Vector3d(), EYE.plus(path), away.toVector(), path.length());
+                    for (int c = 0; c < 3; c++) {
+                        assertEquals(1, pictures.get(n)[3 * i + c] / wanted.get(c), 0.06, "" + path);
+                    }
                 }
             }
         }

@@ -22,7 +22,7 @@ record AxisScale(Vec3 factors, Vec3 from, Vec3 to) {
     }
 
     private Vec3 times(Vec3 v) {
-        return new Vec3(v.x() * factors.x(), v.y() * factors.y(), v.z() * factors.z());
+        return v.times(factors);
     }
 
     BoxFace side(BoxFace side) {

@@ -106,9 +106,9 @@ public final class EntityTransform {
         if (field.spatial() == Spatial.LENGTH && value instanceof Double metres) {
             return within(field, metres * length);
         } else if (field.spatial() == Spatial.POINT && value instanceof Vec3 point) {
-            return pivot.plus(product(point.minus(pivot), factors));
+            return pivot.plus(point.minus(pivot).times(factors));
         } else if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
-            Vec3 scaled = product(size, factors);
+            Vec3 scaled = size.times(factors);
             return new Vec3(
                     within(field, Math.abs(scaled.x())),
                     within(field, Math.abs(scaled.y())),
@@ -120,10 +120,6 @@ public final class EntityTransform {
     /** Returns the nearest length that a file permits. */
     private static double within(RecordField field, double metres) {
         return Math.max(field.declaration().min(), Math.min(field.declaration().max(), metres));
-    }
-
-    private static Vec3 product(Vec3 a, Vec3 b) {
-        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
     }
 
     private static Record points(Record entity, java.util.function.UnaryOperator<Vec3> change) {

@@ -68,10 +68,10 @@ final class RepeatedScattering implements AirSource {
         for (int c = 0; c < Air.CHANNELS; c++) {
             double rayleigh = Air.rayleighPerMetre(c) * ray.pointMolecules();
             int at = c * count;
-            int k = 0;
             for (int l = 0; l <= degree; l++) {
                 double share = mie * mieMoments[l] + (l == 0 ? rayleigh : l == 2 ? 0.1 * rayleigh : 0);
-                for (int end = k + l + 1; k < end; k++) {
+                for (int m = 0; m <= l; m++) {
+                    int k = DirectionMoments.index(l, m);
                     weights[at + k] = share * values[k];
                 }
             }

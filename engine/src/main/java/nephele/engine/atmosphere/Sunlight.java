@@ -38,17 +38,15 @@ final class Sunlight {
         }
         air.putDepth(heightMetres, disc.highSine(), depthHigh);
         for (int c = 0; c < Air.CHANNELS; c++) {
-            irradiance[c] = disc.share() * meanPassed(depth[c], depthHigh[c]);
+            // The mean of two exponentials is that of the mean exponent times a hyperbolic cosine.
+            double middle = Math.exp(-0.5 * (depth[c] + depthHigh[c]));
+            irradiance[c] = disc.share() * middle * hyperbolicCosine(0.5 * (depth[c] - depthHigh[c]));
         }
     }
 
-    /** Returns the mean of e^−depth: for depths nearly equal that of the mean depth times a series of cosh. */
-    private static double meanPassed(double depth, double other) {
-        double half = 0.5 * (depth - other);
-        double square = half * half;
-        return square < 0.01
-                ? Math.exp(-0.5 * (depth + other)) * (1 + square * (0.5 + square / 24))
-                : 0.5 * (Math.exp(-depth) + Math.exp(-other));
+    private static double hyperbolicCosine(double x) {
+        double square = x * x;
+        return square < 0.01 ? 1 + square * (0.5 + square / 24) : Math.cosh(x);
     }
 
     /** Puts the share of the sun's irradiance that arrives on level ground at height 0, for each wavelength. */

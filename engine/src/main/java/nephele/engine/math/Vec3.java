@@ -34,6 +34,11 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(x * factor, y * factor, z * factor);
     }
 
+    /** Returns the products of the components. */
+    public Vec3 times(Vec3 v) {
+        return new Vec3(x * v.x, y * v.y, z * v.z);
+    }
+
     /** Returns this + {@code factor} · {@code v}. */
     public Vec3 addScaled(double factor, Vec3 v) {
         return new Vec3(x + factor * v.x, y + factor * v.y, z + factor * v.z);

@@ -52,7 +52,7 @@ enum Gizmo {
             Vec3 half = bounds.centre().minus(new Vec3(bounds.minX(), bounds.minY(), bounds.minZ()));
             for (int side = 0; side < 27; side++) {
                 Vec3 sign = new Vec3(side % 3 - 1, side / 3 % 3 - 1, side / 9 - 1);
-                Vec3 by = new Vec3(sign.x() * half.x(), sign.y() * half.y(), sign.z() * half.z());
+                Vec3 by = sign.times(half);
                 if (sign.dot(sign) == 1 && by.length() > 0) {
                     WorldAxis axis = WorldAxis.nearest(sign);
                     grips.add(handle("side " + side, Kind.SCALE_AXIS, bounds.centre(), by, axis.colour()));

@@ -58,9 +58,11 @@ public record CellStack(
      * @param towardsSun unit
      */
     public Vec3 diffuseAxis(Vec3 towardsSun) {
-        return isLayer()
-                ? DiffuseAxis.ofLayer(towardsSun)
-                : DiffuseAxis.of(narrowest().box(), towardsSun);
+        return diffuseAxis(isLayer(), narrowest(), towardsSun);
+    }
+
+    static Vec3 diffuseAxis(boolean isLayer, CellBox cells, Vec3 towardsSun) {
+        return isLayer ? DiffuseAxis.ofLayer(towardsSun) : DiffuseAxis.of(cells.box(), towardsSun);
     }
 
     /** Returns the least optical depth from a place to the outside along an axis; 0 outside of the boxes. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.light.AxisDepths;
 import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.cloud.light.DiffuseAxis;
 import nephele.engine.math.Vec3;
 
 /** The light at the centres of cells of a cloud, for one direction of the sun. Immutable. */
@@ -98,8 +97,7 @@ public final class LightCells {
             this.around = around;
             others = around.others().stream().map(ShadingCloud::walk).toList();
             Vec3 sun = around.towardsSun();
-            Vec3 axis = isLayer ? DiffuseAxis.ofLayer(sun) : DiffuseAxis.of(cells.box(), sun);
-            axisCosine = -axis.dot(sun);
+            axisCosine = -CellStack.diffuseAxis(isLayer, cells, sun).dot(sun);
         }
 
         private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics) {

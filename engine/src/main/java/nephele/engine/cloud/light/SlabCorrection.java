@@ -98,8 +98,8 @@ final class SlabCorrection {
 
     private Fluxes fluxes(TwoStreamSlab slab, double thickness, double cosine) {
         var fluxes = new Fluxes();
-        var above = smallAngles.new Steps(STEPS);
-        var below = smallAngles.new Steps(STEPS);
+        var above = smallAngles.steps(STEPS);
+        var below = smallAngles.steps(STEPS);
         for (int node = 0; node < ZENITH.nodes.length; node++) {
             double mu = ZENITH.nodes[node];
             double weight = 2 * Math.PI * mu * ZENITH.weights[node] / cosine;

@@ -110,6 +110,11 @@ public final class SmallAngleScattering {
         return near + v * (far - near);
     }
 
+    /** Returns an object for so many depths, which are then set. */
+    Steps steps(int count) {
+        return new Steps(count);
+    }
+
     /**
      * Weighted optical depths whose light is summed for many separations: their places in the table are found once.
      * Not for several threads.
@@ -119,7 +124,7 @@ public final class SmallAngleScattering {
         private final double[] shares;
         private final double[] weights;
 
-        Steps(int count) {
+        private Steps(int count) {
             rows = new int[count];
             shares = new double[count];
             weights = new double[count];

@@ -106,15 +106,11 @@ public final class Daylight {
                             height, Math.max(lowest, moon.towardsMoon().y()));
             return new Sun(
                     moon.towardsMoon(),
-                    product(product(sun.irradiance(), moon.irradiance()), through),
+                    sun.irradiance().times(moon.irradiance()).times(through),
                     sun.castsShadow());
         }
         double sine = Directions.unit(sun.directionTowardsSun()).y();
-        Vec3 arrives = product(sun.irradiance(), air(sky).sunlight(height, sine));
+        Vec3 arrives = sun.irradiance().times(air(sky).sunlight(height, sine));
         return new Sun(sun.directionTowardsSun(), arrives, sun.castsShadow());
-    }
-
-    private static Vec3 product(Vec3 a, Vec3 b) {
-        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
     }
 }

@@ -40,16 +40,13 @@ public record SunAndMoon(Environment environment, Vec3 towardsSun, Moonlight moo
         return Moonlight.sineAfter((Atmosphere) environment.sky(), seconds);
     }
 
-    /** Returns true if the moon gives light, or will some simulated seconds later. */
-    public boolean moonShinesWithin(double seconds) {
-        return moonlight.shines()
-                || move() && of(Daylight.at(environment, seconds)).moonlight.shines();
+    /** Returns true if the moon will give light some simulated seconds later. */
+    public boolean moonShinesAfter(double seconds) {
+        return of(Daylight.at(environment, seconds)).moonlight.shines();
     }
 
     /** Returns the irradiance of the moon outside the air; zero while the moon does not count. */
     public Vec3 moonIrradiance() {
-        Vec3 sun = environment.sun().irradiance();
-        Vec3 share = moonlight.irradiance();
-        return new Vec3(sun.x() * share.x(), sun.y() * share.y(), sun.z() * share.z());
+        return environment.sun().irradiance().times(moonlight.irradiance());
     }
 }

@@ -52,7 +52,7 @@ final class LightOverPlanet implements DistantLight {
         Vec3 passed = passed(height, disc.lowSine())
                 .plus(passed(height, disc.highSine()))
                 .scaled(0.5 * disc.share());
-        return new Vec3(outside.x() * passed.x(), outside.y() * passed.y(), outside.z() * passed.z());
+        return outside.times(passed);
     }
 
     private Vec3 passed(double height, double sine) {

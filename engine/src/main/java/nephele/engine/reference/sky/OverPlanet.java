@@ -47,7 +47,7 @@ final class OverPlanet implements Surroundings {
                     place.zenith().dot(direction),
                     place.zenith().dot(towards),
                     direction.dot(towards));
-            return product(radiance, irradiance);
+            return radiance.times(irradiance);
         }
     }
 
@@ -63,8 +63,8 @@ final class OverPlanet implements Surroundings {
         lights.add(new LightOverPlanet(air, outside, towardsSun));
         Moonlight night = Moonlight.of(atmosphere, sun);
         if (night.shines()) {
-            moon = Optional.of(new Scattered(tables, night.towardsMoon(), product(outside, night.irradiance())));
-            lights.add(new LightOverPlanet(air, product(outside, night.ofWholeDisc()), night.towardsMoon()));
+            moon = Optional.of(new Scattered(tables, night.towardsMoon(), outside.times(night.irradiance())));
+            lights.add(new LightOverPlanet(air, outside.times(night.ofWholeDisc()), night.towardsMoon()));
         } else {
             moon = Optional.empty();
         }
@@ -78,10 +78,6 @@ final class OverPlanet implements Surroundings {
         return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
     }
 
-    private static Vec3 product(Vec3 a, Vec3 b) {
-        return new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
-    }
-
     @Override
     public List<DistantLight> lights() {
         return lights;
@@ -92,7 +88,7 @@ final class OverPlanet implements Surroundings {
         PlanetPlace place = PlanetPlace.of(from);
         Vec3 zenith = place.zenith();
         Vec3 glow = Heavens.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
-        Vec3 sum = sun.from(place, direction).plus(product(glow, outside));
+        Vec3 sum = sun.from(place, direction).plus(glow.times(outside));
         Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
         boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
         return meetsGround ? all.scaled(groundShare) : all;

@@ -8,7 +8,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 
 /** Tables of the light that the air scatters, as seen from a height: the sun's and the moon's, one texture. */
 public final class SunAndMoonTables implements GlObject {
-    /** Simulated time before moonrise at which the moon's table is begun. */
+    /** Simulated time by which the moon's table is begun before the moon gives light. */
     private static final double AHEAD_SECONDS = 1;
 
     private final double heightMetres;
@@ -59,7 +59,7 @@ public final class SunAndMoonTables implements GlObject {
         sun.follow(sunSine, lights::sunSineAfter);
         if (lights.moonlight().shines()) {
             moon.follow(moonSine, lights::moonSineAfter);
-        } else if (lights.moonShinesWithin(AHEAD_SECONDS)) {
+        } else if (lights.moonShinesAfter(AHEAD_SECONDS)) {
             moon.prepare(moonSine);
         }
     }
