@@ -115,6 +115,7 @@ public final class FieldWords {
             word("scaleU", "Scale u", "Escala u", "Escala u"),
             word("scaleV", "Scale v", "Escala v", "Escala v"),
             word("seed", "Seed", "Semente", "Semente"),
+            word("shafts", "Shadows in the air", "Sombras no ar", "Sombras no ar"),
             word("shape", "Shape", "Forma", "Forma"),
             word("shiftUMetres", "Shift u", "Deslocamento u", "Deslocamento u"),
             word("shiftVMetres", "Shift v", "Deslocamento v", "Deslocamento v"),

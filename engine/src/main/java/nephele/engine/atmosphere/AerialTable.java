@@ -1,5 +1,6 @@
 package nephele.engine.atmosphere;
 
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
@@ -40,18 +41,27 @@ public final class AerialTable {
     private final float[] values = new float[SLICES * ROWS * AZIMUTHS * NUMBERS];
 
     /**
-     * Computes the table on all processors.
+     * Computes the table of all light on all processors.
      *
      * @param heightMetres of the eye
      * @param sunSine of the sun's elevation
      */
     public AerialTable(AirTables tables, double heightMetres, double sunSine) {
+        this(tables, AllScattering::new, heightMetres, sunSine);
+    }
+
+    /** Computes the table of the light that the air scatters once, which clouds can shade. */
+    public static AerialTable ofFirstScattering(AirTables tables, double heightMetres, double sunSine) {
+        return new AerialTable(tables, FirstScattering::new, heightMetres, sunSine);
+    }
+
+    private AerialTable(AirTables tables, Function<AirTables, AirSource> source, double heightMetres, double sunSine) {
         this.sunSine = sunSine;
         this.heightMetres = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
         horizon = SkyTable.horizon(this.heightMetres);
         double[] distances =
                 IntStream.range(1, SLICES).mapToDouble(AerialTable::metres).toArray();
-        IntStream.range(0, ROWS).parallel().forEach(row -> fillRow(tables, row, distances));
+        IntStream.range(0, ROWS).parallel().forEach(row -> fillRow(tables, source.apply(tables), row, distances));
     }
 
     private static double metres(int slice) {
@@ -64,9 +74,8 @@ public final class AerialTable {
         return metres / (metres + MIDDLE_METRES);
     }
 
-    private void fillRow(AirTables tables, int row, double[] distances) {
+    private void fillRow(AirTables tables, AirSource source, int row, double[] distances) {
         AirIntegral integral = new AirIntegral(tables.air(), AirIntegral.SHORT);
-        AirSource source = new AllScattering(tables);
         AirRay ray = new AirRay(tables.air().shadowEdgeRadians(), distances.length);
         double[] light = new double[2 * CHANNELS * distances.length];
         double sine = sine(row);

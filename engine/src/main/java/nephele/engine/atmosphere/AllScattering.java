@@ -2,15 +2,13 @@ package nephele.engine.atmosphere;
 
 /** All sunlight that the air scatters into a ray, as one colour; the phase functions of the ray are included. */
 final class AllScattering implements AirSource {
-    private final Air air;
-    private final SingleScattering once;
+    private final FirstScattering once;
     private final RepeatedScattering more;
-    private final double[] single = new double[2 * Air.CHANNELS];
+    private final double[] single = new double[Air.CHANNELS];
 
     AllScattering(AirTables tables) {
-        air = tables.air();
-        once = new SingleScattering(air, tables.sunlight());
-        more = new RepeatedScattering(air, tables.field(), tables.mieMoments());
+        once = new FirstScattering(tables);
+        more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
     }
 
     @Override
@@ -22,10 +20,8 @@ final class AllScattering implements AirSource {
     public void put(AirRay ray, double[] radiancePerMetre) {
         more.put(ray, radiancePerMetre);
         once.put(ray, single);
-        double rayleigh = Air.rayleighPhase(ray.betweenCosine());
-        double mie = air.miePhase(ray.betweenCosine());
         for (int c = 0; c < Air.CHANNELS; c++) {
-            radiancePerMetre[c] += rayleigh * single[c] + mie * single[Air.CHANNELS + c];
+            radiancePerMetre[c] += single[c];
         }
     }
 }

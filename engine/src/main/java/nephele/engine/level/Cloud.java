@@ -10,6 +10,7 @@ import nephele.engine.math.Vec3;
  * @param extinctionPerMetre where the density is 1
  * @param albedo scattering divided by extinction
  * @param phaseG mean cosine of the scattering angle, in the first lobe; positive is forward
+ * @param shafts whether its shadow is seen in the air
  */
 public record Cloud(
         @Written(required = true, text = TextKind.ID) String id,
@@ -20,9 +21,10 @@ public record Cloud(
         @Written(absent = "1", min = 0, max = 1) double albedo,
         @Written(min = -0.999, max = 0.999) double phaseG,
         @Written(beside = true) BackLobe backLobe,
-        @Written(beside = true) Motion motion) {
+        @Written(beside = true) Motion motion,
+        @Written boolean shafts) {
 
-    /** Creates a cloud whose phase function has one lobe. */
+    /** Creates a cloud whose phase function has one lobe and whose shadow is not seen in the air. */
     public Cloud(
             String id,
             Extent extent,
@@ -32,17 +34,17 @@ public record Cloud(
             double albedo,
             double phaseG,
             Motion motion) {
-        this(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, BackLobe.NONE, motion);
+        this(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, BackLobe.NONE, motion, false);
     }
 
     /** Returns the cloud with another extinction. */
     public Cloud withExtinction(double perMetre) {
-        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion);
+        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion, shafts);
     }
 
     /** Returns the cloud with another motion. */
     public Cloud with(Motion other) {
-        return new Cloud(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other);
+        return new Cloud(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other, shafts);
     }
 
     /** Creates a cloud that neither drifts nor changes. */

@@ -159,6 +159,12 @@ final class EyePath {
         return segments;
     }
 
+    /** Returns where the path would begin if it were as straight as its last part. */
+    Vec3 straightEye() {
+        Segment last = segments.get(segments.size() - 1);
+        return last.origin().addScaled(-last.metresBefore(), last.direction());
+    }
+
     /** Returns the last segment of the path; its parameter starts at the last portal or mirror. */
     Ray ray() {
         return ray;

@@ -29,6 +29,7 @@ public final class TracedLevel {
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
+    private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
@@ -49,6 +50,7 @@ public final class TracedLevel {
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, seconds, sky);
+        shade = AirShade.of(level.environment(), clouds);
         sunCastsShadow =
                 level.environment().sun() != null && level.environment().sun().castsShadow();
         light = new Illumination(
@@ -126,8 +128,7 @@ public final class TracedLevel {
         return rays.shape(path.item()).at(path, place, toEye, looks);
     }
 
-    /** Returns what an eye sees in a direction in which nothing is. Paths in clouds see a table of it. */
-    Vector3d sky(double eyeHeight, Vector3dc away) {
+    private Vector3d sky(double eyeHeight, Vector3dc away) {
         return sky.map(all -> all.from(eyeHeight, away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
     }
 
@@ -141,20 +142,33 @@ public final class TracedLevel {
     }
 
     /** Returns the radiance of the place at a path's end as seen through the air. */
-    Vector3d throughAir(Vector3d radiance, Vec3 place, EyePath path) {
-        return air.isPresent()
-                ? air.get().over(radiance, place, new Vector3d(path.direction()).normalize(), path.metres())
-                : radiance;
+    Vector3d throughAir(Vector3d radiance, Vec3 place, EyePath path, SplittableRandom random) {
+        Vec3 direction = Vec3.of(new Vector3d(path.direction()).normalize());
+        return throughAir(radiance, place, direction, path.metres(), random);
     }
 
     /**
-     * Returns the radiance of a place as seen through the air.
+     * Returns the radiance of a place as seen through the air and the shadows of clouds in it.
      *
      * @param direction unit vector from the eye, at the place
      * @param metres length of the path
      */
-    Vector3d throughAir(Vector3d radiance, Vec3 place, Vec3 direction, double metres) {
-        return air.isPresent() ? air.get().over(radiance, place, direction.toVector(), metres) : radiance;
+    Vector3d throughAir(Vector3d radiance, Vec3 place, Vec3 direction, double metres, SplittableRandom random) {
+        if (air.isEmpty()) {
+            return radiance;
+        }
+        Vector3d seen = air.get().over(radiance, place, direction.toVector(), metres);
+        Vec3 eye = place.addScaled(-metres, direction);
+        shade.ifPresent(all -> seen.sub(all.taken(eye, direction, metres, random)));
+        return seen;
+    }
+
+    /** Returns what an eye sees at a path's end where nothing is. */
+    Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
+        Vector3d away = new Vector3d(path.direction()).normalize();
+        Vector3d seen = sky(eyeHeight, away);
+        shade.ifPresent(all -> seen.sub(all.taken(path.straightEye(), Vec3.of(away), path.metres(), random)));
+        return seen;
     }
 
     /**

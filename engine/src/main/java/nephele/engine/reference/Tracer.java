@@ -34,7 +34,7 @@ final class Tracer {
             level.exits().addTo(radiance, path, cloud.metres(), level);
             return radiance;
         }
-        Vector3d radiance = isMet ? fromSurface(sample) : fromSky();
+        Vector3d radiance = isMet ? fromSurface(sample) : fromSky(sample);
         level.exits().addTo(radiance, path, Double.POSITIVE_INFINITY, level);
         return radiance;
     }
@@ -43,21 +43,23 @@ final class Tracer {
         Vec3 place = path.ray().at(path.end());
         Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
         SurfacePoint surface = level.surface(path, place, toEye);
-        Vector3d seen = level.throughAir(level.light().radiance(surface, shadows, sample), place, path);
+        Vector3d seen =
+                level.throughAir(level.light().radiance(surface, shadows, sample), place, path, sample.random());
         Vector3d radiance = level.throughFog(seen, path.metres());
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
-    private Vector3d fromSky() {
-        Vector3d away = new Vector3d(path.direction()).normalize();
-        Vector3d radiance = level.throughFog(level.sky(from.y(), away), Double.POSITIVE_INFINITY);
+    private Vector3d fromSky(PixelSample sample) {
+        Vector3d seen = level.sky(from.y(), path, sample.random());
+        Vector3d radiance = level.throughFog(seen, Double.POSITIVE_INFINITY);
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
     private Vector3d fromCloud(CloudSight.Met cloud, PixelSample sample) {
         Vec3 place = cloud.ray().at(cloud.collision().metres());
         Vector3d scattered = clouds.radiance(cloud, sample.random());
-        Vector3d seen = level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres());
+        Vector3d seen =
+                level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), sample.random());
         Vector3d radiance = level.throughFog(seen, cloud.metres());
         List<EyePath.Reflected> mirrors = path.reflected().stream()
                 .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())

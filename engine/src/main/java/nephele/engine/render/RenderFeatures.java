@@ -3,6 +3,7 @@ package nephele.engine.render;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
+import nephele.engine.render.pass.cloud.shaft.ShaftPass;
 import nephele.engine.render.pass.cloud.volume.VolumePass;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
@@ -33,6 +34,7 @@ public final class RenderFeatures {
             SkyVisibilityPass.FEATURE,
             CloudShadePass.FEATURE,
             // In each view.
+            ShaftPass.FEATURE,
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
             DynamicPass.FEATURE,

@@ -184,4 +184,15 @@ class CloudRulesTest {
         assertEquals(path, line.substring(0, line.indexOf(": ")), line);
         assertEquals(true, line.contains(words), line);
     }
+
+    @Test
+    void shaftsNeedAir() {
+        String deck = clouds(layer("c", ", 'shafts': true"));
+        require(
+                deck,
+                "clouds[0].shafts",
+                "warning: only air shows shadows: choose the environment.sky kind atmosphere");
+        assertEquals(List.of(), lines("\"sky\": {\"kind\": \"atmosphere\"}, " + deck));
+        assertEquals(List.of(), lines(clouds(layer("c", ", 'shafts': false"))));
+    }
 }

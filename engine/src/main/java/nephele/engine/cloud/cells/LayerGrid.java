@@ -11,11 +11,14 @@ import nephele.engine.math.Aabb;
  *
  * @param cellMetres width of a cell of the narrowest box
  * @param rows cells from base to top
+ * @param across cells of a box along x and z
+ * @param reach a box is used up to this distance from the focus, in its cells; the next wider one from there on
  */
-public record LayerGrid(double baseMetres, double topMetres, double cellMetres, int rows, int levels) {
-    /** Cells of a box along x and z. */
+public record LayerGrid(
+        double baseMetres, double topMetres, double cellMetres, int rows, int levels, int across, int reach) {
+    /** The width of a cloud's boxes. */
     static final int ACROSS = 64;
-    /** A box is used up to this distance from the focus, in its cells; the next wider one from there on. */
+    /** That of a cloud's boxes: rays towards the sun begin in a box and go on in it for a while. */
     static final int REACH = 18;
     /** How far the focus may be from a box's middle, in its cells. */
     static final int SLACK = 6;
@@ -26,6 +29,11 @@ public record LayerGrid(double baseMetres, double topMetres, double cellMetres, 
 
     /** The middle of a box, in blocks of its cells. */
     public record Column(long x, long z) {}
+
+    /** Returns the lattice of a cloud. */
+    public static LayerGrid ofCloud(double baseMetres, double topMetres, double cellMetres, int rows, int levels) {
+        return new LayerGrid(baseMetres, topMetres, cellMetres, rows, levels, ACROSS, REACH);
+    }
 
     /** Returns the middles of boxes nearest to a focus. */
     public List<Column> around(double x, double z) {
@@ -60,12 +68,12 @@ public record LayerGrid(double baseMetres, double topMetres, double cellMetres, 
     public CellBox box(int level, Column column) {
         double middleX = column.x() * block(level);
         double middleZ = column.z() * block(level);
-        double half = ACROSS / 2 * cell(level);
+        double half = across / 2 * cell(level);
         return new CellBox(
                 new Aabb(middleX - half, baseMetres, middleZ - half, middleX + half, topMetres, middleZ + half),
-                ACROSS,
+                across,
                 rows,
-                ACROSS);
+                across);
     }
 
     private Column nearest(int level, double x, double z) {

@@ -1,5 +1,7 @@
 package nephele.engine.cloud.drawn;
 
+import nephele.engine.cloud.cells.SlantedShade;
+
 /**
  * The clouds between two times for which they are sampled.
  *
@@ -15,8 +17,10 @@ public record CloudInterval(Sample from, Sample to, double share, double seconds
      * @param shares of the sun's light on the level
      * @param sky as the middle of the level sees it
      * @param groundShare share of its light that the plain keeps under the clouds
+     * @param shade that the clouds cast into the air; {@code null} without shafts
      */
-    public record Sample(DrawnClouds clouds, SunShares shares, SkyThroughClouds sky, double groundShare) {}
+    public record Sample(
+            DrawnClouds clouds, SunShares shares, SkyThroughClouds sky, double groundShare, SlantedShade shade) {}
 
     /** Returns the share of its light that the plain keeps under the clouds. */
     public double groundShare() {

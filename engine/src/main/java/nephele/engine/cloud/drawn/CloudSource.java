@@ -84,7 +84,7 @@ public final class CloudSource {
     private static LayerGrid grid(Aabb bounds) {
         double height = bounds.maxY() - bounds.minY();
         int rows = (int) Math.max(FEWEST_ROWS, Math.min(MOST_ROWS, Math.round(height / ROW_METRES)));
-        return new LayerGrid(bounds.minY(), bounds.maxY(), LAYER_CELL_METRES, rows, LAYER_LEVELS);
+        return LayerGrid.ofCloud(bounds.minY(), bounds.maxY(), LAYER_CELL_METRES, rows, LAYER_LEVELS);
     }
 
     public Cloud cloud() {
@@ -149,7 +149,8 @@ public final class CloudSource {
         return grid == null ? cells : grid.box(level, column);
     }
 
-    private ExtinctionField flat(double seconds) {
+    /** Returns its extinction in the space that drifts with it when its weather has come wholly. */
+    ExtinctionField flat(double seconds) {
         ExtinctionField field = still.field(index, seconds);
         return field instanceof ShellField shell ? shell.flat() : field;
     }

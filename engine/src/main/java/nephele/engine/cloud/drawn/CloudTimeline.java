@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.Future;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.cells.ShadingCloud;
@@ -55,13 +57,16 @@ public final class CloudTimeline implements AutoCloseable {
     private final int lightDivisor;
     private final Aabb region;
     private final List<CloudSource> sources;
+    /** {@code null} without shafts. */
+    private final ShaftClouds shafts;
+
     private final double stepSeconds;
     private final ForkJoinPool worker = new ForkJoinPool(1);
     private final Map<Key, Future<Sample>> samples = new LinkedHashMap<>(16, 0.75f, true);
-    private List<List<Column>> places;
+    private List<List<Column>> columns;
 
-    /** What a sample depends on. @param places the middles of each cloud's boxes */
-    private record Key(long step, Vec3 towardsSun, List<List<Column>> places) {}
+    /** What a sample depends on. @param columns the middles of each cloud's boxes, then those of the shafts' shade */
+    private record Key(long step, Vec3 towardsSun, List<List<Column>> columns) {}
 
     /**
      * Prepares the clouds of an environment, those of its weather included.
@@ -88,6 +93,7 @@ public final class CloudTimeline implements AutoCloseable {
             }
         }
         sources = List.copyOf(all);
+        shafts = ShaftClouds.of(authored, sources).orElse(null);
         stepSeconds = stepSeconds();
     }
 
@@ -128,6 +134,11 @@ public final class CloudTimeline implements AutoCloseable {
         return sources;
     }
 
+    /** Returns the clouds that cast shadows into the air; {@code null} if none does. */
+    public ShaftClouds shafts() {
+        return shafts;
+    }
+
     /** Returns the unit direction towards the sun of an environment, at night towards the moon; any without one. */
     public static Vec3 towardsSun(Environment environment) {
         Sun sun = Daylight.onGround(environment);
@@ -148,51 +159,59 @@ public final class CloudTimeline implements AutoCloseable {
         long step = stepSeconds == Double.POSITIVE_INFINITY ? 0 : (long) Math.floor(seconds / stepSeconds);
         double share = stepSeconds == Double.POSITIVE_INFINITY ? 0 : seconds / stepSeconds - step;
         follow(now, step, share, seconds, focus);
-        Sample from = sample(key(now, seconds, step, places));
-        Sample to = share == 0 ? from : sample(key(now, seconds, step + 1, places));
+        Sample from = sample(key(now, seconds, step, columns));
+        Sample to = share == 0 ? from : sample(key(now, seconds, step + 1, columns));
         if (stepSeconds < Double.POSITIVE_INFINITY) {
-            prefetch(key(now, seconds, share == 0 ? step + 1 : step + 2, places));
+            prefetch(key(now, seconds, share == 0 ? step + 1 : step + 2, columns));
         }
         return new CloudInterval(from, to, share, seconds);
     }
 
     /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
     private void follow(Environment now, long step, double share, double seconds, Vec3 focus) {
-        if (places == null) {
-            places = IntStream.range(0, sources.size())
-                    .mapToObj(i -> moved(i, null, seconds, focus))
-                    .toList();
+        List<Vec3> places = focuses(now, seconds, focus);
+        if (columns == null) {
+            columns = boxes(
+                    places, i -> grid(i).around(places.get(i).x(), places.get(i).z()));
             return;
         }
-        List<List<Column>> moved = IntStream.range(0, sources.size())
-                .mapToObj(i -> moved(i, places.get(i), seconds, focus))
-                .toList();
-        if (moved.equals(places)) {
+        List<List<Column>> moved = boxes(places, i -> grid(i).following(
+                        columns.get(i), places.get(i).x(), places.get(i).z(), FOLLOWING_CELLS));
+        if (moved.equals(columns)) {
             return;
         }
-        boolean serve = IntStream.range(0, sources.size()).allMatch(i -> serves(i, seconds, focus));
+        boolean serve = IntStream.range(0, places.size())
+                .allMatch(i -> grid(i) == null
+                        || grid(i).covers(
+                                        columns.get(i),
+                                        places.get(i).x(),
+                                        places.get(i).z()));
         boolean isReady =
                 prefetch(key(now, seconds, step, moved)) & (share == 0 || prefetch(key(now, seconds, step + 1, moved)));
         if (isReady || !serve) {
-            places = moved;
+            columns = moved;
         }
     }
 
-    private List<Column> moved(int source, List<Column> columns, double seconds, Vec3 focus) {
-        CloudSource cloud = sources.get(source);
-        if (cloud.grid() == null) {
-            return List.of();
+    /** Returns the focus in the space of each cloud, then in that of the shafts' shade. */
+    private List<Vec3> focuses(Environment now, double seconds, Vec3 focus) {
+        List<Vec3> places = new ArrayList<>();
+        sources.forEach(cloud -> places.add(focus.minus(cloud.drift(seconds))));
+        if (shafts != null) {
+            places.add(shafts.foot(focus, seconds, towardsSun(now)));
         }
-        Vec3 at = focus.minus(cloud.drift(seconds));
-        return columns == null
-                ? cloud.grid().around(at.x(), at.z())
-                : cloud.grid().following(columns, at.x(), at.z(), FOLLOWING_CELLS);
+        return places;
     }
 
-    private boolean serves(int source, double seconds, Vec3 focus) {
-        CloudSource cloud = sources.get(source);
-        Vec3 at = focus.minus(cloud.drift(seconds));
-        return cloud.grid() == null || cloud.grid().covers(places.get(source), at.x(), at.z());
+    /** Returns the lattice of a cloud or of the shade; {@code null} for a finite cloud. */
+    private LayerGrid grid(int index) {
+        return index < sources.size() ? sources.get(index).grid() : shafts.grid();
+    }
+
+    private List<List<Column>> boxes(List<Vec3> places, IntFunction<List<Column>> columnsOf) {
+        return IntStream.range(0, places.size())
+                .mapToObj(i -> grid(i) == null ? List.<Column>of() : columnsOf.apply(i))
+                .toList();
     }
 
     private Key key(Environment now, double seconds, long step, List<List<Column>> at) {
@@ -237,7 +256,7 @@ public final class CloudTimeline implements AutoCloseable {
     private Sample make(Key key) {
         double seconds = stepSeconds == Double.POSITIVE_INFINITY ? 0 : key.step * stepSeconds;
         List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
-                .mapToObj(i -> sources.get(i).sample(key.places.get(i), seconds))
+                .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))
                 .toList();
         List<DrawnCloud> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
@@ -255,7 +274,8 @@ public final class CloudTimeline implements AutoCloseable {
                 clouds,
                 SunShares.of(clouds, region),
                 SkyThroughClouds.of(clouds, region.centre()),
-                groundShare(seconds, key.towardsSun));
+                groundShare(seconds, key.towardsSun),
+                shafts == null ? null : shafts.shade(key.columns.get(sources.size()), seconds, key.towardsSun));
     }
 
     private double groundShare(double seconds, Vec3 towardsSun) {

@@ -81,6 +81,11 @@ final class CloudRules {
             if (back.phaseBackG() != 0 && back.phaseBackShare() == 0) {
                 warn(path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out");
             }
+            if (cloud.shafts() && !(environment.sky() instanceof Sky.Atmosphere)) {
+                warn(
+                        path + ".shafts",
+                        "only air shows shadows: choose the environment.sky kind atmosphere, or leave this out");
+            }
             if (cloud.extent() instanceof Cloud.Extent.Layer layer) {
                 layer(path, layer);
             }

@@ -2,6 +2,7 @@ package nephele.engine.reference.sky;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.LoadedClouds;
@@ -24,10 +25,12 @@ public final class LevelClouds {
     private static final SkyRadiance BLACK = (height, x, y, z) -> new Vector3d();
 
     private final CloudMedia media;
+    private final CloudMedia shafts;
     private final Surroundings open;
 
-    private LevelClouds(CloudMedia media, Surroundings open) {
+    private LevelClouds(CloudMedia media, CloudMedia shafts, Surroundings open) {
         this.media = media;
+        this.shafts = shafts;
         this.open = open;
     }
 
@@ -42,17 +45,22 @@ public final class LevelClouds {
     public static Optional<LevelClouds> of(
             Environment environment, AssetSource assets, double seconds, Optional<SkyRadiance> sky) {
         LoadedClouds loaded = LoadedClouds.of(environment, assets);
-        List<CloudMedium> media = loaded.at(seconds).stream()
-                .filter(medium -> !medium.field().isEmpty())
-                .toList();
+        List<CloudMedium> all = loaded.at(seconds);
+        List<CloudMedium> media =
+                all.stream().filter(medium -> !medium.field().isEmpty()).toList();
         if (media.isEmpty()) {
             return Optional.empty();
         }
+        List<CloudMedium> shafts = IntStream.range(0, all.size())
+                .filter(i -> loaded.clouds().get(i).shafts())
+                .mapToObj(all::get)
+                .filter(media::contains)
+                .toList();
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
         Surroundings open = isRound
                 ? OverPlanet.of(environment, groundShare(environment, loaded, seconds))
                 : plain(environment.sun(), sky.orElse(BLACK));
-        return Optional.of(new LevelClouds(new CloudMedia(media), open));
+        return Optional.of(new LevelClouds(new CloudMedia(media), new CloudMedia(shafts), open));
     }
 
     private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
@@ -68,6 +76,11 @@ public final class LevelClouds {
 
     public CloudMedia media() {
         return media;
+    }
+
+    /** Returns those of the clouds that cast shadows into the air. */
+    public CloudMedia shafts() {
+        return shafts;
     }
 
     /** Returns the light around the clouds, with no walls; for any number of threads. */

@@ -1,5 +1,6 @@
 package nephele.engine.render.frame;
 
+import java.util.Arrays;
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
@@ -26,25 +27,41 @@ import nephele.engine.scene.View;
 public final class AerialPerspective implements GlObject {
     private final GlContext gl;
     private final SharedResources shared;
+    private final boolean hasShafts;
     private final ByHeight<SunAndMoonTables> byHeight;
 
     private AirTables tables;
     private SunAndMoon lights;
 
-    AerialPerspective(GlContext gl, SharedResources shared) {
+    /** @param hasShafts whether clouds shade the air */
+    AerialPerspective(GlContext gl, SharedResources shared, boolean hasShafts) {
         this.gl = gl;
         this.shared = shared;
+        this.hasShafts = hasShafts;
         byHeight = new ByHeight<>(this::tables);
     }
 
     private SunAndMoonTables tables(double heightMetres) {
         AirTables air = tables;
-        var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, 2 * AerialTable.SLICES);
+        int slices = (hasShafts ? 4 : 2) * AerialTable.SLICES;
+        var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, slices);
         return new SunAndMoonTables(
                 new Texture(gl, "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP),
                 shared.background(),
                 heightMetres,
-                sine -> new AerialTable(air, heightMetres, sine).texels());
+                sine -> texels(air, heightMetres, sine));
+    }
+
+    /** Returns the slices of all light, and with shafts those of light that the air scatters once after them. */
+    private float[] texels(AirTables air, double heightMetres, double sine) {
+        float[] all = new AerialTable(air, heightMetres, sine).texels();
+        if (!hasShafts) {
+            return all;
+        }
+        float[] once = AerialTable.ofFirstScattering(air, heightMetres, sine).texels();
+        float[] both = Arrays.copyOf(all, all.length + once.length);
+        System.arraycopy(once, 0, both, all.length, once.length);
+        return both;
     }
 
     /** Returns true if surfaces of an environment are seen through air: under an atmosphere with a sun. */

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.ShaftLight;
 import nephele.engine.scene.ViewTree;
 
 /** The preprocessor definitions with which a pass compiles its shaders. */
@@ -24,6 +25,7 @@ public final class Defines {
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(AerialPerspective.isIn(environment), "AIR")
                 .withIf(AerialPerspective.isMoonlit(environment), "MOONLIT_AIR")
+                .withIf(ShaftLight.isIn(environment), "SHAFTS")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");
     }

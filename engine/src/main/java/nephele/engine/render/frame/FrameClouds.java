@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
@@ -59,6 +60,11 @@ public final class FrameClouds implements GlObject {
     /** Returns the clouds that have any extinction. */
     public List<CloudSource> sources() {
         return timeline == null ? List.of() : timeline.sources();
+    }
+
+    /** Returns the clouds that cast shadows into the air; {@code null} if none does. */
+    public ShaftClouds shafts() {
+        return timeline == null ? null : timeline.shafts();
     }
 
     /** Returns the clouds of the frame; {@code null} before the first frame, and without clouds. */

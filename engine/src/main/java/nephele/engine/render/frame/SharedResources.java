@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.ShaftLight;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -20,6 +22,7 @@ import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.DynamicMeshes;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.OpeningMesh;
+import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
@@ -46,6 +49,9 @@ public final class SharedResources implements GlObject {
     /** {@code null} without air to see through. */
     private final AerialPerspective air;
 
+    /** {@code null} if no cloud shades the air. */
+    private final ShaftTables shafts;
+
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
@@ -61,7 +67,9 @@ public final class SharedResources implements GlObject {
         this.scene = scene;
         this.request = request;
         surroundings = new FrameEnvironment(request.output());
-        air = AerialPerspective.isIn(scene.level().environment()) ? own(new AerialPerspective(gl, this)) : null;
+        Environment environment = scene.level().environment();
+        shafts = ShaftLight.isIn(environment) ? own(new ShaftTables(gl)) : null;
+        air = AerialPerspective.isIn(environment) ? own(new AerialPerspective(gl, this, shafts != null)) : null;
     }
 
     /** Returns the arguments for building a pass. */
@@ -124,12 +132,18 @@ public final class SharedResources implements GlObject {
         if (air != null) {
             air.follow(frameState.environment());
         }
+        if (shafts != null) {
+            shafts.begin();
+        }
     }
 
     /** Sets the view of the following draws. */
     public void setView(View view) {
         if (air != null) {
             air.setView(view, frameUniforms());
+        }
+        if (shafts != null) {
+            shafts.setView(view);
         }
         frameUniforms().upload(view, surroundings.exposure());
     }
@@ -186,6 +200,11 @@ public final class SharedResources implements GlObject {
                     () -> new FrameClouds(scene, request.quality()));
         }
         return clouds;
+    }
+
+    /** Returns the shadows of clouds in the air of the frame's views; {@code null} without. */
+    public ShaftTables shafts() {
+        return shafts;
     }
 
     /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */

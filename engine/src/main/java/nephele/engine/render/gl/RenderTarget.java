@@ -157,6 +157,19 @@ public final class RenderTarget implements GlObject {
         return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());
     }
 
+    /** Creates a target of all layers of an array, which stays the caller's: shaders write location n to layer n. */
+    public static RenderTarget allLayers(GlContext gl, String name, Texture layers) {
+        int count = layers.extent().layers();
+        GlHandle framebuffer = bindLayer(gl, name, layers, GL_COLOR_ATTACHMENT0, 0);
+        int[] attachments = new int[count];
+        for (int layer = 0; layer < count; layer++) {
+            attachments[layer] = GL_COLOR_ATTACHMENT0 + layer;
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[layer], layers.id(), 0, layer);
+        }
+        glDrawBuffers(attachments);
+        return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());
+    }
+
     private static GlHandle bindLayer(GlContext gl, String name, Texture layers, int attachment, int layer) {
         GlHandle framebuffer = newFramebuffer(gl, name);
         gl.bindings()

@@ -71,6 +71,7 @@ public final class FrameUniforms implements GlObject {
         values[AIR + 2] = (float) AerialTable.column(height);
         values[AIR + 3] = (float) AerialTable.density(height);
         putAzimuth(AIR + 4, lights.towardsSun());
+        values[AIR + 6] = lights.moonlight().shines() ? 1 : 0;
         putAzimuth(AIR + 8, lights.moonlight().towardsMoon());
         lights.environment().sun().irradiance().put(values, AIR + 12, 0);
         lights.moonIrradiance().put(values, AIR + 16, lights.moonlight().shines() ? 1 : 0);

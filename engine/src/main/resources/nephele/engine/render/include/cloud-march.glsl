@@ -1,17 +1,13 @@
 // Marches a ray through the cells of a cloud. Twin: nephele.engine.cloud.cells.CellMarch.
 #include "cloud-span.glsl"
+#include "cell-boxes.glsl"
 
-// Boxes of cells stand on top of each other, the narrowest lowest.
 uniform sampler3D cloudDensity; // r, a: density at the last and the next sampled time; g: distance to the nearest cell with
                                 // some; b: light that absorption leaves
 uniform sampler3D cloudLight; // at the last time: sun-ward depth, diffuse mean, diffuse slope, share from above
 uniform sampler3D cloudLightToCome; // at the next time
 uniform sampler2D smallAngles; // by separation and depth
-uniform vec4 boxes[MOST_BOXES]; // xy: middle, relative to the eye; zw: 1 / widths
-uniform vec4 cells; // x, y: rows of a box in cloudDensity and cloudLight; z: boxes; w: share of the next time
 uniform vec4 cellEdges; // xyz: edges of a cell of the narrowest box; w: the shortest
-uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
-uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of all boxes, metres
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
 uniform vec4 phase; // scaled cosine; 1 / deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
 uniform vec3 cloudSun; // towards the sun
@@ -28,9 +24,6 @@ const float GROWTH = 0.01; // metres of a step per metre of distance
 const float FARTHEST = 32.0; // distance that cloudDensity's 1 means, cells
 const float SEPARATIONS = 64.0;
 const float DEPTHS = 64.0;
-const float WIDENING = 3.0; // widths of successive boxes
-const float PER_LOG2 = 0.63092975; // 1 / log2(WIDENING)
-const float FADING = 0.25; // share of a box's reach, as a logarithm, in which the next one takes over
 
 struct CloudRay {
     float transmittance;
@@ -48,30 +41,9 @@ vec2 insideCloud(vec3 ray) {
     return vec2(inside.x, min(inside.y, planetMetres(ray, planet)));
 }
 
-// The box that serves a place, and the share that the next wider one has already.
-vec2 boxOf(vec3 place) {
-    vec2 apart = abs(place.xz - cloudBase.xz) / cloudHalf.xz;
-    float widenings = PER_LOG2 * log2(max(1e-6, max(apart.x, apart.y)));
-    float box = min(cells.z - 1.0, ceil(max(0.0, widenings) - 1e-6));
-    float next = box + 1.0 < cells.z ? clamp((widenings - box + FADING) / FADING, 0.0, 1.0) : 0.0;
-    return vec2(box, next);
-}
-
-vec2 acrossBox(vec3 place, float box) {
-    vec4 there = boxes[int(box)];
-    return (place.xz - there.xy) * there.zw + 0.5;
-}
-
 #ifdef NOISE
 #include "cloud-noise.glsl"
 #endif
-
-// The coordinates of a place in a stack of boxes of so many rows.
-vec3 texelOf(vec3 place, float height, float box, float rows) {
-    float up = clamp((height - cloudBase.y) / cloudHalf.y, 0.5 / rows, 1.0 - 0.5 / rows);
-    vec2 across = acrossBox(place, box);
-    return vec3(across.x, (box + up) / cells.z, across.y);
-}
 
 float cellDensity(vec4 cell) {
     return mix(cell.r, cell.a, cells.w);

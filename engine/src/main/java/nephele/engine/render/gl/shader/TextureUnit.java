@@ -21,7 +21,7 @@ public enum TextureUnit {
     CLOUD_SHAPE(4),
     CLOUD_DETAIL(5),
     CLOUD_PROFILE(6),
-    CLOUD_PLAN(14),
+    CLOUD_PLAN(10),
     CLOUD_LIGHT_TO_COME(9),
     /** What {@code spread.frag} reads: rays of this frame, places of the clouds there, and the layer before. */
     SPREAD_FRESH(0),
@@ -35,6 +35,10 @@ public enum TextureUnit {
     CLOUD_SHADE(8),
     /** Bound with each view; {@link Uniforms} assigns it to its sampler. */
     AIR(7),
+    /** As {@link #AIR}. */
+    SHAFTS(14),
+    /** What {@code shaft.frag} reads. */
+    SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),

@@ -3,8 +3,8 @@ package nephele.engine.render.gl.shader;
 import static org.lwjgl.opengl.GL41C.*;
 
 /**
- * Looks up uniforms by name while a program is created; throws for a name that the program does not use. The table of
- * the air, which every shader of a surface may read, has its unit at once.
+ * Looks up uniforms by name while a program is created; throws for a name that the program does not use. The tables of
+ * the air, which every shader of a surface may read, have their units at once.
  */
 public final class Uniforms {
     private final int program;
@@ -13,9 +13,14 @@ public final class Uniforms {
     public Uniforms(int program, String programName) {
         this.program = program;
         this.programName = programName;
-        int air = glGetUniformLocation(program, "airTable");
-        if (air >= 0) {
-            glProgramUniform1i(program, air, TextureUnit.AIR.number());
+        tie("airTable", TextureUnit.AIR);
+        tie("shaftTable", TextureUnit.SHAFTS);
+    }
+
+    private void tie(String sampler, TextureUnit unit) {
+        int location = glGetUniformLocation(program, sampler);
+        if (location >= 0) {
+            glProgramUniform1i(program, location, unit.number());
         }
     }
 

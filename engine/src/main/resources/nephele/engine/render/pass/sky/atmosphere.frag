@@ -1,4 +1,7 @@
 #include "output.glsl"
+#ifdef SHAFTS
+#include "cloud-span.glsl"
+#endif
 
 in vec3 direction;
 
@@ -247,5 +250,9 @@ void main() {
         float fromMiddle = min(1.0, sine / max(discSine, 1e-6));
         light += discInPixel(sine, discSine, pixel) * disc * (0.5 + 0.75 * sqrt(1.0 - fromMiddle * fromMiddle));
     }
+#ifdef SHAFTS
+    vec3 end = away * min(2.0 * AIR_MIDDLE, planetMetres(away, vec2(0.5 / AIR_PLANET_RADIUS, airPlace.x)));
+    light = max(vec3(0.0), light - takenByClouds(end));
+#endif
     writeRadiance(light);
 }
