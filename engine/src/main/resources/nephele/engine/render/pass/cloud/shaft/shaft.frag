@@ -27,9 +27,6 @@ float metresTo(int distance) {
 
 float shadeAt(vec3 ray, float metres, float halfRow) {
     float height = heightAbove(ray, metres, planet);
-    if (height >= cloudBase.y + cloudHalf.y - halfRow) {
-        return 0.0;
-    }
     vec3 foot = metres * ray;
     foot.xz -= slant.xy * (height - cloudBase.y - halfRow);
     vec2 box = boxOf(foot);
@@ -43,6 +40,8 @@ float shadeAt(vec3 ray, float metres, float halfRow) {
 void main() {
     vec3 ray = normalize(direction);
     float halfRow = 0.5 * cloudHalf.y / cells.x;
+    float top = cloudBase.y + cloudHalf.y - halfRow;
+    float heightBefore = 0.0;
     float before = 0.0;
     float all = 0.0;
     float taken = 0.0;
@@ -50,8 +49,11 @@ void main() {
     for (int k = 0; k < int(SHAFT_DISTANCES); k++) {
         float from = metresTo(k);
         float to = metresTo(k + 1);
+        float height = heightAbove(ray, to, planet);
+        int steps = min(heightBefore, height) < top ? STEPS : 0;
+        heightBefore = height;
         float sum = 0.0;
-        for (int n = 0; n < STEPS; n++) {
+        for (int n = 0; n < steps; n++) {
             sum += shadeAt(ray, mix(from, to, (float(n) + 0.5) / float(STEPS)), halfRow);
         }
         float upTo = dot(LUMINANCE, scatteredOnce(airPathTo(to * ray)));
