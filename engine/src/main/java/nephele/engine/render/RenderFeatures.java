@@ -2,9 +2,11 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.cloud.CloudPass;
+import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.shaft.ShaftPass;
-import nephele.engine.render.pass.cloud.volume.VolumePass;
+import nephele.engine.render.pass.cloud.volume.VolumeTechnique;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
@@ -26,6 +28,8 @@ import nephele.engine.render.pass.upscale.UpscalePass;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
+    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES = List.of(VolumeTechnique.REGISTERED);
+
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.
             SunShadowPass.FEATURE,
@@ -45,7 +49,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
-            VolumePass.FEATURE,
+            CloudPass.feature(CLOUD_TECHNIQUES),
             ExitPass.FEATURE,
             DynamicPass.HELD,
             // After the views.

@@ -1,2 +1,2 @@
-/** The cells of a cloud as textures, shared by the passes that draw clouds. */
+/** What the techniques that draw clouds share: order, layers of low resolution, surfaces among clouds, cells as textures. */
 package nephele.engine.render.pass.cloud;

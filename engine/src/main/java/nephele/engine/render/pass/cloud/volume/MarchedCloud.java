@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud.volume;
 
+import java.util.Map;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
@@ -18,16 +19,24 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.gl.FullScreenTriangle;
+import nephele.engine.render.pass.cloud.CloudCanvas;
+import nephele.engine.render.pass.cloud.CloudDrawing;
+import nephele.engine.render.pass.cloud.CloudPixels;
 import nephele.engine.render.pass.cloud.CloudTextures;
+import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.volume.MarchProgram.Noise;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 
 /** A cloud of the level with its cells on the GPU and the light around it. */
-final class MarchedCloud {
+final class MarchedCloud implements CloudDrawing {
     private final SharedResources shared;
+    private final PlacedCloud placed;
     private final CloudSource cloud;
-    private final int index;
+    private final Map<CloudPixels, MarchPrograms> programs;
+    private final FullScreenTriangle triangle;
+    private final double stepCells;
     private final CloudTextures textures;
     /** {@code null} if the density comes from cells. */
     private final NoiseTextures noiseTextures;
@@ -41,54 +50,52 @@ final class MarchedCloud {
     private DrawnCloud toCome;
     private double share;
     private double groundShare;
-    private double presence;
     private double fullPerMetre;
-    private Vec3 drift;
     /** Its noise at the time; {@code null} if the density comes from cells. */
     private NoiseField noise;
 
-    /** @param index of the cloud among all */
-    MarchedCloud(LoadContext context, CloudSource cloud, int index) {
+    MarchedCloud(
+            LoadContext context,
+            PlacedCloud placed,
+            Map<CloudPixels, MarchPrograms> programs,
+            FullScreenTriangle triangle) {
         shared = context.shared();
-        this.cloud = cloud;
-        this.index = index;
+        this.placed = placed;
+        this.programs = programs;
+        this.triangle = triangle;
+        cloud = placed.source();
+        stepCells = context.quality().cloudStep();
         textures = new CloudTextures(context, cloud);
         noiseTextures = cloud.isProfiled()
                 ? new NoiseTextures(context, (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
                 : null;
     }
 
-    Noise noise() {
+    @Override
+    public void follow(Environment environment, CloudInterval now) {
+        follow(now);
+        follow(environment);
+    }
+
+    @Override
+    public void draw(CloudCanvas canvas) {
+        MarchProgram program = programs.get(canvas.pixels()).of(kind());
+        program.use();
+        canvas.put(program.pixels(), placed);
+        bind(program, canvas.view(), canvas.focus());
+        triangle.draw();
+    }
+
+    private Noise kind() {
         return !cloud.isProfiled() ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
     }
 
-    /** Returns false if its weather is not there. */
-    boolean isPresent() {
-        return presence > 0;
-    }
-
-    /** Returns its bounds at the time of the frame. */
-    Aabb bounds() {
-        return cloud.bounds().moved(drift);
-    }
-
-    /** Returns its bounds at a time. */
-    Aabb bounds(double seconds) {
-        return cloud.bounds().moved(cloud.drift(seconds));
-    }
-
-    double halfCurvature() {
-        return cloud.halfCurvature();
-    }
-
     /** Takes its cells at the present time. */
-    void follow(CloudInterval now) {
-        shown = now.from().clouds().all().get(index);
-        toCome = now.to().clouds().all().get(index);
+    private void follow(CloudInterval now) {
+        shown = now.from().clouds().all().get(placed.index());
+        toCome = now.to().clouds().all().get(placed.index());
         share = now.share();
-        presence = cloud.share(now.seconds());
         groundShare = now.groundShare();
-        drift = cloud.drift(now.seconds());
         fullPerMetre = shown.fullPerMetre();
         textures.show(shown.cells(), toCome.cells());
         if (noiseTextures != null) {
@@ -98,7 +105,7 @@ final class MarchedCloud {
     }
 
     /** Takes the light of the present environment. */
-    void follow(Environment now) {
+    private void follow(Environment now) {
         if (now == followed) {
             return;
         }
@@ -113,9 +120,9 @@ final class MarchedCloud {
     }
 
     /** @param focus of the boxes of layers */
-    void bind(MarchProgram program, View view, Vec3 focus, double stepCells) {
+    private void bind(MarchProgram program, View view, Vec3 focus) {
         textures.bind();
-        Vec3 eye = view.eye().minus(drift);
+        Vec3 eye = view.eye().minus(placed.drift());
         if (noiseTextures != null) {
             noiseTextures.bind(program.noisePlaces(), noise, eye);
         }
@@ -129,7 +136,7 @@ final class MarchedCloud {
                 .set(
                         (float) scaled.g(),
                         (float) (1 / cloud.physics().smallAngles().deepest()),
-                        (float) halfCurvature(),
+                        (float) cloud.halfCurvature(),
                         (float) optics.meanCosine());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) depthAround(view));
         set(places.cloudSun(), towardsSun);
@@ -147,19 +154,14 @@ final class MarchedCloud {
     private double depthAround(View view) {
         Plane exit = view.clip();
         Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
-        Vec3 place = begin.minus(drift);
+        Vec3 place = begin.minus(placed.drift());
         double before = shown.cells().leastDepth(place);
         double after = share == 0 ? before : toCome.cells().leastDepth(place);
-        return presence * (before + share * (after - before));
-    }
-
-    /** Sets how far the wind has carried it since another time. */
-    void putBlown(MarchProgram.Rays rays, double since) {
-        set(rays.blown(), drift.minus(cloud.drift(since)));
+        return placed.presence() * (before + share * (after - before));
     }
 
     private double greatestPerMetre() {
-        return presence * fullPerMetre;
+        return placed.presence() * fullPerMetre;
     }
 
     private void putBoxes(MarchProgram.Places places, Vec3 eye, Vec3 focus) {

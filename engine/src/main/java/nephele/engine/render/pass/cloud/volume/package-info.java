@@ -1,2 +1,2 @@
-/** The technique {@code volume}: rays marched through the cells of a cloud, over the finished surfaces of a view. */
+/** The technique {@code volume}: rays marched through the cells of a cloud. */
 package nephele.engine.render.pass.cloud.volume;

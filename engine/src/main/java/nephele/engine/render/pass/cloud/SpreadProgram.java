@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
@@ -12,7 +12,7 @@ import nephele.engine.scene.View;
 
 /** {@code spread.frag}, which completes a layer of which a frame has marched a share. */
 final class SpreadProgram {
-    private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
+    private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
 
     private final GlProgram<Places> program;
 
@@ -47,7 +47,7 @@ final class SpreadProgram {
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 context.gl(),
-                ShaderSource.load(FOLDER + "volume.vert", defines),
+                ShaderSource.load(FOLDER + "cloud.vert", defines),
                 ShaderSource.load(FOLDER + "spread.frag", defines),
                 Places::of);
     }

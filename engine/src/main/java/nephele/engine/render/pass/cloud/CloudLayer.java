@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState;
@@ -96,7 +96,7 @@ final class CloudLayer implements GlObject {
     }
 
     /** Sets which rays are marched. */
-    void put(MarchProgram.Rays rays) {
+    void put(PixelUniforms.Rays rays) {
         int n = marchedSide();
         double offset = 0.5 * (1 - n);
         double x = n == 1 ? 0 : column(frame, side);

@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
@@ -9,7 +9,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 
 /** {@code join.frag}, which smooths a layer of clouds once, so that a pixel of the view needs one look at it. */
 final class JoinProgram {
-    private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
+    private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
 
     private final GlProgram<Uniforms> program;
 
@@ -17,7 +17,7 @@ final class JoinProgram {
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 context.gl(),
-                ShaderSource.load(FOLDER + "volume.vert", defines),
+                ShaderSource.load(FOLDER + "cloud.vert", defines),
                 ShaderSource.load(FOLDER + "join.frag", defines),
                 uniforms -> {
                     uniforms.sampler("clouds", TextureUnit.COLOURS);

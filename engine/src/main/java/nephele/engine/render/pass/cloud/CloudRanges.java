@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -36,16 +36,18 @@ final class CloudRanges {
         }
     }
 
-    CloudRanges(List<MarchedCloud> clouds) {
+    CloudRanges(List<PlacedCloud> clouds) {
         count = Math.min(MOST, clouds.size());
-        halfCurvature =
-                clouds.stream().mapToDouble(MarchedCloud::halfCurvature).max().orElse(0);
+        halfCurvature = clouds.stream()
+                .mapToDouble(cloud -> cloud.source().halfCurvature())
+                .max()
+                .orElse(0);
     }
 
     /** Takes the places of the clouds at the present time. */
-    void follow(List<MarchedCloud> clouds) {
+    void follow(List<PlacedCloud> clouds) {
         bounds.clear();
-        for (MarchedCloud cloud : clouds) {
+        for (PlacedCloud cloud : clouds) {
             if (bounds.size() < MOST) {
                 bounds.add(cloud.bounds());
             } else {

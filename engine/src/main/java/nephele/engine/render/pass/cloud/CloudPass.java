@@ -1,11 +1,15 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -25,69 +29,91 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.pass.cloud.volume.MarchProgram.Pixels;
 import nephele.engine.scene.View;
 
 /**
- * Draws clouds by marching rays through their cells, the farthest cloud first. At less than full resolution they are
- * marched into a layer as if there were no surfaces, which is drawn where surfaces are behind all clouds; pixels whose
- * surface is among the clouds are marched on their own, so that no edge of a wall has a halo.
+ * Draws clouds, each by its technique, the farthest first. At less than full resolution they are drawn into a layer as if
+ * there were no surfaces, which is drawn where surfaces are behind all clouds; pixels whose surface is among the clouds are
+ * drawn on their own, so that no edge of a wall has a halo.
  */
-public final class VolumePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("cloud.volume", Stage.IN_VIEWS_AFTER_OPAQUE, VolumePass::requiredBy);
-
+public final class CloudPass implements Pass {
     private final GlContext gl;
     private final SharedResources shared;
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
-    private final List<MarchedCloud> clouds;
+    /** In the order in which they are drawn. */
+    private final List<Entry> entries = new ArrayList<>();
+
+    private final List<PlacedCloud> clouds = new ArrayList<>();
     private final CloudRanges ranges;
+    private final CloudCanvas canvas;
     private final Aabb surfaces;
-    private final double stepCells;
-    /** The layer of the main view, whose rays several frames may share; {@code null} if clouds are marched directly. */
+    /** The layer of the main view, whose rays several frames may share; {@code null} if clouds are drawn directly. */
     private final CloudLayer mainLayer;
 
     /** That of all other views. */
     private final CloudLayer nestedLayer;
 
-    private final MarchPrograms whole;
-    private final MarchPrograms direct;
     private CompositeProgram composite;
     private CompositeProgram compositeBehindSurfaces;
 
-    private VolumePass(LoadContext context) {
+    private record Entry(PlacedCloud cloud, CloudDrawing drawing) {}
+
+    private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
         this.context = context;
         gl = context.gl();
         shared = context.shared();
-        triangle = context.own(new FullScreenTriangle(gl, "volume"));
-        clouds = new ArrayList<>();
+        triangle = context.own(new FullScreenTriangle(gl, "clouds"));
         List<CloudSource> sources = shared.clouds().sources();
         for (int i = 0; i < sources.size(); i++) {
-            clouds.add(new MarchedCloud(context, sources.get(i), i));
+            clouds.add(new PlacedCloud(sources.get(i), i));
         }
         ranges = new CloudRanges(clouds);
+        canvas = new CloudCanvas(ranges);
+        build(techniques);
         surfaces = context.scene().statics().bounds();
         Quality quality = context.quality();
-        stepCells = quality.cloudStep();
         int divisor = (int) Math.round(1 / quality.cloudResolution());
         int side = quality.cloudHistory().side();
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
-        whole = isLayered ? new MarchPrograms(context, Pixels.WHOLE, 0) : null;
-        direct = clouds.isEmpty()
-                ? null
-                : new MarchPrograms(context, mainLayer == null ? Pixels.ALL : Pixels.MIXED, ranges.count());
     }
 
-    private static List<Required> requiredBy(FrameRequest request) {
+    private void build(List<CloudTechniqueDrawer.Registered> techniques) {
+        var cloudContext = new CloudContext(context, ranges.count());
+        Map<CloudTechnique, CloudTechniqueDrawer> built = new EnumMap<>(CloudTechnique.class);
+        for (PlacedCloud cloud : clouds) {
+            CloudTechniqueDrawer.Registered technique =
+                    drawn(techniques, cloud.source().cloud());
+            CloudTechniqueDrawer drawer = built.computeIfAbsent(
+                    technique.technique(), known -> technique.build().apply(cloudContext));
+            entries.add(new Entry(cloud, drawer.of(cloud)));
+        }
+    }
+
+    /** Returns the technique of a cloud; the first one for {@code auto} and for techniques that are not registered. */
+    private static CloudTechniqueDrawer.Registered drawn(
+            List<CloudTechniqueDrawer.Registered> techniques, Cloud cloud) {
+        return techniques.stream()
+                .filter(known -> known.technique() == cloud.technique())
+                .findFirst()
+                .orElse(techniques.get(0));
+    }
+
+    /** Returns the feature with these techniques, the one for {@code auto} first. */
+    public static RenderFeature feature(List<CloudTechniqueDrawer.Registered> techniques) {
+        return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques));
+    }
+
+    private static List<Required> requiredBy(FrameRequest request, List<CloudTechniqueDrawer.Registered> techniques) {
         List<Cloud> clouds = WeatherClouds.all(request.level().environment());
         return clouds.isEmpty()
                 ? List.of()
                 : List.of(new Required(
-                        "environment.clouds: " + clouds.size() + " drawn by technique volume", VolumePass::new));
+                        "environment.clouds: " + clouds.size() + " to draw",
+                        context -> new CloudPass(context, techniques)));
     }
 
     @Override
@@ -116,22 +142,23 @@ public final class VolumePass implements Pass {
             return;
         }
         View view = frame.view();
-        for (int i = 0; i < clouds.size(); i++) {
-            clouds.get(i).follow(frame.frameState().environment());
-            clouds.get(i).follow(shared.clouds().now());
+        CloudInterval now = shared.clouds().now();
+        for (int i = 0; i < entries.size(); i++) {
+            entries.get(i).cloud.follow(now);
+            entries.get(i).drawing.follow(frame.frameState().environment(), now);
         }
         sort(view.eye());
         ranges.follow(clouds);
         if (mainLayer == null) {
             reads.bind(shared);
             frame.surface().bind();
-            march(direct, view, null);
+            draw(CloudPixels.ALL, view, null);
             return;
         }
         boolean isMain = frame.node() == null || frame.node().parent() == null;
         CloudLayer layer = isMain ? mainLayer : nestedLayer;
-        layer.begin(frame.surface(), shared.cuts(), shared.clouds().now().seconds());
-        march(whole, view, layer);
+        layer.begin(frame.surface(), shared.cuts(), now.seconds());
+        draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, triangle);
         frame.surface().bind();
         boolean mixed = isMixed(view.eye());
@@ -140,35 +167,24 @@ public final class VolumePass implements Pass {
         }
         drawLayer(layer, view, mixed);
         if (mixed) {
-            march(direct, view, null);
+            draw(CloudPixels.MIXED, view, null);
         }
     }
 
     private void sort(Vec3 eye) {
-        if (clouds.size() > 1) {
-            clouds.sort(Comparator.comparingDouble(cloud -> -CloudRanges.distance(cloud.bounds(), eye)));
+        if (entries.size() > 1) {
+            entries.sort(Comparator.comparingDouble(entry -> -CloudRanges.distance(entry.cloud.bounds(), eye)));
         }
     }
 
-    /** @param layer into which is marched; {@code null} for the view itself */
-    private void march(MarchPrograms programs, View view, CloudLayer layer) {
-        gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-        for (int i = 0; i < clouds.size(); i++) {
-            MarchedCloud cloud = clouds.get(i);
-            if (!cloud.isPresent()) {
-                continue;
+    /** @param layer into which is drawn; {@code null} for the view itself */
+    private void draw(CloudPixels pixels, View view, CloudLayer layer) {
+        canvas.begin(pixels, view, shared.clouds().focus(), layer);
+        for (int i = 0; i < entries.size(); i++) {
+            if (entries.get(i).cloud.presence() > 0) {
+                gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+                entries.get(i).drawing.draw(canvas);
             }
-            MarchProgram program = programs.of(cloud.noise());
-            program.use();
-            if (layer != null) {
-                layer.put(program.rays());
-                cloud.putBlown(program.rays(), layer.secondsBefore());
-            }
-            if (program.ranges() != null) {
-                ranges.put(program.ranges(), view);
-            }
-            cloud.bind(program, view, shared.clouds().focus(), stepCells);
-            triangle.draw();
         }
     }
 

@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.volume;
+package nephele.engine.render.pass.cloud;
 
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
@@ -9,7 +9,7 @@ import nephele.engine.render.resource.FrameUniforms;
 
 /** {@code composite.frag}, which draws a layer of clouds over a view. */
 final class CompositeProgram {
-    private static final String FOLDER = "/nephele/engine/render/pass/cloud/volume/";
+    private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
 
     private final GlProgram<CloudRanges.Places> program;
 
@@ -26,7 +26,7 @@ final class CompositeProgram {
                 .values();
         program = new GlProgram<>(
                 context.gl(),
-                ShaderSource.load(FOLDER + "volume.vert", defines),
+                ShaderSource.load(FOLDER + "cloud.vert", defines),
                 ShaderSource.load(FOLDER + "composite.frag", defines),
                 uniforms -> {
                     if (mixed) {

@@ -1,0 +1,51 @@
+package nephele.engine.render.pass.cloud;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.View;
+
+/** What clouds are drawn on: a view, or a layer of it. */
+public final class CloudCanvas {
+    private final CloudRanges ranges;
+    private CloudPixels pixels;
+    private View view;
+    private Vec3 focus;
+    /** {@code null} unless the pixels are those of a layer. */
+    private CloudLayer layer;
+
+    CloudCanvas(CloudRanges ranges) {
+        this.ranges = ranges;
+    }
+
+    /** @param focusOfFrame around which layers are sampled finely */
+    void begin(CloudPixels whichPixels, View ofView, Vec3 focusOfFrame, CloudLayer ofLayer) {
+        pixels = whichPixels;
+        view = ofView;
+        focus = focusOfFrame;
+        layer = ofLayer;
+    }
+
+    public CloudPixels pixels() {
+        return pixels;
+    }
+
+    public View view() {
+        return view;
+    }
+
+    /** Returns the place around which layers are sampled finely. */
+    public Vec3 focus() {
+        return focus;
+    }
+
+    /** Sets the uniforms of a program in use. */
+    public void put(PixelUniforms uniforms, PlacedCloud cloud) {
+        if (layer != null) {
+            layer.put(uniforms.rays());
+            Vec3 blown = cloud.blown(layer.secondsBefore());
+            uniforms.rays().blown().set((float) blown.x(), (float) blown.y(), (float) blown.z());
+        }
+        if (uniforms.ranges() != null) {
+            ranges.put(uniforms.ranges(), view);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package nephele.engine.render.pass.cloud;
+
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/** A cloud of the level where it is at the time of the frame. */
+public final class PlacedCloud {
+    private final CloudSource source;
+    private final int index;
+    private double seconds;
+    private Vec3 drift = Vec3.ZERO;
+    private double presence;
+
+    /** @param index among the clouds of the level */
+    PlacedCloud(CloudSource source, int index) {
+        this.source = source;
+        this.index = index;
+    }
+
+    void follow(CloudInterval now) {
+        seconds = now.seconds();
+        drift = source.drift(seconds);
+        presence = source.share(seconds);
+    }
+
+    public CloudSource source() {
+        return source;
+    }
+
+    public int index() {
+        return index;
+    }
+
+    public double seconds() {
+        return seconds;
+    }
+
+    /** Returns how far the wind has carried it. */
+    public Vec3 drift() {
+        return drift;
+    }
+
+    /** Returns the share of its extinction that its weather gives it, 0 if that is not there. */
+    public double presence() {
+        return presence;
+    }
+
+    /** Returns its bounds at the time of the frame. */
+    Aabb bounds() {
+        return source.bounds().moved(drift);
+    }
+
+    /** Returns its bounds at a time. */
+    Aabb bounds(double at) {
+        return source.bounds().moved(source.drift(at));
+    }
+
+    /** Returns how far the wind has carried it since another time. */
+    Vec3 blown(double since) {
+        return drift.minus(source.drift(since));
+    }
+}

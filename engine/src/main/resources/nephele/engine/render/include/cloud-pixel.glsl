@@ -1,0 +1,98 @@
+// The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution; MIXED:
+// only pixels whose surface is among the clouds.
+#include "output.glsl"
+#ifdef MIXED
+#include "cloud-ranges.glsl"
+#else
+#include "cloud-span.glsl"
+#endif
+
+#ifdef WHOLE
+#include "layer-ray.glsl"
+layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
+uniform vec3 marchedSquare; // x: side of the square of rays of which one is drawn; y, z: that one's place from the middle
+uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
+#else
+#include "view-distance.glsl"
+in vec3 direction;
+uniform sampler2D viewDepth;
+#endif
+
+struct CloudPixel {
+    vec2 place; // in a layer of all rays
+    vec3 ray; // unit
+    vec2 visible; // from and to which distance surfaces and openings let it see
+};
+
+// The part of the ray in front of the pixel's surface and, in a view through an opening, behind that.
+vec2 visiblePart(vec3 ray, float unit) {
+    vec2 visible = vec2(0.0, NEVER);
+#ifndef WHOLE
+    float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
+    if (windowDepth < 1.0) {
+        visible.y = axisMetres(windowDepth) * unit;
+    }
+#endif
+#ifdef PORTALS
+    float towardsClip = dot(viewClip.xyz, ray);
+    if (towardsClip > 0.0) {
+        visible.x = -viewClip.w / towardsClip;
+    }
+#endif
+    return visible;
+}
+
+// Spreads the first samples of neighbouring rays over a step (Jimenez 2014, "Next Generation Post Processing in Call of
+// Duty: Advanced Warfare", interleaved gradient noise).
+float stepOffset(vec2 pixelPlace) {
+    return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
+}
+
+#ifdef WHOLE
+// The wind's motion along the view's right and upper axes; what it has along the ray cannot be seen and takes the rest.
+vec2 motionAcross(vec3 ray) {
+    vec3 across = blown - ray * (dot(blown, viewForward.xyz) / dot(ray, viewForward.xyz));
+    return vec2(dot(across, normalize(viewRight.xyz)), dot(across, normalize(viewUp.xyz)));
+}
+#endif
+
+// Discards pixels that others draw.
+CloudPixel cloudPixel() {
+#ifdef WHOLE
+    vec2 rayPlace = gl_FragCoord.xy * marchedSquare.x + marchedSquare.yz;
+    vec3 direction = layerRay(rayPlace);
+#else
+    vec2 rayPlace = gl_FragCoord.xy;
+#endif
+    float unit = length(direction);
+    vec3 ray = direction / unit;
+    vec2 visible = visiblePart(ray, unit);
+#ifdef MIXED
+    vec2 range = rangeOfClouds(ray);
+    if (visible.y <= range.x || visible.y >= range.y) {
+        discard;
+    }
+#endif
+    return CloudPixel(rayPlace, ray, visible);
+}
+
+// Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
+void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
+#ifdef AIR
+    Air air = airAlong(at.ray * metres);
+    radiance = radiance * air.transmittance + covered * air.inScatter;
+#endif
+#ifdef FOG
+    float clear = exp(-fog.a * metres);
+    radiance = radiance * clear + fog.rgb * covered * (1.0 - clear);
+#endif
+#ifdef MIRRORS
+    radiance *= mirrorTint.rgb;
+#endif
+#ifdef WHOLE
+    pixel = vec4(min(radiance, 65504.0), covered);
+    place = vec4(covered * vec3(0.001 * metres, motionAcross(at.ray)), covered);
+#else
+    writeCovering(vec4(min(radiance, 65504.0), covered));
+#endif
+}
