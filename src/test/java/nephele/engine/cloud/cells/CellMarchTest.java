@@ -3,6 +3,7 @@ package nephele.engine.cloud.cells;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.field.EllipsoidField;
@@ -25,7 +26,8 @@ class CellMarchTest {
 
     private static CellStack stack(ExtinctionField field, CellBox cells, CloudLight physics, Vec3 towardsSun) {
         DensityCells density = DensityCells.of(field, cells, DensityCells.Sampling.PLAIN);
-        return CellStack.finite(density, physics, LightCells.Around.sun(towardsSun));
+        LightCells light = LightCells.of(List.of(density), false, physics, LightCells.Around.sun(towardsSun));
+        return CellStack.finite(density, light, physics);
     }
 
     /** Plane albedo by adding-doubling (src/test/resources, slab_truth.csv); the beam at cosine 1 and at 0.5. */
