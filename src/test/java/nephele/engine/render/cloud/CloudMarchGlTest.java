@@ -23,17 +23,28 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /** The shader that marches clouds is its Java twin, within a code of 255 of white. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudMarchGlTest {
     private static final int WIDTH = 48;
     private static final int HEIGHT = 32;
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.64, -0.48);
     private static final Vec3 EYE = new Vec3(40, 2, -70);
+
+    private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+
+    @AfterAll
+    void close() {
+        offscreen.close();
+    }
 
     private static Cloud layer(Cloud.Density density, double extinctionPerMetre) {
         return new Cloud(
@@ -72,27 +83,24 @@ class CloudMarchGlTest {
                 .sky(new Sky.Constant(new Vec3(0.1, 0.2, 0.4)))
                 .cloud(ball(new Vec3(0, 60, -190)))
                 .level();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
-            View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));
-            int[] blended = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT));
-            int[] linear = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.HDR));
-            int equal = 0;
-            for (int i = 0; i < linear.length; i++) {
-                equal += Math.abs(Offscreen.green(blended[i]) - Offscreen.green(linear[i])) <= 1 ? 1 : 0;
-            }
-            assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
+        View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));
+        int[] blended = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT));
+        int[] linear = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.HDR));
+        int equal = 0;
+        for (int i = 0; i < linear.length; i++) {
+            equal += Math.abs(Offscreen.green(blended[i]) - Offscreen.green(linear[i])) <= 1 ? 1 : 0;
         }
+        assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
     }
 
-    private static void compare(Cloud cloud) {
+    private void compare(Cloud cloud) {
         Level level = new TestLevel()
                 .sun(SUN, 1)
                 .sky(new Sky.Gradient(ONE, ONE, ONE))
                 .cloud(cloud)
                 .level();
         Quality full = Quality.HIGH.withCloudResolution(1).withCloudHistory(Quality.CloudHistory.NONE);
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer =
+        try (Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(
                         level.environment(),
