@@ -33,6 +33,9 @@ class CloudTimelineTest {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.8, 0);
     private static final Aabb REGION = Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20));
+    /** For tests that hardly look at the light. */
+    private static final int COARSE_LIGHT = 4;
+
     private static final CellMarch.OutsideOfCloud OUTSIDE = new CellMarch.OutsideOfCloud(SUN, ONE, ONE, Vec3.ZERO);
 
     private static final Environment CALM = with(layer("heaps", 1000, Vec3.ZERO, 0));
@@ -65,7 +68,11 @@ class CloudTimelineTest {
     }
 
     private static CloudTimeline timeline(Environment environment) {
-        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION, LightCells.DIVISOR);
+        return timeline(environment, LightCells.DIVISOR);
+    }
+
+    private static CloudTimeline timeline(Environment environment, int lightDivisor) {
+        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION, lightDivisor);
     }
 
     /** An edit of anything else keeps the samples. */
@@ -169,7 +176,7 @@ class CloudTimelineTest {
     @Test
     void aCaptureIsExactAtItsTime() {
         Environment environment = with(layer("heaps", 1000, new Vec3(10, 0, 0), 200));
-        try (CloudTimeline timeline = timeline(environment)) {
+        try (CloudTimeline timeline = timeline(environment, COARSE_LIGHT)) {
             CloudInterval later = timeline.at(environment, 777, Vec3.ZERO);
             CloudSource source = timeline.sources().get(0);
             var field = CloudFields.of(source.cloud(), new ResourceAssets("/assets"), 777);
@@ -206,7 +213,7 @@ class CloudTimelineTest {
                 0.06,
                 1,
                 0.85);
-        try (CloudTimeline shaded = timeline(with(heaps, deck))) {
+        try (CloudTimeline shaded = timeline(with(heaps, deck), COARSE_LIGHT)) {
             double bright = light(atOrigin);
             double dark = light(shaded.at(with(heaps, deck), 0, Vec3.ZERO));
             // The deck has τ 30 and g 0.85: it lets about a third through.

@@ -35,6 +35,9 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
 class CloudMarchGlTest {
     private static final int WIDTH = 48;
     private static final int HEIGHT = 32;
+    /** For the many boxes of layers. */
+    private static final int COARSE_LIGHT = 4;
+
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.64, -0.48);
     private static final Vec3 EYE = new Vec3(40, 2, -70);
@@ -65,14 +68,18 @@ class CloudMarchGlTest {
     @TestFactory
     Stream<DynamicTest> theShaderIsTheJavaTwin() {
         return Stream.of(
-                DynamicTest.dynamicTest("a finite cloud", () -> compare(ball(new Vec3(20, 60, -190)))),
-                DynamicTest.dynamicTest("an even layer", () -> compare(layer(new Cloud.Density.Ellipsoid(), 0.004))),
                 DynamicTest.dynamicTest(
-                        "a layer of noise in cells", () -> compare(layer(new Cloud.Density.Noise(3, 900, 0.6), 0.01))),
+                        "a finite cloud", () -> compare(ball(new Vec3(20, 60, -190)), LightCells.DIVISOR)),
+                DynamicTest.dynamicTest(
+                        "an even layer", () -> compare(layer(new Cloud.Density.Ellipsoid(), 0.004), COARSE_LIGHT)),
+                DynamicTest.dynamicTest(
+                        "a layer of noise in cells",
+                        () -> compare(layer(new Cloud.Density.Noise(3, 900, 0.6), 0.01), COARSE_LIGHT)),
                 DynamicTest.dynamicTest(
                         "a layer of computed noise",
                         () -> compare(
-                                layer(new Cloud.Density.Noise(3, 500, 0.5, 0, CloudProfile.STRATUS, null, 0), 0.008))));
+                                layer(new Cloud.Density.Noise(3, 500, 0.5, 0, CloudProfile.STRATUS, null, 0), 0.008),
+                                COARSE_LIGHT)));
     }
 
     /** Pixels that a cloud covers wholly, or not at all, are the same; at its edge display values are blended instead of light. */
@@ -93,20 +100,23 @@ class CloudMarchGlTest {
         assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
     }
 
-    private void compare(Cloud cloud) {
+    private void compare(Cloud cloud, int lightDivisor) {
         Level level = new TestLevel()
                 .sun(SUN, 1)
                 .sky(new Sky.Gradient(ONE, ONE, ONE))
                 .cloud(cloud)
                 .level();
-        Quality full = Quality.HIGH.withCloudResolution(1).withCloudHistory(Quality.CloudHistory.NONE);
+        Quality full = Quality.HIGH
+                .withCloudResolution(1)
+                .withCloudHistory(Quality.CloudHistory.NONE)
+                .withCloudLightCell(lightDivisor);
         try (Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(
                         level.environment(),
                         TestAssets.NONE,
                         Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20)),
-                        LightCells.DIVISOR)) {
+                        lightDivisor)) {
             View view = offscreen.view(EYE, EYE.plus(new Vec3(-0.2, 0.6, -1)));
             renderer.draw(view, offscreen.picture);
             offscreen.gl.requireNoError("frame");
