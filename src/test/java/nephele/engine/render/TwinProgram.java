@@ -28,8 +28,14 @@ public final class TwinProgram {
      * @return three floats for each pixel
      */
     public static float[] run(String shader, float[] inputs, int count, Consumer<Uniforms> setUp) {
-        try (GlContext gl = GlContext.offscreen();
-                RenderTarget target = RenderTarget.picture(gl, "twin", PixelFormat.RGBA32F, count, 1);
+        try (GlContext gl = GlContext.offscreen()) {
+            return run(gl, shader, inputs, count, setUp);
+        }
+    }
+
+    /** Runs a shader in a context that is current. */
+    public static float[] run(GlContext gl, String shader, float[] inputs, int count, Consumer<Uniforms> setUp) {
+        try (RenderTarget target = RenderTarget.picture(gl, "twin", PixelFormat.RGBA32F, count, 1);
                 BufferTexture texels = BufferTexture.ofFloats(gl, "inputs", inputs);
                 FullScreenTriangle triangle = new FullScreenTriangle(gl, "twin")) {
             var program = new GlProgram<>(

@@ -22,14 +22,32 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.level.Weather;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /** What is drawn of clouds is a function of time and focus: it drifts, evolves, follows the eye, and forgets the way. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudTimelineTest {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.8, 0);
     private static final Aabb REGION = Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20));
+    /** For tests that hardly look at the light. */
+    private static final int COARSE_LIGHT = 4;
+
     private static final CellMarch.OutsideOfCloud OUTSIDE = new CellMarch.OutsideOfCloud(SUN, ONE, ONE, Vec3.ZERO);
+
+    private static final Environment CALM = with(layer("heaps", 1000, Vec3.ZERO, 0));
+
+    private final CloudTimeline calm = timeline(CALM);
+    /** Calm clouds around the origin, which most tests compare others with. */
+    private final CloudInterval atOrigin = calm.at(CALM, 0, Vec3.ZERO);
+
+    @AfterAll
+    void close() {
+        calm.close();
+    }
 
     private static Cloud layer(String id, double base, Vec3 wind, double evolution) {
         var noise = new Cloud.Density.Noise(7, 300, 0.4, 0, CloudProfile.CUMULUS, null, 0);
@@ -50,7 +68,11 @@ class CloudTimelineTest {
     }
 
     private static CloudTimeline timeline(Environment environment) {
-        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION, LightCells.DIVISOR);
+        return timeline(environment, LightCells.DIVISOR);
+    }
+
+    private static CloudTimeline timeline(Environment environment, int lightDivisor) {
+        return new CloudTimeline(environment, new ResourceAssets("/assets"), REGION, lightDivisor);
     }
 
     /** An edit of anything else keeps the samples. */
@@ -99,15 +121,13 @@ class CloudTimelineTest {
 
     @Test
     void whatIsSeenDoesNotDependOnTheWayThere() {
-        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
         Vec3 end = new Vec3(1130, 0, -420);
-        try (CloudTimeline direct = timeline(environment);
-                CloudTimeline walking = timeline(environment)) {
+        try (CloudTimeline direct = timeline(CALM)) {
             CloudInterval walked = null;
             for (int step = 0; step <= 4; step++) {
-                walked = walking.at(environment, 0, end.scaled(step / 4.0));
+                walked = calm.at(CALM, 0, end.scaled(step / 4.0));
             }
-            double[] expected = seen(direct.at(environment, 0, end), end);
+            double[] expected = seen(direct.at(CALM, 0, end), end);
             double[] found = seen(walked, end);
             for (int i = 0; i < expected.length; i++) {
                 assertEquals(expected[i], found[i], 2e-3, "value " + i);
@@ -117,12 +137,9 @@ class CloudTimelineTest {
 
     @Test
     void farFromTheOriginThereIsTheSameKindOfSky() {
-        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
         var far = new Vec3(1e6, 0, -1e6);
-        try (CloudTimeline timeline = timeline(environment)) {
-            double near = mean(seen(timeline.at(environment, 0, Vec3.ZERO), Vec3.ZERO));
-            assertEquals(near, mean(seen(timeline.at(environment, 0, far), far)), 0.35 * near);
-        }
+        double near = mean(seen(atOrigin, Vec3.ZERO));
+        assertEquals(near, mean(seen(calm.at(CALM, 0, far), far)), 0.35 * near);
     }
 
     private static double mean(double[] values) {
@@ -138,11 +155,9 @@ class CloudTimelineTest {
     void windMovesTheWholePicture() {
         var wind = new Vec3(10, 0, -4);
         Environment windy = with(layer("heaps", 1000, wind, 0));
-        Environment calm = with(layer("heaps", 1000, Vec3.ZERO, 0));
         double month = 30 * 86_400;
-        try (CloudTimeline still = timeline(calm);
-                CloudTimeline blown = timeline(windy)) {
-            double[] expected = seen(still.at(calm, 0, Vec3.ZERO), Vec3.ZERO);
+        try (CloudTimeline blown = timeline(windy)) {
+            double[] expected = seen(atOrigin, Vec3.ZERO);
             CloudInterval later = blown.at(windy, month, wind.scaled(month));
             // Samples are at multiples of a step; the month is none, so the earlier sample is shown where it is.
             double sampled = later.from().clouds().all().get(0).drift().x() / wind.x();
@@ -150,13 +165,18 @@ class CloudTimelineTest {
             for (int i = 0; i < expected.length; i++) {
                 assertEquals(expected[i], found[i], 2e-3, "value " + i);
             }
+            assertEquals(lightOf(later.from()), lightOf(later.to()), "clouds that only drift keep their light");
         }
+    }
+
+    private static List<LightCells> lightOf(CloudInterval.Sample sample) {
+        return sample.clouds().all().get(0).cells().light();
     }
 
     @Test
     void aCaptureIsExactAtItsTime() {
         Environment environment = with(layer("heaps", 1000, new Vec3(10, 0, 0), 200));
-        try (CloudTimeline timeline = timeline(environment)) {
+        try (CloudTimeline timeline = timeline(environment, COARSE_LIGHT)) {
             CloudInterval later = timeline.at(environment, 777, Vec3.ZERO);
             CloudSource source = timeline.sources().get(0);
             var field = CloudFields.of(source.cloud(), new ResourceAssets("/assets"), 777);
@@ -177,14 +197,9 @@ class CloudTimelineTest {
 
     @Test
     void aStillSkyIsSampledOnce() {
-        Environment environment = with(layer("heaps", 1000, Vec3.ZERO, 0));
-        try (CloudTimeline timeline = timeline(environment)) {
-            CloudInterval first = timeline.at(environment, 0, Vec3.ZERO);
-            assertSame(
-                    first.from(),
-                    timeline.at(environment, 1e6, new Vec3(3, 2, 1)).from());
-            assertEquals(0, first.share());
-        }
+        CloudInterval first = calm.at(CALM, 0, Vec3.ZERO);
+        assertSame(first.from(), calm.at(CALM, 1e6, new Vec3(3, 2, 1)).from());
+        assertEquals(0, first.share());
     }
 
     @Test
@@ -198,9 +213,8 @@ class CloudTimelineTest {
                 0.06,
                 1,
                 0.85);
-        try (CloudTimeline alone = timeline(with(heaps));
-                CloudTimeline shaded = timeline(with(heaps, deck))) {
-            double bright = light(alone.at(with(heaps), 0, Vec3.ZERO));
+        try (CloudTimeline shaded = timeline(with(heaps, deck), COARSE_LIGHT)) {
+            double bright = light(atOrigin);
             double dark = light(shaded.at(with(heaps, deck), 0, Vec3.ZERO));
             // The deck has τ 30 and g 0.85: it lets about a third through.
             assertTrue(dark < 0.6 * bright, dark + " of " + bright);

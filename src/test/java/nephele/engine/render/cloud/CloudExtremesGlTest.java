@@ -19,13 +19,19 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Drawn clouds at the ends of their scales: no depth, great depth, and an eye that crosses their bounds. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudExtremesGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
@@ -35,18 +41,36 @@ class CloudExtremesGlTest {
     private static final double BALL_PER_METRE = 0.4;
     private static final List<Quality> PRESETS = List.of(Quality.LOW, Quality.MEDIUM, Quality.HIGH, Quality.ULTRA);
 
+    private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+    private final RenderTarget large =
+            RenderTarget.picture(offscreen.gl, "large", PixelFormat.RGBA8, 2 * WIDTH, 2 * HEIGHT);
+    private final Level heaps = heaps().level();
+    /** Keeps the heaps sampled for all renderers of them. */
+    private final Renderer finestHeaps = load(heaps, Quality.ULTRA);
+
+    @AfterAll
+    void close() {
+        finestHeaps.close();
+        large.close();
+        offscreen.close();
+    }
+
     private static TestLevel evenSky(double radiance) {
         Vec3 grey = TestLevel.grey(radiance);
         return new TestLevel().sky(new Sky.Constant(grey));
     }
 
-    private static Renderer load(Offscreen offscreen, Level level, Quality quality) {
+    private Renderer load(Level level, Quality quality) {
         return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality));
     }
 
-    private static float[] drawn(Offscreen offscreen, Renderer renderer, View view) {
+    private float[] drawn(Renderer renderer, View view) {
+        return drawn(renderer, view, offscreen.picture);
+    }
+
+    private float[] drawn(Renderer renderer, View view, RenderTarget picture) {
         renderer.forget();
-        renderer.draw(view, offscreen.picture);
+        renderer.draw(view, picture);
         offscreen.gl.requireNoError("frame");
         return renderer.readRadiance();
     }
@@ -68,11 +92,10 @@ class CloudExtremesGlTest {
         Level level = evenSky(1)
                 .cloud(new Vec3(0, 0, -30), new Vec3(20, 10, 20), depth / 20, 1, g)
                 .level();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = load(offscreen, level, quality)) {
+        try (Renderer renderer = load(level, quality)) {
             for (Vec3 eye : List.of(Vec3.ZERO, new Vec3(0, 1, -30), new Vec3(0, 4.999, -30))) {
-                for (float value : drawn(offscreen, renderer, offscreen.view(eye, new Vec3(3, 1, -40)))) {
-                    assertEquals(1, value, 1 / 255.0, "from " + eye);
+                for (float value : drawn(renderer, offscreen.view(eye, new Vec3(3, 1, -40)))) {
+                    assertEquals(1, value, 1 / 255.0, () -> "from " + eye);
                 }
             }
         }
@@ -86,11 +109,10 @@ class CloudExtremesGlTest {
         Level without = level.level();
         Level with = level.cloud(new Vec3(0, 0, -30), new Vec3(20, 10, 20), 0, 1, 0.85)
                 .level();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer bare = load(offscreen, without, PRESETS.get(preset));
-                Renderer clouded = load(offscreen, with, PRESETS.get(preset))) {
+        try (Renderer bare = load(without, PRESETS.get(preset));
+                Renderer clouded = load(with, PRESETS.get(preset))) {
             View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -30));
-            assertArrayEquals(drawn(offscreen, bare, view), drawn(offscreen, clouded, view));
+            assertArrayEquals(drawn(bare, view), drawn(clouded, view));
         }
     }
 
@@ -108,7 +130,7 @@ class CloudExtremesGlTest {
                         0.85));
     }
 
-    static Stream<Arguments> looks() {
+    Stream<Arguments> looks() {
         Level balls = new TestLevel()
                 .sun(new Vec3(0.4, 0.8, 0.3), 4)
                 .sky(new Sky.Gradient(new Vec3(0.1, 0.3, 0.8), new Vec3(0.5, 0.6, 0.8), new Vec3(0.2, 0.2, 0.2)))
@@ -117,18 +139,17 @@ class CloudExtremesGlTest {
                 .level();
         return Stream.of(
                 Arguments.of("balls", balls, List.of(Vec3.ZERO)),
-                Arguments.of("heaps from below and above", heaps().level(), List.of(Vec3.ZERO, new Vec3(0, 1200, 0))));
+                Arguments.of("heaps from below and above", heaps, List.of(Vec3.ZERO, new Vec3(0, 1200, 0))));
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("looks")
     void qualityChangesCostAndNotTheLight(String name, Level level, List<Vec3> eyes) {
-        try (Offscreen offscreen = new Offscreen(2 * WIDTH, 2 * HEIGHT);
-                Renderer finest = load(offscreen, level, Quality.ULTRA)) {
-            List<Double> ultra = means(offscreen, finest, eyes);
+        try (Renderer finest = load(level, Quality.ULTRA)) {
+            List<Double> ultra = means(finest, eyes);
             for (Quality quality : PRESETS.subList(0, 3)) {
-                try (Renderer renderer = load(offscreen, level, quality)) {
-                    List<Double> means = means(offscreen, renderer, eyes);
+                try (Renderer renderer = load(level, quality)) {
+                    List<Double> means = means(renderer, eyes);
                     for (int i = 0; i < means.size(); i++) {
                         assertEquals(1, means.get(i) / ultra.get(i), 0.01, eyes.get(i) + ", " + quality);
                     }
@@ -137,11 +158,12 @@ class CloudExtremesGlTest {
         }
     }
 
-    private static List<Double> means(Offscreen offscreen, Renderer renderer, List<Vec3> eyes) {
+    private List<Double> means(Renderer renderer, List<Vec3> eyes) {
         List<Double> means = new ArrayList<>();
         for (Vec3 eye : eyes) {
             double rise = eye.y() > 0 ? -0.4 : 0.4;
-            means.add(mean(drawn(offscreen, renderer, offscreen.view(eye, eye.plus(new Vec3(0.1, rise, -1))))));
+            View view = offscreen.view(eye, eye.plus(new Vec3(0.1, rise, -1)));
+            means.add(mean(drawn(renderer, view, large)));
         }
         return means;
     }
@@ -157,7 +179,7 @@ class CloudExtremesGlTest {
     /** A way through a bound of a cloud. @param along unit */
     private record Crossing(String name, Vec3 place, Vec3 along) {}
 
-    static Stream<Arguments> bounds() {
+    Stream<Arguments> bounds() {
         TestLevel ball = evenSky(0.4).sun(new Vec3(0.4, 0.8, 0.3), 3);
         ball.cloud(Vec3.ZERO, BALL.scaled(2), BALL_PER_METRE, 1, 0.7);
         TestLevel fog = evenSky(0.4).sun(new Vec3(0.4, 0.8, 0.3), 3).layer(40, 25, 0.05, 1, 0.7);
@@ -178,7 +200,7 @@ class CloudExtremesGlTest {
                                 new Crossing("side", new Vec3(BALL.x(), 0.1, 0.1), new Vec3(1, 0, 0)))),
                 Arguments.of(
                         "heaps",
-                        heaps().level(),
+                        heaps,
                         List.of(
                                 new Crossing("base", new Vec3(30, 400, 20), up),
                                 new Crossing("top", new Vec3(30, 700, 20), up))));
@@ -192,15 +214,14 @@ class CloudExtremesGlTest {
     @MethodSource("bounds")
     void nothingPopsWhereTheEyeCrossesABound(String name, Level level, List<Crossing> crossings) {
         boolean isBall = name.equals("a ball");
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = load(offscreen, level, Quality.HIGH)) {
+        try (Renderer renderer = load(level, Quality.HIGH)) {
             for (Crossing crossing : crossings) {
                 float[] before = null;
                 float[] passedBefore = null;
                 for (int millimetres = -3; millimetres <= 3; millimetres++) {
                     Vec3 eye = crossing.place.addScaled(1e-3 * millimetres, crossing.along);
                     View view = offscreen.view(eye, eye.plus(new Vec3(0.8, 0.1, -0.6)));
-                    float[] now = drawn(offscreen, renderer, view);
+                    float[] now = drawn(renderer, view);
                     float[] passed = isBall ? passedBall(view) : new float[now.length];
                     if (before != null) {
                         double most = beyond(before, now, passedBefore, passed);

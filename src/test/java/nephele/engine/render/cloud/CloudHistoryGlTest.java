@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -23,17 +24,34 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Frames that share the rays through clouds show what a frame with all rays shows, and nothing from before a cut. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudHistoryGlTest {
     private static final int WIDTH = 144;
     private static final int HEIGHT = 96;
     private static final Vec3 EYE = new Vec3(0, 2, 5);
 
+    private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+    private final Scene clouds = Scene.of(clouds().level(), TestAssets.NONE);
+    /** Draws with all rays, and keeps the clouds sampled for the renderers of the tests. */
+    private final Renderer exact = load(clouds, CloudHistory.NONE);
+
+    @AfterAll
+    void close() {
+        exact.close();
+        offscreen.close();
+    }
+
+    /** A post behind the eye is as high as any wall of the tests: their levels have one region and so the same clouds. */
     private static TestLevel clouds() {
         return new TestLevel()
                 .sun(new Vec3(0.4, 0.8, 0.3), 4)
@@ -41,6 +59,7 @@ class CloudHistoryGlTest {
                 .sky(new Sky.Gradient(new Vec3(0.1, 0.3, 0.8), new Vec3(0.5, 0.6, 0.8), new Vec3(0.2, 0.2, 0.2)))
                 .material("wall", new Vec3(0.5, 0.4, 0.3))
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(8, 1, 20))
+                .box("wall", new Vec3(3.9, 6, 9.9), new Vec3(0.2, 12, 0.2))
                 .cloud(new Vec3(0, 30, -90), new Vec3(60, 30, 40), 0.3, 1, 0.6)
                 .cloud(new Vec3(0, 15, 60), new Vec3(40, 20, 30), 0.3, 1, 0.6)
                 .cloud(new Vec3(40, 25, -50), new Vec3(30, 20, 30), 0.2, 1, 0.6)
@@ -55,24 +74,28 @@ class CloudHistoryGlTest {
                 .level();
     }
 
-    private static Renderer load(Offscreen offscreen, Level level, CloudHistory history) {
-        Quality quality = Quality.HIGH.withCloudHistory(history);
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality));
+    private Renderer load(Level level, CloudHistory history) {
+        return load(Scene.of(level, TestAssets.NONE), history);
     }
 
-    private static float[] drawn(Offscreen offscreen, Renderer renderer, View view) {
+    private Renderer load(Scene scene, CloudHistory history) {
+        Quality quality = Quality.HIGH.withCloudHistory(history);
+        return Renderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality));
+    }
+
+    private float[] drawn(Renderer renderer, View view) {
         renderer.draw(view, offscreen.picture);
         offscreen.gl.requireNoError("frame");
         return renderer.readRadiance();
     }
 
-    private static float[] alone(Offscreen offscreen, Renderer renderer, View view) {
-        renderer.forget();
-        return drawn(offscreen, renderer, view);
+    private float[] drawnWithAllRays(View view) {
+        exact.forget();
+        return drawn(exact, view);
     }
 
     /** Returns the views of an eye that turns by degrees and advances a little. */
-    private static List<View> flight(Offscreen offscreen, Vec3 from, double metresAFrame) {
+    private List<View> flight(Vec3 from, double metresAFrame) {
         List<View> views = new ArrayList<>();
         for (int i = 0; i < 17; i++) {
             Vec3 eye = from.plus(new Vec3(0.2 * metresAFrame * i, 0, -metresAFrame * i));
@@ -84,31 +107,29 @@ class CloudHistoryGlTest {
     @ParameterizedTest
     @EnumSource(CloudHistory.class)
     void aStillEyeSeesTheSameInEveryFrame(CloudHistory history) {
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = load(offscreen, clouds().level(), history)) {
+        try (Renderer renderer = load(clouds, history)) {
             View view = offscreen.view(EYE, new Vec3(0, 8, -20));
-            float[] first = drawn(offscreen, renderer, view);
+            float[] first = drawn(renderer, view);
             for (int frame = 1; frame <= 17; frame++) {
-                assertArrayEquals(first, drawn(offscreen, renderer, view), "frame " + frame);
+                assertArrayEquals(first, drawn(renderer, view), "frame " + frame);
             }
         }
     }
 
     @Test
     void framesAfterACutAreThoseOfAColdStart() {
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer cold = load(offscreen, clouds().level(), CloudHistory.FOUR_FRAMES);
-                Renderer warm = load(offscreen, clouds().level(), CloudHistory.FOUR_FRAMES)) {
+        try (Renderer cold = load(clouds, CloudHistory.FOUR_FRAMES);
+                Renderer warm = load(clouds, CloudHistory.FOUR_FRAMES)) {
             for (int i = 0; i < 6; i++) {
-                drawn(offscreen, warm, offscreen.view(new Vec3(9, 3, i), new Vec3(-20, 20, -60)));
+                drawn(warm, offscreen.view(new Vec3(9, 3, i), new Vec3(-20, 20, -60)));
             }
             warm.forget();
             boolean differs = false;
-            List<View> flight = flight(offscreen, EYE, 0.3);
+            List<View> flight = flight(EYE, 0.3);
             for (View view : flight) {
-                float[] frame = drawn(offscreen, cold, view);
-                assertArrayEquals(frame, drawn(offscreen, warm, view));
-                differs |= !Arrays.equals(frame, drawnWithAllRays(offscreen, view));
+                float[] frame = drawn(cold, view);
+                assertArrayEquals(frame, drawn(warm, view));
+                differs |= !Arrays.equals(frame, drawnWithAllRays(view));
             }
             assertTrue(differs, "frames share their rays");
         }
@@ -120,65 +141,68 @@ class CloudHistoryGlTest {
         TestLevel walled = clouds().box("wall", new Vec3(-2, 6, -8), new Vec3(4, 12, 1));
         Level near = walled.level();
         Level far = walled.box("wall", new Vec3(0, 0, 400), new Vec3(4, 4, 4)).level();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer tested = load(offscreen, near, CloudHistory.FOUR_FRAMES);
-                Renderer read = load(offscreen, far, CloudHistory.FOUR_FRAMES)) {
-            for (View view : flight(offscreen, EYE, 0.3).subList(0, 3)) {
-                assertArrayEquals(drawn(offscreen, read, view), drawn(offscreen, tested, view));
+        try (Renderer tested = load(near, CloudHistory.FOUR_FRAMES);
+                Renderer read = load(far, CloudHistory.FOUR_FRAMES)) {
+            for (View view : flight(EYE, 0.3).subList(0, 3)) {
+                assertArrayEquals(drawn(read, view), drawn(tested, view));
             }
-        }
-    }
-
-    private static float[] drawnWithAllRays(Offscreen offscreen, View view) {
-        try (Renderer renderer = load(offscreen, clouds().level(), CloudHistory.NONE)) {
-            return drawn(offscreen, renderer, view);
         }
     }
 
     @Test
     void aPassageThroughAPortalIsACut() {
         Level level = withPortals();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer cold = load(offscreen, level, CloudHistory.FOUR_FRAMES);
-                Renderer warm = load(offscreen, level, CloudHistory.FOUR_FRAMES)) {
+        try (Renderer cold = load(level, CloudHistory.FOUR_FRAMES);
+                Renderer warm = load(level, CloudHistory.FOUR_FRAMES)) {
             for (double z = -6.5; z > -7.5; z -= 0.25) {
                 Vec3 eye = new Vec3(0.5, 2, z);
-                drawn(offscreen, warm, offscreen.view(eye, eye.plus(new Vec3(0, 0.1, -1))));
+                drawn(warm, offscreen.view(eye, eye.plus(new Vec3(0, 0.1, -1))));
             }
             // Both portals face +z: what enters one towards -z leaves the other towards +z.
             for (double z = 9.75; z < 11; z += 0.25) {
                 Vec3 eye = new Vec3(-0.5, 2, z);
                 View view = offscreen.view(eye, eye.plus(new Vec3(0.1 * (z - 9.5), 0.3, 1)));
-                assertArrayEquals(drawn(offscreen, cold, view), drawn(offscreen, warm, view), "z " + z);
+                assertArrayEquals(drawn(cold, view), drawn(warm, view), "z " + z);
             }
         }
     }
 
     /** The eye advances 12 m/s at 60 frames a second, past one cloud and through its edge. */
-    @ParameterizedTest
-    @EnumSource(
-            value = CloudHistory.class,
-            names = {"FOUR_FRAMES", "SIXTEEN_FRAMES"})
-    void aFlightLooksAsWithAllRays(CloudHistory history) {
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer shared = load(offscreen, clouds().level(), history);
-                Renderer exact = load(offscreen, clouds().level(), CloudHistory.NONE)) {
-            boolean isFew = history == CloudHistory.FOUR_FRAMES;
-            LinearPicture truthBefore = null;
-            LinearPicture seenBefore = null;
-            for (View view : flight(offscreen, new Vec3(-10, 10, -14), 0.2)) {
-                LinearPicture truth = picture(alone(offscreen, exact, view));
-                LinearPicture seen = picture(drawn(offscreen, shared, view));
-                double error = HdrFlip.of(truth, seen).mean();
-                assertTrue(error < (isFew ? 0.012 : 0.025), view + ": FLIP " + error);
-                if (truthBefore != null) {
-                    double step = HdrFlip.of(seenBefore, seen).mean();
-                    double least = HdrFlip.of(truthBefore, truth).mean();
-                    assertTrue(step < least + (isFew ? 0.01 : 0.02), view + ": step " + step + " for " + least);
-                }
-                truthBefore = truth;
-                seenBefore = seen;
+    @Test
+    void aFlightLooksAsWithAllRays() {
+        List<View> flight = flight(new Vec3(-10, 10, -14), 0.2);
+        Film truth = Film.of(flight, view -> picture(drawnWithAllRays(view)));
+        requireLooksAs(truth, drawn(flight, CloudHistory.FOUR_FRAMES), 0.012, 0.01);
+        requireLooksAs(truth, drawn(flight, CloudHistory.SIXTEEN_FRAMES), 0.025, 0.02);
+    }
+
+    /** The frames of a flight. @param steps how much each but the first differs from the one before */
+    private record Film(List<LinearPicture> frames, List<Double> steps) {
+        static Film of(List<View> flight, Function<View, LinearPicture> draw) {
+            List<LinearPicture> frames = flight.stream().map(draw).toList();
+            List<Double> steps = new ArrayList<>();
+            for (int i = 1; i < frames.size(); i++) {
+                steps.add(HdrFlip.of(frames.get(i - 1), frames.get(i)).mean());
             }
+            return new Film(frames, steps);
+        }
+    }
+
+    private Film drawn(List<View> flight, CloudHistory history) {
+        try (Renderer shared = load(clouds, history)) {
+            return Film.of(flight, view -> picture(drawn(shared, view)));
+        }
+    }
+
+    private static void requireLooksAs(Film truth, Film seen, double most, double mostOfStep) {
+        for (int i = 0; i < seen.frames.size(); i++) {
+            double error = HdrFlip.of(truth.frames.get(i), seen.frames.get(i)).mean();
+            assertTrue(error < most, "frame " + i + ": FLIP " + error + " of " + most);
+        }
+        for (int i = 0; i < seen.steps.size(); i++) {
+            double step = seen.steps.get(i);
+            double least = truth.steps.get(i);
+            assertTrue(step < least + mostOfStep, "frame " + (i + 1) + ": step " + step + " for " + least);
         }
     }
 
@@ -188,16 +212,14 @@ class CloudHistoryGlTest {
 
     @Test
     void aSmallerPictureBeginsAnew() {
-        try (Offscreen large = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = load(large, clouds().level(), CloudHistory.FOUR_FRAMES);
-                Renderer cold = load(large, clouds().level(), CloudHistory.FOUR_FRAMES)) {
-            drawn(large, renderer, large.view(EYE, new Vec3(0, 8, -20)));
-            RenderTarget small = RenderTarget.picture(large.gl, "small", PixelFormat.RGBA8, 33, 21);
-            View view = large.view(new Vec3(3, 2, 5), new Vec3(0, 9, -20));
+        try (Renderer renderer = load(clouds, CloudHistory.FOUR_FRAMES);
+                Renderer cold = load(clouds, CloudHistory.FOUR_FRAMES);
+                RenderTarget small = RenderTarget.picture(offscreen.gl, "small", PixelFormat.RGBA8, 33, 21)) {
+            drawn(renderer, offscreen.view(EYE, new Vec3(0, 8, -20)));
+            View view = offscreen.view(new Vec3(3, 2, 5), new Vec3(0, 9, -20));
             renderer.draw(view, small);
             cold.draw(view, small);
             assertArrayEquals(cold.readRadiance(), renderer.readRadiance());
-            small.close();
         }
     }
 
@@ -210,7 +232,7 @@ class CloudHistoryGlTest {
             Arrays.fill(inputs, 4 * i, 4 * i + 4, 0.5f);
             inputs[4 * i + i % 4] = tried[i];
         }
-        float[] values = TwinProgram.run("finite.frag", inputs, tried.length, uniforms -> {});
+        float[] values = TwinProgram.run(offscreen.gl, "finite.frag", inputs, tried.length, uniforms -> {});
         for (int i = 0; i < tried.length; i++) {
             boolean isKept = Float.isFinite(tried[i]);
             for (int channel = 0; channel < 3; channel++) {
@@ -231,12 +253,11 @@ class CloudHistoryGlTest {
 
     @Test
     void radianceIsFiniteWhereHistoryEnds() {
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = load(offscreen, clouds().level(), CloudHistory.SIXTEEN_FRAMES)) {
+        try (Renderer renderer = load(clouds, CloudHistory.SIXTEEN_FRAMES)) {
             for (int i = 0; i < 8; i++) {
                 double turned = 0.9 * i;
                 View view = offscreen.view(EYE, EYE.plus(new Vec3(Math.sin(turned), 0.3, -Math.cos(turned))));
-                assertTrue(isFinite(drawn(offscreen, renderer, view)), "turned by " + turned);
+                assertTrue(isFinite(drawn(renderer, view)), "turned by " + turned);
             }
         }
     }

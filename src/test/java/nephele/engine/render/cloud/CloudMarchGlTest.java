@@ -23,17 +23,31 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /** The shader that marches clouds is its Java twin, within a code of 255 of white. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudMarchGlTest {
     private static final int WIDTH = 48;
     private static final int HEIGHT = 32;
+    /** For the many boxes of layers. */
+    private static final int COARSE_LIGHT = 4;
+
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.64, -0.48);
     private static final Vec3 EYE = new Vec3(40, 2, -70);
+
+    private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+
+    @AfterAll
+    void close() {
+        offscreen.close();
+    }
 
     private static Cloud layer(Cloud.Density density, double extinctionPerMetre) {
         return new Cloud(
@@ -54,14 +68,18 @@ class CloudMarchGlTest {
     @TestFactory
     Stream<DynamicTest> theShaderIsTheJavaTwin() {
         return Stream.of(
-                DynamicTest.dynamicTest("a finite cloud", () -> compare(ball(new Vec3(20, 60, -190)))),
-                DynamicTest.dynamicTest("an even layer", () -> compare(layer(new Cloud.Density.Ellipsoid(), 0.004))),
                 DynamicTest.dynamicTest(
-                        "a layer of noise in cells", () -> compare(layer(new Cloud.Density.Noise(3, 900, 0.6), 0.01))),
+                        "a finite cloud", () -> compare(ball(new Vec3(20, 60, -190)), LightCells.DIVISOR)),
+                DynamicTest.dynamicTest(
+                        "an even layer", () -> compare(layer(new Cloud.Density.Ellipsoid(), 0.004), COARSE_LIGHT)),
+                DynamicTest.dynamicTest(
+                        "a layer of noise in cells",
+                        () -> compare(layer(new Cloud.Density.Noise(3, 900, 0.6), 0.01), COARSE_LIGHT)),
                 DynamicTest.dynamicTest(
                         "a layer of computed noise",
                         () -> compare(
-                                layer(new Cloud.Density.Noise(3, 500, 0.5, 0, CloudProfile.STRATUS, null, 0), 0.008))));
+                                layer(new Cloud.Density.Noise(3, 500, 0.5, 0, CloudProfile.STRATUS, null, 0), 0.008),
+                                COARSE_LIGHT)));
     }
 
     /** Pixels that a cloud covers wholly, or not at all, are the same; at its edge display values are blended instead of light. */
@@ -72,33 +90,33 @@ class CloudMarchGlTest {
                 .sky(new Sky.Constant(new Vec3(0.1, 0.2, 0.4)))
                 .cloud(ball(new Vec3(0, 60, -190)))
                 .level();
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
-            View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));
-            int[] blended = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT));
-            int[] linear = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.HDR));
-            int equal = 0;
-            for (int i = 0; i < linear.length; i++) {
-                equal += Math.abs(Offscreen.green(blended[i]) - Offscreen.green(linear[i])) <= 1 ? 1 : 0;
-            }
-            assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
+        View view = offscreen.view(new Vec3(0, 60, -110), new Vec3(0, 60, -190));
+        int[] blended = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT));
+        int[] linear = offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.HDR));
+        int equal = 0;
+        for (int i = 0; i < linear.length; i++) {
+            equal += Math.abs(Offscreen.green(blended[i]) - Offscreen.green(linear[i])) <= 1 ? 1 : 0;
         }
+        assertTrue(equal >= 0.8 * linear.length, "equal pixels: " + equal + " of " + linear.length);
     }
 
-    private static void compare(Cloud cloud) {
+    private void compare(Cloud cloud, int lightDivisor) {
         Level level = new TestLevel()
                 .sun(SUN, 1)
                 .sky(new Sky.Gradient(ONE, ONE, ONE))
                 .cloud(cloud)
                 .level();
-        Quality full = Quality.HIGH.withCloudResolution(1).withCloudHistory(Quality.CloudHistory.NONE);
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer =
+        Quality full = Quality.HIGH
+                .withCloudResolution(1)
+                .withCloudHistory(Quality.CloudHistory.NONE)
+                .withCloudLightCell(lightDivisor);
+        try (Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(
                         level.environment(),
                         TestAssets.NONE,
                         Aabb.around(Vec3.ZERO, new Vec3(20, 20, 20)),
-                        LightCells.DIVISOR)) {
+                        lightDivisor)) {
             View view = offscreen.view(EYE, EYE.plus(new Vec3(-0.2, 0.6, -1)));
             renderer.draw(view, offscreen.picture);
             offscreen.gl.requireNoError("frame");

@@ -19,11 +19,15 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.scene.FrameState;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.TestInstance.Lifecycle;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Frames that share the rays through clouds follow the wind as they follow the eye. */
+@TestInstance(Lifecycle.PER_CLASS)
 class CloudWindGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 64;
@@ -32,6 +36,20 @@ class CloudWindGlTest {
     private static final Vec3 EYE = new Vec3(-10, 10, -14);
     private static final Vec3 AHEAD = new Vec3(0.05, 0.25, -1);
     private static final Vec3 WIND = new Vec3(9, 2, 8);
+
+    private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+    private final Level blown = blown(WIND, WIND);
+    private final Level calm = blown(Vec3.ZERO, Vec3.ZERO);
+    // They keep the clouds sampled for all films of their levels.
+    private final Film ofBlown = film(blown, CloudHistory.NONE);
+    private final Film ofCalm = film(calm, CloudHistory.NONE);
+
+    @AfterAll
+    void close() {
+        ofCalm.close();
+        ofBlown.close();
+        offscreen.close();
+    }
 
     private static TestLevel sky() {
         return new TestLevel()
@@ -60,14 +78,6 @@ class CloudWindGlTest {
 
     /** A renderer of one level and the state that it draws. */
     private record Film(Offscreen offscreen, Renderer renderer, FrameState state) implements AutoCloseable {
-        static Film of(Offscreen offscreen, Level level, CloudHistory history) {
-            Quality quality = Quality.HIGH.withCloudHistory(history);
-            return new Film(
-                    offscreen,
-                    Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality)),
-                    FrameState.atStart(level));
-        }
-
         float[] at(Vec3 eye, double seconds) {
             state.seconds(seconds);
             renderer.draw(offscreen.view(eye, eye.plus(AHEAD)), state, offscreen.picture);
@@ -81,18 +91,23 @@ class CloudWindGlTest {
         }
     }
 
+    private Film film(Level level, CloudHistory history) {
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withCloudHistory(history));
+        Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings);
+        return new Film(offscreen, renderer, FrameState.atStart(level));
+    }
+
     /** Wind is the eye's own motion turned around, to a tenth of a code of 255 on average. */
     @ParameterizedTest
     @EnumSource(
             value = CloudHistory.class,
             names = {"FOUR_FRAMES", "SIXTEEN_FRAMES"})
     void cloudsThatComeAreAsCloudsThatOneGoesTo(CloudHistory history) {
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Film windy = Film.of(offscreen, blown(WIND, WIND), history);
-                Film calm = Film.of(offscreen, blown(Vec3.ZERO, Vec3.ZERO), history)) {
+        try (Film windy = film(blown, history);
+                Film still = film(calm, history)) {
             for (int frame = 0; frame < FRAMES; frame++) {
                 double seconds = frame * FRAME_SECONDS;
-                float[] expected = calm.at(EYE.addScaled(-seconds, WIND), seconds);
+                float[] expected = still.at(EYE.addScaled(-seconds, WIND), seconds);
                 double codes = 255 * difference(expected, windy.at(EYE, seconds));
                 assertTrue(codes <= 0.1, "frame " + frame + ": " + codes + " codes");
             }
@@ -110,9 +125,8 @@ class CloudWindGlTest {
     @Test
     void cloudsThatPassEachOtherLookAsWithAllRays() {
         Level level = blown(new Vec3(12, 0, 0), new Vec3(-6, 0, 3));
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Film shared = Film.of(offscreen, level, CloudHistory.FOUR_FRAMES);
-                Film exact = Film.of(offscreen, level, CloudHistory.NONE)) {
+        try (Film shared = film(level, CloudHistory.FOUR_FRAMES);
+                Film exact = film(level, CloudHistory.NONE)) {
             float[] truth = null;
             float[] seen = null;
             for (int frame = 0; frame < FRAMES; frame++) {
@@ -127,10 +141,8 @@ class CloudWindGlTest {
 
     @Test
     void aJumpInTimeIsACut() {
-        Level level = blown(WIND, WIND);
-        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Film played = Film.of(offscreen, level, CloudHistory.FOUR_FRAMES);
-                Film cold = Film.of(offscreen, level, CloudHistory.FOUR_FRAMES)) {
+        try (Film played = film(blown, CloudHistory.FOUR_FRAMES);
+                Film cold = film(blown, CloudHistory.FOUR_FRAMES)) {
             played.at(EYE, 0);
             played.at(EYE, FRAME_SECONDS);
             for (double seconds : new double[] {3, 0.5}) {

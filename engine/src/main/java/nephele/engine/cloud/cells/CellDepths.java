@@ -1,5 +1,6 @@
 package nephele.engine.cloud.cells;
 
+import java.util.stream.IntStream;
 import nephele.engine.cloud.light.AxisDepths;
 
 /** Optical depths from the centres of coarse cells to the outside along the axes. */
@@ -24,22 +25,27 @@ final class CellDepths {
 
     private float[] means() {
         float[] perMetre = new float[cells.count()];
-        var place = new CellPlace(density.cells());
-        for (int at = 0; at < perMetre.length; at++) {
-            int i = at % cells.nx();
-            int j = at / cells.nx() % cells.ny();
-            int k = at / cells.nx() / cells.ny();
-            double sum = 0;
-            for (int n = 0; n < 8; n++) {
-                place.at(
-                        cells.centreX(i) + ((n & 1) - 0.5) / 2 * cells.sizeX(),
-                        cells.centreY(j) + ((n >> 1 & 1) - 0.5) / 2 * cells.sizeY(),
-                        cells.centreZ(k) + ((n >> 2) - 0.5) / 2 * cells.sizeZ());
-                sum += place.of(density.densities(), 1, 0);
+        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+            var place = new CellPlace(density.cells());
+            for (int j = 0; j < cells.ny(); j++) {
+                for (int i = 0; i < cells.nx(); i++) {
+                    perMetre[cells.index(i, j, k)] = mean(place, i, j, k);
+                }
             }
-            perMetre[at] = (float) (sum / 8 * density.greatestPerMetre());
-        }
+        });
         return perMetre;
+    }
+
+    private float mean(CellPlace place, int i, int j, int k) {
+        double sum = 0;
+        for (int n = 0; n < 8; n++) {
+            place.at(
+                    cells.centreX(i) + ((n & 1) - 0.5) / 2 * cells.sizeX(),
+                    cells.centreY(j) + ((n >> 1 & 1) - 0.5) / 2 * cells.sizeY(),
+                    cells.centreZ(k) + ((n >> 2) - 0.5) / 2 * cells.sizeZ());
+            sum += place.of(density.densities(), 1, 0);
+        }
+        return (float) (sum / 8 * density.greatestPerMetre());
     }
 
     /** Sums along the lines of one axis. */

@@ -31,22 +31,17 @@ public record CellStack(
     }
 
     /** Returns a finite cloud. */
-    public static CellStack finite(DensityCells density, CloudLight physics, LightCells.Around around) {
-        List<DensityCells> all = List.of(density);
+    public static CellStack finite(DensityCells density, LightCells light, CloudLight physics) {
         return new CellStack(
-                all,
-                LightCells.of(all, false, physics, around),
-                physics,
-                Double.POSITIVE_INFINITY,
-                Double.POSITIVE_INFINITY);
+                List.of(density), List.of(light), physics, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
     /** Returns a layer in the boxes of a {@link LayerGrid}. */
     public static CellStack layer(
-            List<DensityCells> density, CloudLight physics, LightCells.Around around, double planetRadiusMetres) {
+            List<DensityCells> density, List<LightCells> light, CloudLight physics, double planetRadiusMetres) {
         return new CellStack(
                 density,
-                LightCells.of(density, true, physics, around),
+                light,
                 physics,
                 planetRadiusMetres,
                 LayerGrid.REACH * density.get(0).cells().sizeX());

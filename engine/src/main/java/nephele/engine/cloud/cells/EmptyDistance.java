@@ -23,12 +23,8 @@ final class EmptyDistance {
             }
         }
         // Two sweeps there and back: the distance of a cell is one more than the least of its 26 neighbours'.
-        for (int sweep = 0; sweep < 2; sweep++) {
-            for (int n = 0; n < distances.length; n++) {
-                int at = sweep == 0 ? n : distances.length - 1 - n;
-                relax(distances, cells, at, at % nx, at / nx % cells.ny(), at / layer, sweep == 0 ? -1 : 1);
-            }
-        }
+        sweep(distances, cells, -1);
+        sweep(distances, cells, 1);
         for (int at = 0; at < distances.length; at++) {
             distances[at] = (byte) Math.max(0, distances[at] - 1);
         }
@@ -39,19 +35,48 @@ final class EmptyDistance {
         return index == 0 || index == count - 1;
     }
 
-    /** Regards the thirteen neighbours that a sweep has passed already. */
-    private static void relax(byte[] distances, CellBox cells, int at, int i, int j, int k, int side) {
-        int least = distances[at];
-        for (int n = 0; n < 13 && least > 0; n++) {
-            int dx = n < 9 ? n % 3 - 1 : n < 12 ? n - 10 : side;
-            int dy = n < 9 ? n / 3 - 1 : n < 12 ? side : 0;
-            int dz = n < 9 ? side : 0;
-            boolean inside = within(i + dx, cells.nx()) && within(j + dy, cells.ny()) && within(k + dz, cells.nz());
-            if (inside) {
-                least = Math.min(least, distances[cells.index(i + dx, j + dy, k + dz)] + 1);
+    /** Regards the thirteen neighbours of each cell that lie on one side: those that the sweep has passed already. */
+    private static void sweep(byte[] distances, CellBox cells, int side) {
+        int[] steps = new int[13];
+        for (int n = 0; n < steps.length; n++) {
+            steps[n] = cells.index(dx(n, side), dy(n, side), dz(n, side));
+        }
+        for (int n = 0; n < distances.length; n++) {
+            int at = side < 0 ? n : distances.length - 1 - n;
+            if (distances[at] > 0) {
+                distances[at] = (byte) nearer(distances, cells, at, steps, side);
             }
         }
-        distances[at] = (byte) least;
+    }
+
+    private static int nearer(byte[] distances, CellBox cells, int at, int[] steps, int side) {
+        int i = at % cells.nx();
+        int j = at / cells.nx() % cells.ny();
+        int k = at / cells.nx() / cells.ny();
+        boolean isInside = !isAtSide(i, cells.nx()) && !isAtSide(j, cells.ny()) && !isAtSide(k, cells.nz());
+        int least = distances[at];
+        for (int n = 0; n < steps.length; n++) {
+            if (isInside || hasNeighbour(cells, i + dx(n, side), j + dy(n, side), k + dz(n, side))) {
+                least = Math.min(least, distances[at + steps[n]] + 1);
+            }
+        }
+        return least;
+    }
+
+    private static int dx(int n, int side) {
+        return n < 9 ? n % 3 - 1 : n < 12 ? n - 10 : side;
+    }
+
+    private static int dy(int n, int side) {
+        return n < 9 ? n / 3 - 1 : n < 12 ? side : 0;
+    }
+
+    private static int dz(int n, int side) {
+        return n < 9 ? side : 0;
+    }
+
+    private static boolean hasNeighbour(CellBox cells, int i, int j, int k) {
+        return within(i, cells.nx()) && within(j, cells.ny()) && within(k, cells.nz());
     }
 
     private static boolean within(int index, int count) {

@@ -1,6 +1,5 @@
 package nephele.engine.cloud.cells;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.light.AxisDepths;
@@ -40,30 +39,27 @@ public final class LightCells {
     }
 
     /**
-     * Computes the light in all boxes of a cloud on all processors.
+     * Computes the light in a box of a cloud on all processors.
      *
+     * @param density in the box and in all wider ones: of narrower ones its light is independent
      * @param isLayer whether the cells end at no side
      */
-    public static List<LightCells> of(List<DensityCells> density, boolean isLayer, CloudLight physics, Around around) {
-        List<LightCells> lit = new ArrayList<>();
-        for (int level = 0; level < density.size(); level++) {
-            CellBox cells = density.get(level).cells().coarser(around.divisor);
-            float[] values = new float[VALUES * cells.count()];
-            var sums = new CellDepths(density.get(level), cells);
-            int ofLevel = level;
-            IntStream.range(0, cells.nz()).parallel().forEach(k -> {
-                var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, ofLevel, around);
-                for (int j = 0; j < cells.ny(); j++) {
-                    for (int i = 0; i < cells.nx(); i++) {
-                        if (isNear(density.get(ofLevel), cells, around.divisor, i, j, k)) {
-                            put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
-                        }
+    public static LightCells of(List<DensityCells> density, boolean isLayer, CloudLight physics, Around around) {
+        DensityCells dense = density.get(0);
+        CellBox cells = dense.cells().coarser(around.divisor);
+        float[] values = new float[VALUES * cells.count()];
+        var sums = new CellDepths(dense, cells);
+        IntStream.range(0, cells.nz()).parallel().forEach(k -> {
+            var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, around);
+            for (int j = 0; j < cells.ny(); j++) {
+                for (int i = 0; i < cells.nx(); i++) {
+                    if (isNear(dense, cells, around.divisor, i, j, k)) {
+                        put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
                     }
                 }
-            });
-            lit.add(new LightCells(cells, values));
-        }
-        return lit;
+            }
+        });
+        return new LightCells(cells, values);
     }
 
     /** Returns false for cells so far from all extinction that no lookup of light there meets any. */
@@ -83,17 +79,15 @@ public final class LightCells {
         private final CellDepths sums;
         private final StackDepths depths;
         private final boolean isLayer;
-        private final int level;
         private final Around around;
         private final List<ShadingCloud.Walk> others;
         private final double axisCosine;
 
-        private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, int level, Around around) {
+        private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, Around around) {
             this.cells = cells;
             this.sums = sums;
             this.depths = depths;
             this.isLayer = isLayer;
-            this.level = level;
             this.around = around;
             others = around.others().stream().map(ShadingCloud::walk).toList();
             Vec3 sun = around.towardsSun();
@@ -106,8 +100,8 @@ public final class LightCells {
             double z = cells.centreZ(k);
             AxisDepths axes = axes(i, j, k, x, y, z);
             Vec3 sun = around.towardsSun();
-            double sunDepth = depths.from(level, x, y, z, sun.x(), sun.y(), sun.z());
-            double shadeDepth = depths.from(level, x, y, z, -sun.x(), -sun.y(), -sun.z());
+            double sunDepth = depths.from(0, x, y, z, sun.x(), sun.y(), sun.z());
+            double shadeDepth = depths.from(0, x, y, z, -sun.x(), -sun.y(), -sun.z());
             for (ShadingCloud.Walk other : others) {
                 double edge = cells.sizeX() / around.divisor();
                 axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
@@ -121,12 +115,12 @@ public final class LightCells {
             AxisDepths inBox = sums.axes(i, j, k);
             return isLayer
                     ? new AxisDepths(
-                            depths.nearBy(level, x, y, z, 1, 0, 0),
-                            depths.nearBy(level, x, y, z, -1, 0, 0),
+                            depths.nearBy(0, x, y, z, 1, 0, 0),
+                            depths.nearBy(0, x, y, z, -1, 0, 0),
                             inBox.y(),
                             inBox.minusY(),
-                            depths.nearBy(level, x, y, z, 0, 0, 1),
-                            depths.nearBy(level, x, y, z, 0, 0, -1))
+                            depths.nearBy(0, x, y, z, 0, 0, 1),
+                            depths.nearBy(0, x, y, z, 0, 0, -1))
                     : inBox;
         }
     }

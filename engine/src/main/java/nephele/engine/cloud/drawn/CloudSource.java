@@ -53,6 +53,7 @@ public final class CloudSource {
     private final LayerGrid grid;
 
     private final boolean isProfiled;
+    private final LitBoxes litBoxes;
     private final Map<BoxKey, SampledBox> sampled = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param column {@code null} for a finite cloud */
@@ -73,6 +74,7 @@ public final class CloudSource {
         grid = isFinite ? null : grid(field.bounds());
         bounds = isFinite ? cells.box() : field.bounds();
         isProfiled = noise(0) != null;
+        litBoxes = new LitBoxes(!isFinite, physics, KEPT * levels());
     }
 
     /** An ellipsoid's cells end outside of it: at its tips, an eye would otherwise meet half a cell's density at once. */
@@ -218,9 +220,10 @@ public final class CloudSource {
 
     /** Returns its cells in some light. */
     CellStack lit(List<DensityCells> density, LightCells.Around around) {
+        List<LightCells> light = litBoxes.of(density, around);
         return grid == null
-                ? CellStack.finite(density.get(0), physics, around)
+                ? CellStack.finite(density.get(0), light.get(0), physics)
                 : CellStack.layer(
-                        density, physics, around, isShell ? Air.PLANET_RADIUS_METRES : Double.POSITIVE_INFINITY);
+                        density, light, physics, isShell ? Air.PLANET_RADIUS_METRES : Double.POSITIVE_INFINITY);
     }
 }
