@@ -1,6 +1,7 @@
 package nephele.engine.level.rule;
 
-import java.util.List;
+import java.util.EnumSet;
+import java.util.Set;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Problem;
@@ -16,19 +17,26 @@ final class EnvironmentRules {
         }
     };
 
-    /** Warns of techniques of clouds that are read and checked but not built yet. */
-    static final LevelRule NOT_YET = (level, assets, report) -> {
-        List<Cloud> clouds = level.environment().clouds();
-        for (int i = 0; i < clouds.size(); i++) {
-            CloudTechnique technique = clouds.get(i).technique();
-            if (technique != CloudTechnique.AUTO && technique != CloudTechnique.VOLUME) {
-                report.accept(Problem.warning(
-                                "environment.clouds[" + i + "].technique",
-                                "is not drawn by this version yet; the cloud is drawn as a volume")
-                        .about(Topic.NOT_DRAWN_YET));
-            }
-        }
-    };
+    private static final Set<CloudTechnique> DRAWN =
+            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.PARTICLES);
+
+    /** Warns of techniques of clouds that are not built yet, or that cannot show a cloud. */
+    static final LevelRule TECHNIQUES = (level, assets, report) ->
+            LevelRule.each("environment.clouds", level.environment().clouds(), (path, cloud) -> {
+                boolean isDrawn = DRAWN.contains(cloud.technique());
+                if (!isDrawn) {
+                    report.accept(Problem.warning(
+                                    path + ".technique",
+                                    "is not drawn by this version yet; the cloud is drawn as a volume")
+                            .about(Topic.NOT_DRAWN_YET));
+                } else if (cloud.technique() == CloudTechnique.PARTICLES
+                        && cloud.extent() instanceof Cloud.Extent.Layer) {
+                    report.accept(Problem.warning(
+                            path + ".technique",
+                            "an endless layer has no particles and is drawn as a volume: choose the kind volume, or the"
+                                    + " technique auto"));
+                }
+            });
 
     private EnvironmentRules() {}
 }
