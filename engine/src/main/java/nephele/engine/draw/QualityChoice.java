@@ -16,6 +16,7 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
@@ -94,6 +95,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "cloudScattering",
                     CloudScattering.class,
                     (all, value) -> all.with(all.quality().withCloudScattering(value))),
+            SettingKey.word(
+                    "billboardFacing",
+                    BillboardFacing.class,
+                    (all, value) -> all.with(all.quality().withBillboardFacing(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

@@ -18,7 +18,8 @@ final class EnvironmentRules {
     };
 
     private static final Set<CloudTechnique> DRAWN =
-            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.PARTICLES);
+            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
+    private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
 
     /** Warns of techniques of clouds that are not built yet, or that cannot show a cloud. */
     static final LevelRule TECHNIQUES = (level, assets, report) ->
@@ -29,12 +30,11 @@ final class EnvironmentRules {
                                     path + ".technique",
                                     "is not drawn by this version yet; the cloud is drawn as a volume")
                             .about(Topic.NOT_DRAWN_YET));
-                } else if (cloud.technique() == CloudTechnique.PARTICLES
-                        && cloud.extent() instanceof Cloud.Extent.Layer) {
+                } else if (OF_BALLS.contains(cloud.technique()) && cloud.extent() instanceof Cloud.Extent.Layer) {
                     report.accept(Problem.warning(
                             path + ".technique",
-                            "an endless layer has no particles and is drawn as a volume: choose the kind volume, or the"
-                                    + " technique auto"));
+                            "an endless layer is not divided into balls and is drawn as a volume: choose the kind"
+                                    + " volume, or the technique auto"));
                 }
             });
 

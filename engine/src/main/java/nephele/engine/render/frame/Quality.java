@@ -40,6 +40,7 @@ public record Quality(
         double cloudStep,
         int cloudLightCell,
         CloudScattering cloudScattering,
+        BillboardFacing billboardFacing,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -62,6 +63,7 @@ public record Quality(
             1,
             2,
             CloudScattering.TWO_STREAM,
+            BillboardFacing.VIEWER,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -111,6 +113,18 @@ public record Quality(
          * (Wrenninge 2013); the sum is far too dark in thick clouds.
          */
         OCTAVES
+    }
+
+    /** How the flat pictures of clouds of technique billboard are turned; shaders know the order. */
+    public enum BillboardFacing {
+        /** As the screen. */
+        SCREEN,
+        /** Towards the eye. */
+        VIEWER,
+        /** Towards the eye about an upright axis. */
+        AXIAL,
+        /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
+        SOURCE
     }
 
     /** The filter that scales a picture up. */
@@ -222,6 +236,10 @@ public record Quality(
         return with(draft -> draft.cloudScattering = model);
     }
 
+    public Quality withBillboardFacing(BillboardFacing facing) {
+        return with(draft -> draft.billboardFacing = facing);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -256,6 +274,7 @@ public record Quality(
         private double cloudStep;
         private int cloudLightCell;
         private CloudScattering cloudScattering;
+        private BillboardFacing billboardFacing;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -276,6 +295,7 @@ public record Quality(
             cloudStep = from.cloudStep;
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
+            billboardFacing = from.billboardFacing;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -298,6 +318,7 @@ public record Quality(
                     cloudStep,
                     cloudLightCell,
                     cloudScattering,
+                    billboardFacing,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

@@ -1,39 +1,25 @@
 package nephele.engine.render.pass.cloud.particle;
 
-import java.util.EnumMap;
-import java.util.Map;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.pass.cloud.CloudContext;
-import nephele.engine.render.pass.cloud.CloudDrawing;
-import nephele.engine.render.pass.cloud.CloudPixels;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
-import nephele.engine.render.pass.cloud.PlacedCloud;
+import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
+import nephele.engine.render.pass.cloud.PixelUniforms;
+import nephele.engine.render.pass.cloud.PuffProgram;
+import nephele.engine.render.pass.cloud.PuffPrograms;
 
-/** Blends soft balls whose optical depth has a closed form. */
-public final class ParticleTechnique implements CloudTechniqueDrawer {
+/** Blends soft balls whose optical depth along each ray has a closed form. */
+public final class ParticleTechnique {
     public static final Registered REGISTERED =
-            new Registered(CloudTechnique.PARTICLES, CloudPuffs::canShow, ParticleTechnique::new);
+            new Registered(CloudTechnique.PARTICLES, CloudPuffs::canShow, ParticleTechnique::drawer);
 
-    private final CloudContext context;
-    /** Compiled when a cloud first needs them. */
-    private final Map<CloudPixels, ParticleProgram> programs = new EnumMap<>(CloudPixels.class);
+    private static final String SHADERS = "/nephele/engine/render/pass/cloud/particle/particle";
 
-    private ParticleTechnique(CloudContext context) {
-        this.context = context;
-    }
+    private ParticleTechnique() {}
 
-    @Override
-    public CloudDrawing of(PlacedCloud cloud) {
-        return new ParticleCloud(context.load(), cloud, this::program);
-    }
-
-    private ParticleProgram program(CloudPixels pixels) {
-        ParticleProgram known = programs.get(pixels);
-        if (known == null) {
-            known = new ParticleProgram(context, pixels);
-            programs.put(pixels, known);
-        }
-        return known;
+    private static CloudTechniqueDrawer drawer(CloudContext context) {
+        return new PuffPrograms(
+                context, pixels -> new PuffProgram(context, pixels, SHADERS, PixelUniforms.defines(context, pixels)));
     }
 }

@@ -1,31 +1,29 @@
-package nephele.engine.render.pass.cloud.particle;
+package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.pass.cloud.CellUniforms;
-import nephele.engine.render.pass.cloud.CloudContext;
-import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.PixelUniforms;
 
-/** {@code particle.frag} with its numbers. */
-final class ParticleProgram {
-    private static final String FOLDER = "/nephele/engine/render/pass/cloud/particle/";
-
+/** A program that draws the balls of a cloud as quads, with its numbers. */
+public final class PuffProgram {
     private final GlProgram<Places> program;
 
     private record Places(PixelUniforms pixels, CellUniforms cells, Uniforms.Scalar margin) {}
 
-    ParticleProgram(CloudContext context, CloudPixels pixels) {
-        var defines = PixelUniforms.defines(context, pixels)
-                .with("QUADS")
+    /**
+     * @param shaders path of both shaders without the ending
+     * @param choices further definitions
+     */
+    public PuffProgram(CloudContext context, CloudPixels pixels, String shaders, Defines choices) {
+        var defines = choices.with("QUADS")
                 .with("MOST_BOXES", CellUniforms.MOST_BOXES)
                 .values();
         program = new GlProgram<>(
                 context.load().gl(),
-                ShaderSource.load(FOLDER + "particle.vert", defines),
-                ShaderSource.load(FOLDER + "particle.frag", defines),
+                ShaderSource.load(shaders + ".vert", defines),
+                ShaderSource.load(shaders + ".frag", defines),
                 uniforms -> new Places(
                         PixelUniforms.of(uniforms, context, pixels),
                         CellUniforms.of(uniforms, CloudScattering.TWO_STREAM),

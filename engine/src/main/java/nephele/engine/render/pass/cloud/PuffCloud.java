@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.cloud.particle;
+package nephele.engine.render.pass.cloud;
 
 import java.util.function.Function;
 import nephele.engine.cloud.drawn.CloudInterval;
@@ -6,17 +6,11 @@ import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.level.Environment;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.pass.cloud.CloudCanvas;
-import nephele.engine.render.pass.cloud.CloudDrawing;
-import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.LitCells;
-import nephele.engine.render.pass.cloud.PlacedCloud;
-import nephele.engine.render.pass.cloud.PuffQuads;
 
-/** A cloud of soft balls, each lit as its place in the cloud is. */
-final class ParticleCloud implements CloudDrawing {
+/** A cloud that is divided into balls, drawn by one of the programs for them. */
+public final class PuffCloud implements CloudDrawing {
     private final PlacedCloud placed;
-    private final Function<CloudPixels, ParticleProgram> programs;
+    private final Function<CloudPixels, PuffProgram> programs;
     private final LitCells cells;
     private final PuffQuads quads;
     private DrawnCloud shownFrom;
@@ -26,7 +20,8 @@ final class ParticleCloud implements CloudDrawing {
     private CloudPuffs to;
     private CloudPuffs now;
 
-    ParticleCloud(LoadContext context, PlacedCloud placed, Function<CloudPixels, ParticleProgram> programs) {
+    /** @param programs compiled when pixels are first drawn */
+    public PuffCloud(LoadContext context, PlacedCloud placed, Function<CloudPixels, PuffProgram> programs) {
         this.placed = placed;
         this.programs = programs;
         cells = new LitCells(context, placed);
@@ -51,7 +46,7 @@ final class ParticleCloud implements CloudDrawing {
 
     @Override
     public void draw(CloudCanvas canvas) {
-        ParticleProgram program = programs.apply(canvas.pixels());
+        PuffProgram program = programs.apply(canvas.pixels());
         program.use(canvas.margin());
         canvas.put(program.pixels(), placed);
         cells.bind(program.cells(), canvas.view(), canvas.focus(), 1);
