@@ -20,8 +20,10 @@ import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.NormalMaps;
+import nephele.engine.render.frame.Quality.ProceduralNoise;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
 
@@ -94,6 +96,14 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "cloudScattering",
                     CloudScattering.class,
                     (all, value) -> all.with(all.quality().withCloudScattering(value))),
+            SettingKey.word(
+                    "skyplaneShape",
+                    SkyplaneShape.class,
+                    (all, value) -> all.with(all.quality().withSkyplaneShape(value))),
+            SettingKey.word(
+                    "proceduralNoise",
+                    ProceduralNoise.class,
+                    (all, value) -> all.with(all.quality().withProceduralNoise(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

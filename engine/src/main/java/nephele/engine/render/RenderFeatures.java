@@ -6,6 +6,7 @@ import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.shaft.ShaftPass;
+import nephele.engine.render.pass.cloud.skyplane.SkyplaneTechnique;
 import nephele.engine.render.pass.cloud.volume.VolumeTechnique;
 import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
@@ -28,7 +29,8 @@ import nephele.engine.render.pass.upscale.UpscalePass;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
-    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES = List.of(VolumeTechnique.REGISTERED);
+    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES =
+            List.of(VolumeTechnique.REGISTERED, SkyplaneTechnique.REGISTERED);
 
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.

@@ -22,6 +22,7 @@ import nephele.engine.cloud.field.ShellField;
 import nephele.engine.cloud.field.UniformField;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -59,8 +60,11 @@ public final class CloudSource {
     /** @param column {@code null} for a finite cloud */
     private record BoxKey(int level, Column column, double seconds) {}
 
-    /** @param plan {@code null} unless of noise with a profile */
-    private record SampledBox(DensityCells density, PlanCells plan) {}
+    /**
+     * @param plan {@code null} unless of noise with a profile
+     * @param columns {@code null} unless for a sheet
+     */
+    private record SampledBox(DensityCells density, PlanCells plan, SheetColumns columns) {}
 
     CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics) {
         cloud = loaded.clouds().get(index);
@@ -167,17 +171,30 @@ public final class CloudSource {
         List<DensityCells> density = new ArrayList<>();
         double fullPerMetre = 0;
         List<PlanCells> plans = new ArrayList<>();
+        List<SheetColumns> sheet = new ArrayList<>();
         for (int level = 0; level < levels(); level++) {
             SampledBox box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
             fullPerMetre = box.density().greatestPerMetre();
             density.add(box.density().scaled(share(seconds)));
             plans.add(box.plan());
+            sheet.add(box.columns());
         }
-        return new Sampled(density, isProfiled ? List.copyOf(plans) : List.of(), fullPerMetre);
+        return new Sampled(
+                density,
+                isProfiled ? List.copyOf(plans) : List.of(),
+                isSheet() ? List.copyOf(sheet) : List.of(),
+                fullPerMetre);
     }
 
-    /** @param plans of the boxes; empty unless of noise with a profile */
-    record Sampled(List<DensityCells> density, List<PlanCells> plans, double fullPerMetre) {}
+    private boolean isSheet() {
+        return cloud.technique() == CloudTechnique.SKYPLANE;
+    }
+
+    /**
+     * @param plans of the boxes; empty unless of noise with a profile
+     * @param sheet its columns; empty unless it is drawn as a sheet of them
+     */
+    record Sampled(List<DensityCells> density, List<PlanCells> plans, List<SheetColumns> sheet, double fullPerMetre) {}
 
     private synchronized SampledBox sampled(int level, Column column, double seconds) {
         var key = new BoxKey(level, column, seconds);
@@ -196,11 +213,16 @@ public final class CloudSource {
         ExtinctionField field = flat(seconds);
         var sampling = new Sampling(finestMetres(), greatestPerMetre(field));
         if (!isProfiled) {
-            return new SampledBox(DensityCells.of(field, cells, sampling), null);
+            DensityCells density = DensityCells.of(field, cells, sampling);
+            return new SampledBox(
+                    density, null, isSheet() ? SheetColumns.of(field, cells, density.greatestPerMetre()) : null);
         }
         var noise = (NoiseField) field;
+        var columns = new NoiseColumns(noise);
         return new SampledBox(
-                DensityCells.of(new NoiseColumns(noise), cells, sampling), PlanCells.of(noise, cells.box()));
+                DensityCells.of(columns, cells, sampling),
+                PlanCells.of(noise, cells.box()),
+                isSheet() ? SheetColumns.of(columns, cells, sampling.greatestPerMetre()) : null);
     }
 
     /** Returns the size of what must not be missed between two samples. */

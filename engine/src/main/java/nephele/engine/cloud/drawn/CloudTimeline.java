@@ -266,6 +266,7 @@ public final class CloudTimeline implements AutoCloseable {
                     source,
                     source.lit(sampled.get(i).density(), around),
                     sampled.get(i).plans(),
+                    sampled.get(i).sheet(),
                     source.drift(seconds),
                     sampled.get(i).fullPerMetre()));
         }

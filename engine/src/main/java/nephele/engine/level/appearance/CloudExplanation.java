@@ -3,6 +3,7 @@ package nephele.engine.level.appearance;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.json.LevelJson;
@@ -15,9 +16,16 @@ public final class CloudExplanation {
     /** Returns no lines for a level without clouds and weather; each cloud of a weather is one line of JSON. */
     public static List<String> lines(Environment environment) {
         List<String> lines = new ArrayList<>();
-        int count = WeatherClouds.all(environment).size();
-        if (count > 0) {
-            lines.add("clouds: " + count + " drawn as volumes");
+        List<Cloud> clouds = WeatherClouds.all(environment);
+        List<Cloud> written = clouds.stream()
+                .filter(cloud -> cloud.technique() != CloudTechnique.AUTO)
+                .toList();
+        if (clouds.size() > written.size()) {
+            lines.add("clouds: " + (clouds.size() - written.size()) + " drawn as volumes");
+        }
+        for (Cloud cloud : written) {
+            lines.add("clouds: " + cloud.id() + " by technique " + WordFormats.Choice.word(cloud.technique())
+                    + ": because technique is written");
         }
         for (WeatherKeyframe keyframe : environment.weatherKeyframes()) {
             lines.add("environment.weatherKeyframes: " + WordFormats.Choice.word(keyframe.weather()) + " from "

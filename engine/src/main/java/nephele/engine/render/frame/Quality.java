@@ -20,6 +20,8 @@ import java.util.function.Consumer;
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
+ * @param skyplaneShape shape of the sheets of technique {@code skyplane}
+ * @param proceduralNoise noise of technique {@code procedural}
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -40,6 +42,8 @@ public record Quality(
         double cloudStep,
         int cloudLightCell,
         CloudScattering cloudScattering,
+        SkyplaneShape skyplaneShape,
+        ProceduralNoise proceduralNoise,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -62,6 +66,8 @@ public record Quality(
             1,
             2,
             CloudScattering.TWO_STREAM,
+            SkyplaneShape.SHELL,
+            ProceduralNoise.SMOOTH,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -111,6 +117,30 @@ public record Quality(
          * (Wrenninge 2013); the sum is far too dark in thick clouds.
          */
         OCTAVES
+    }
+
+    /** The shape of the sheet as which a layer of clouds is drawn. */
+    public enum SkyplaneShape {
+        /** A sphere around the planet under an atmosphere, otherwise a plane. */
+        SHELL,
+        FLAT,
+        /**
+         * A mesh of 17 × 17 vertices around the eye that sinks by the square of the distance, 2√(R₂² − R₁²) wide and R₁
+         * above the eye, with R₂ = 9 R₁.
+         */
+        CURVED,
+        /** A hemisphere around the eye. */
+        DOME
+    }
+
+    /** The noise of clouds that are drawn by technique {@code procedural}. */
+    public enum ProceduralNoise {
+        /** Gradient noise without a period, whose octaves keep their variance while they change. */
+        SMOOTH,
+        /** White noise of 32², 64² and 128² texels, enlarged bilinearly, cross-faded linearly, with weights ½, ¼ and ⅛. */
+        SOURCE,
+        /** The same with the weights of octaves that are blended one over the other: .328, .219 and .125. */
+        SOURCE_CODE
     }
 
     /** The filter that scales a picture up. */
@@ -222,6 +252,14 @@ public record Quality(
         return with(draft -> draft.cloudScattering = model);
     }
 
+    public Quality withSkyplaneShape(SkyplaneShape shape) {
+        return with(draft -> draft.skyplaneShape = shape);
+    }
+
+    public Quality withProceduralNoise(ProceduralNoise noise) {
+        return with(draft -> draft.proceduralNoise = noise);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -256,6 +294,8 @@ public record Quality(
         private double cloudStep;
         private int cloudLightCell;
         private CloudScattering cloudScattering;
+        private SkyplaneShape skyplaneShape;
+        private ProceduralNoise proceduralNoise;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -276,6 +316,8 @@ public record Quality(
             cloudStep = from.cloudStep;
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
+            skyplaneShape = from.skyplaneShape;
+            proceduralNoise = from.proceduralNoise;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -298,6 +340,8 @@ public record Quality(
                     cloudStep,
                     cloudLightCell,
                     cloudScattering,
+                    skyplaneShape,
+                    proceduralNoise,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

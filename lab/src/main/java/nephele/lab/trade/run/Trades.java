@@ -37,6 +37,8 @@ public final class Trades {
             CloudSubjects.RESOLUTION,
             CloudSubjects.LIGHT,
             CloudSubjects.HISTORY,
+            CloudSubjects.SHEET,
+            CloudSubjects.NOISE,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

@@ -1,56 +1,36 @@
 package nephele.engine.render.pass.cloud.volume;
 
 import java.util.Map;
-import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
-import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
-import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
-import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Sun;
-import nephele.engine.level.appearance.Daylight;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.CloudTextures;
+import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.volume.MarchProgram.Noise;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.SkyIrradiance;
 
-/** A cloud of the level with its cells on the GPU and the light around it. */
+/** A cloud of the level whose cells are marched. */
 final class MarchedCloud implements CloudDrawing {
-    private final SharedResources shared;
     private final PlacedCloud placed;
     private final CloudSource cloud;
+    private final LitCloud lit;
     private final Map<CloudPixels, MarchPrograms> programs;
     private final FullScreenTriangle triangle;
     private final double stepCells;
-    private final CloudTextures textures;
     /** {@code null} if the density comes from cells. */
     private final NoiseTextures noiseTextures;
 
-    private Environment followed;
-    private Vec3 towardsSun;
-    private Vec3 irradiance;
-    private Vec3 above;
-    private Vec3 below;
-    private DrawnCloud shown;
-    private DrawnCloud toCome;
-    private double share;
-    private double groundShare;
-    private double fullPerMetre;
     /** Its noise at the time; {@code null} if the density comes from cells. */
     private NoiseField noise;
 
@@ -59,13 +39,12 @@ final class MarchedCloud implements CloudDrawing {
             PlacedCloud placed,
             Map<CloudPixels, MarchPrograms> programs,
             FullScreenTriangle triangle) {
-        shared = context.shared();
         this.placed = placed;
         this.programs = programs;
         this.triangle = triangle;
         cloud = placed.source();
+        lit = new LitCloud(context, placed);
         stepCells = context.quality().cloudStep();
-        textures = new CloudTextures(context, cloud);
         noiseTextures = cloud.isProfiled()
                 ? new NoiseTextures(context, (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
                 : null;
@@ -73,8 +52,11 @@ final class MarchedCloud implements CloudDrawing {
 
     @Override
     public void follow(Environment environment, CloudInterval now) {
-        follow(now);
-        follow(environment);
+        lit.follow(environment, now);
+        if (noiseTextures != null) {
+            noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
+            noiseTextures.show(lit.shown().plans(), lit.toCome().plans());
+        }
     }
 
     @Override
@@ -90,64 +72,17 @@ final class MarchedCloud implements CloudDrawing {
         return !cloud.isProfiled() ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
     }
 
-    /** Takes its cells at the present time. */
-    private void follow(CloudInterval now) {
-        shown = now.from().clouds().all().get(placed.index());
-        toCome = now.to().clouds().all().get(placed.index());
-        share = now.share();
-        groundShare = now.groundShare();
-        fullPerMetre = shown.fullPerMetre();
-        textures.show(shown.cells(), toCome.cells());
-        if (noiseTextures != null) {
-            noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
-            noiseTextures.show(shown.plans(), toCome.plans());
-        }
-    }
-
-    /** Takes the light of the present environment. */
-    private void follow(Environment now) {
-        if (now == followed) {
-            return;
-        }
-        followed = now;
-        Aabb extent = cloud.bounds();
-        Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
-        towardsSun = CloudTimeline.towardsSun(now);
-        irradiance = sun == null ? Vec3.ZERO : sun.irradiance();
-        SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
-        above = Vec3.of(sky.ambient(0, 1, 0));
-        below = Vec3.of(sky.ambient(0, -1, 0));
-    }
-
     /** @param focus of the boxes of layers */
     private void bind(MarchProgram program, View view, Vec3 focus) {
-        textures.bind();
-        Vec3 eye = view.eye().minus(placed.drift());
+        lit.put(program.cells(), view, focus);
         if (noiseTextures != null) {
-            noiseTextures.bind(program.noisePlaces(), noise, eye);
+            noiseTextures.bind(program.noisePlaces(), noise, view.eye().minus(placed.drift()));
         }
-        var places = program.places();
-        putBoxes(places, eye, focus.minus(view.eye()));
-        CloudOptics optics = cloud.physics().optics();
-        DeltaScaling scaled = cloud.physics().medium();
-        places.medium().set((float) greatestPerMetre(), (float) scaled.depthFactor(), (float) optics.albedo(), (float)
-                scaled.albedo());
-        places.phase()
-                .set(
-                        (float) scaled.g(),
-                        (float) (1 / cloud.physics().smallAngles().deepest()),
-                        (float) cloud.halfCurvature(),
-                        (float) optics.meanCosine());
+        MarchProgram.Places places = program.places();
+        CellBox narrowest = lit.shown().cells().narrowest();
+        places.cellEdges().set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
+                narrowest.shortest());
         places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) depthAround(view));
-        set(places.cloudSun(), towardsSun);
-        if (places.diffuseAxis() != null) {
-            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
-            places.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
-                    cloud.physics().slopeOfBeam());
-        }
-        set(places.irradiance(), irradiance);
-        set(places.skyAbove(), above);
-        set(places.skyBelow(), below.scaled(groundShare));
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */
@@ -155,46 +90,9 @@ final class MarchedCloud implements CloudDrawing {
         Plane exit = view.clip();
         Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
         Vec3 place = begin.minus(placed.drift());
+        DrawnCloud shown = lit.shown();
         double before = shown.cells().leastDepth(place);
-        double after = share == 0 ? before : toCome.cells().leastDepth(place);
-        return placed.presence() * (before + share * (after - before));
-    }
-
-    private double greatestPerMetre() {
-        return placed.presence() * fullPerMetre;
-    }
-
-    private void putBoxes(MarchProgram.Places places, Vec3 eye, Vec3 focus) {
-        CellStack cells = shown.cells();
-        for (int level = 0; level < cells.levels(); level++) {
-            Aabb box = cells.density().get(level).cells().box();
-            places.boxes()
-                    .get(level)
-                    .set(
-                            (float) ((box.minX() + box.maxX()) / 2 - eye.x()),
-                            (float) ((box.minZ() + box.maxZ()) / 2 - eye.z()),
-                            (float) (1 / (box.maxX() - box.minX())),
-                            (float) (1 / (box.maxZ() - box.minZ())));
-        }
-        CellBox narrowest = cells.narrowest();
-        Aabb box = narrowest.box();
-        places.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
-        places.cellEdges().set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
-                narrowest.shortest());
-        float low = (float) (box.minY() - eye.y());
-        float high = (float) (box.maxY() - box.minY());
-        if (cells.isLayer()) {
-            places.cloudBase().set((float) focus.x(), low, (float) focus.z());
-            places.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
-        } else {
-            Vec3 middle = box.centre().minus(eye);
-            places.cloudBase().set((float) middle.x(), low, (float) middle.z());
-            places.cloudHalf()
-                    .set((float) ((box.maxX() - box.minX()) / 2), high, (float) ((box.maxZ() - box.minZ()) / 2));
-        }
-    }
-
-    private static void set(nephele.engine.render.gl.shader.Uniforms.Vector3 place, Vec3 v) {
-        place.set((float) v.x(), (float) v.y(), (float) v.z());
+        double after = lit.share() == 0 ? before : lit.toCome().cells().leastDepth(place);
+        return placed.presence() * (before + lit.share() * (after - before));
     }
 }

@@ -1,0 +1,146 @@
+package nephele.engine.render.pass.cloud;
+
+import nephele.engine.cloud.DeltaScaling;
+import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.cells.CellStack;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.drawn.DrawnCloud;
+import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.scene.View;
+import nephele.engine.scene.light.SkyIrradiance;
+
+/** The cells of a cloud on the GPU at the time of the frame, and the light around it: the numbers of {@link CellUniforms}. */
+public final class LitCloud {
+    private final SharedResources shared;
+    private final PlacedCloud placed;
+    private final CloudSource cloud;
+    private final CloudTextures textures;
+
+    private Environment followed;
+    private Vec3 towardsSun;
+    private Vec3 irradiance;
+    private Vec3 above;
+    private Vec3 below;
+    private DrawnCloud shown;
+    private DrawnCloud toCome;
+    private double share;
+    private double groundShare;
+
+    public LitCloud(LoadContext context, PlacedCloud placed) {
+        shared = context.shared();
+        this.placed = placed;
+        cloud = placed.source();
+        textures = new CloudTextures(context, cloud);
+    }
+
+    /** Takes its cells and the light around it at the time of the frame. */
+    public void follow(Environment environment, CloudInterval now) {
+        shown = now.from().clouds().all().get(placed.index());
+        toCome = now.to().clouds().all().get(placed.index());
+        share = now.share();
+        groundShare = now.groundShare();
+        textures.show(shown.cells(), toCome.cells());
+        follow(environment);
+    }
+
+    private void follow(Environment now) {
+        if (now == followed) {
+            return;
+        }
+        followed = now;
+        Aabb extent = cloud.bounds();
+        Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
+        towardsSun = CloudTimeline.towardsSun(now);
+        irradiance = sun == null ? Vec3.ZERO : sun.irradiance();
+        SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
+        above = Vec3.of(sky.ambient(0, 1, 0));
+        below = Vec3.of(sky.ambient(0, -1, 0));
+    }
+
+    /** Returns the cloud at the earlier of the two sampled times. */
+    public DrawnCloud shown() {
+        return shown;
+    }
+
+    /** Returns the cloud at the later one. */
+    public DrawnCloud toCome() {
+        return toCome;
+    }
+
+    /** Returns the share of the later one, 0 to 1. */
+    public double share() {
+        return share;
+    }
+
+    /**
+     * Binds the textures and sets the numbers of a program in use.
+     *
+     * @param focus of the boxes of layers
+     */
+    public void put(CellUniforms uniforms, View view, Vec3 focus) {
+        textures.bind();
+        putBoxes(uniforms, view.eye().minus(placed.drift()), focus.minus(view.eye()));
+        CloudOptics optics = cloud.physics().optics();
+        DeltaScaling scaled = cloud.physics().medium();
+        double greatestPerMetre = placed.presence() * shown.fullPerMetre();
+        uniforms.medium().set((float) greatestPerMetre, (float) scaled.depthFactor(), (float) optics.albedo(), (float)
+                scaled.albedo());
+        uniforms.phase()
+                .set(
+                        (float) scaled.g(),
+                        (float) (1 / cloud.physics().smallAngles().deepest()),
+                        (float) cloud.halfCurvature(),
+                        (float) optics.meanCosine());
+        set(uniforms.cloudSun(), towardsSun);
+        if (uniforms.diffuseAxis() != null) {
+            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
+            uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
+                    cloud.physics().slopeOfBeam());
+        }
+        set(uniforms.irradiance(), irradiance);
+        set(uniforms.skyAbove(), above);
+        set(uniforms.skyBelow(), below.scaled(groundShare));
+    }
+
+    private void putBoxes(CellUniforms uniforms, Vec3 eye, Vec3 focus) {
+        CellStack cells = shown.cells();
+        for (int level = 0; level < cells.levels(); level++) {
+            Aabb box = cells.density().get(level).cells().box();
+            uniforms.boxes()
+                    .get(level)
+                    .set(
+                            (float) ((box.minX() + box.maxX()) / 2 - eye.x()),
+                            (float) ((box.minZ() + box.maxZ()) / 2 - eye.z()),
+                            (float) (1 / (box.maxX() - box.minX())),
+                            (float) (1 / (box.maxZ() - box.minZ())));
+        }
+        CellBox narrowest = cells.narrowest();
+        Aabb box = narrowest.box();
+        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
+        float low = (float) (box.minY() - eye.y());
+        float high = (float) (box.maxY() - box.minY());
+        if (cells.isLayer()) {
+            uniforms.cloudBase().set((float) focus.x(), low, (float) focus.z());
+            uniforms.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
+        } else {
+            Vec3 middle = box.centre().minus(eye);
+            uniforms.cloudBase().set((float) middle.x(), low, (float) middle.z());
+            uniforms.cloudHalf()
+                    .set((float) ((box.maxX() - box.minX()) / 2), high, (float) ((box.maxZ() - box.minZ()) / 2));
+        }
+    }
+
+    private static void set(Uniforms.Vector3 place, Vec3 v) {
+        place.set((float) v.x(), (float) v.y(), (float) v.z());
+    }
+}
