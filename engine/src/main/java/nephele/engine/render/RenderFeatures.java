@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
+import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.shaft.ShaftPass;
 import nephele.engine.render.pass.cloud.skyplane.SkyplaneTechnique;
@@ -30,7 +31,7 @@ import nephele.engine.render.pass.upscale.UpscalePass;
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
     private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES =
-            List.of(VolumeTechnique.REGISTERED, SkyplaneTechnique.REGISTERED);
+            List.of(VolumeTechnique.REGISTERED, SkyplaneTechnique.REGISTERED, ProceduralTechnique.REGISTERED);
 
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.

@@ -12,7 +12,7 @@ import nephele.engine.level.Sky;
 /** Rules for skies that cannot be shown. */
 final class EnvironmentRules {
     private static final Set<CloudTechnique> DRAWN =
-            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.SKYPLANE);
+            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.SKYPLANE, CloudTechnique.PROCEDURAL);
 
     /** A skybox names as many files as its layout needs, in its order. */
     static final LevelRule SKY_FILES = (level, assets, report) -> {

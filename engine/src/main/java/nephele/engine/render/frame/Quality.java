@@ -1,6 +1,7 @@
 package nephele.engine.render.frame;
 
 import java.util.function.Consumer;
+import nephele.engine.cloud.octave.ProceduralNoise;
 
 /**
  * Settings that trade accuracy for speed.
@@ -131,16 +132,6 @@ public record Quality(
         CURVED,
         /** A hemisphere around the eye. */
         DOME
-    }
-
-    /** The noise of clouds that are drawn by technique {@code procedural}. */
-    public enum ProceduralNoise {
-        /** Gradient noise without a period, whose octaves keep their variance while they change. */
-        SMOOTH,
-        /** White noise of 32², 64² and 128² texels, enlarged bilinearly, cross-faded linearly, with weights ½, ¼ and ⅛. */
-        SOURCE,
-        /** The same with the weights of octaves that are blended one over the other: .328, .219 and .125. */
-        SOURCE_CODE
     }
 
     /** The filter that scales a picture up. */

@@ -28,11 +28,14 @@ vec2 columnSpan(vec3 column) {
 void addSheet(inout CloudRay ray, RayAngles angles, vec3 direction, SheetPart part) {
     vec3 place = part.metres * direction;
     vec2 apart = abs(place.xz - cloudBase.xz);
-#ifndef ENDLESS
-    if (any(greaterThan(apart, cloudHalf.xz * pow(WIDENING, cells.z - 1.0)))) {
+#ifdef ENDLESS
+    bool isLimited = cells.z == 1.0;
+#else
+    bool isLimited = true;
+#endif
+    if (isLimited && any(greaterThan(apart, cloudHalf.xz * pow(WIDENING, cells.z - 1.0)))) {
         return;
     }
-#endif
     vec3 column = columnAt(place, part);
     float depth = column.x * medium.x * min(part.passed, sheet.y);
     if (!(depth > 0.0)) {
