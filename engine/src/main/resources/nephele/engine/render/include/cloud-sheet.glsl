@@ -6,7 +6,7 @@
 
 uniform vec2 sheet; // x: height of the eye over a round planet; y: longest way through the cloud, metres
 
-const float FARTHEST_SHEET = 1e6; // metres
+const float FARTHEST_SHEET = 1e7; // metres
 
 // A part of a ray in the cloud: what it passes of a column.
 struct SheetPart {
@@ -28,12 +28,8 @@ vec2 columnSpan(vec3 column) {
 void addSheet(inout CloudRay ray, RayAngles angles, vec3 direction, SheetPart part) {
     vec3 place = part.metres * direction;
     vec2 apart = abs(place.xz - cloudBase.xz);
-#ifdef ENDLESS
-    bool isLimited = cells.z == 1.0;
-#else
-    bool isLimited = true;
-#endif
-    if (isLimited && any(greaterThan(apart, cloudHalf.xz * pow(WIDENING, cells.z - 1.0)))) {
+    bool isFinite = cells.z == 1.0; // that of a layer goes on with the columns at the sides of the widest box
+    if (isFinite && any(greaterThan(apart, cloudHalf.xz))) {
         return;
     }
     vec3 column = columnAt(place, part);
@@ -46,7 +42,8 @@ void addSheet(inout CloudRay ray, RayAngles angles, vec3 direction, SheetPart pa
     float lit = mix(part.heights.x, part.heights.y, mean / max(depth, 1e-20));
     float height = cloudBase.y + cloudHalf.y * mix(span.x, span.y, lit);
     vec4 cell = textureLod(cloudDensity, texelOf(place, height, boxOf(place).x, cells.x), 0.0);
-    addPart(ray, angles, depth, mean, lightAt(place, height), cell.b, part.metres);
+    vec4 light = lightAt(place, height);
+    addPart(ray, angles, depth, mean, light, max(cell.b, light.a), part.metres);
 }
 
 // Where a part of a ray that rises, or falls, throughout is nearest to the sheet.
@@ -166,6 +163,7 @@ CloudRay throughSheet(vec3 direction, vec2 visible) {
 #else
     addShell(ray, angles, direction, visible, vec2(phase.z, sheet.x));
 #endif
-    endRay(ray);
+    ray.metres /= max(1.0 - ray.transmittance, 1e-6);
+    ray.sunlight = max(0.0, ray.sunlight);
     return ray;
 }

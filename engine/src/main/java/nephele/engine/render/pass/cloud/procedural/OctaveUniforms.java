@@ -39,20 +39,18 @@ public record OctaveUniforms(
         for (int i = 0; i < octaves.size(); i++) {
             NoiseOctave octave = octaves.get(i);
             double cells = 1 / octave.cellMetres();
+            double fading = octave.fading(seconds);
+            double coming = octave.coming(seconds);
+            double variance = sheet.variances().get(i) * (fading * fading + coming * coming);
             scale.get(i)
                     .set(
                             (float) (octave.cosine() * cells),
                             (float) (octave.sine() * cells),
                             (float) octave.weight(),
-                            (float) (double) sheet.variances().get(i));
+                            (float) variance);
             double u = octave.u(eye.x(), eye.z());
             double v = octave.v(eye.x(), eye.z());
-            place.get(i)
-                    .set(
-                            (float) (u - Math.floor(u)),
-                            (float) (v - Math.floor(v)),
-                            (float) octave.fading(seconds),
-                            (float) octave.coming(seconds));
+            place.get(i).set((float) (u - Math.floor(u)), (float) (v - Math.floor(v)), (float) fading, (float) coming);
             int generation = octave.generation(seconds);
             cell.get(i)
                     .set(NoiseOctave.cell(u), NoiseOctave.cell(v), octave.key(generation), octave.key(generation + 1));

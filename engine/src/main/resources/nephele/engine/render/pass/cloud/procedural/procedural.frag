@@ -1,5 +1,4 @@
 // Draws a cloud as a sheet of octaves of noise.
-#define ENDLESS
 #include "cloud-pixel.glsl"
 #include "cloud-sheet.glsl"
 #include "cloud-octaves.glsl"
