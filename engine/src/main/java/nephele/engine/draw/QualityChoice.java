@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.AssetProblems;
@@ -23,6 +24,7 @@ import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
 
@@ -99,6 +101,14 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "billboardFacing",
                     BillboardFacing.class,
                     (all, value) -> all.with(all.quality().withBillboardFacing(value))),
+            SettingKey.word(
+                    "skyplaneShape",
+                    SkyplaneShape.class,
+                    (all, value) -> all.with(all.quality().withSkyplaneShape(value))),
+            SettingKey.word(
+                    "proceduralNoise",
+                    ProceduralNoise.class,
+                    (all, value) -> all.with(all.quality().withProceduralNoise(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

@@ -73,7 +73,7 @@ class LevelRulesTest {
     void whatHasNoEffectYetIsSaid() {
         List<Problem> problems = LevelRules.check(
                 LevelRules.STRUCTURE,
-                LevelJsonTest.read(LevelJsonTest.PUFF.replace("\"auto\"", "\"skyplane\"")),
+                LevelJsonTest.read(LevelJsonTest.PUFF.replace("\"auto\"", "\"skybox\"")),
                 LevelAssets.beside(Path.of("x.json")));
         assertEquals(
                 List.of("f: environment.clouds[0].technique: warning: is not drawn by this version yet; the cloud is"

@@ -175,6 +175,15 @@ public final class DensityCells {
         return densities[cells.index(i, j, k)];
     }
 
+    /** Returns the mean optical depth of its columns. */
+    public double meanDepth() {
+        double sum = 0;
+        for (float density : densities) {
+            sum += density;
+        }
+        return greatestPerMetre * (cells.box().maxY() - cells.box().minY()) * sum / cells.count();
+    }
+
     float[] densities() {
         return densities;
     }

@@ -21,7 +21,11 @@ import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.field.ShellField;
 import nephele.engine.cloud.field.UniformField;
 import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.octave.OctaveColumns;
+import nephele.engine.cloud.octave.OctaveSheet;
+import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -34,6 +38,9 @@ public final class CloudSource {
     private static final int CELLS = 96;
 
     private static final int LAYER_LEVELS = 6;
+    /** The box in which the mean of a layer is taken, 36 km wide. */
+    private static final int MEAN_LEVEL = 2;
+
     private static final double LAYER_CELL_METRES = 62.5;
     private static final double ROW_METRES = 60;
     private static final int FEWEST_ROWS = 20;
@@ -52,6 +59,9 @@ public final class CloudSource {
     /** {@code null} for a finite cloud. */
     private final LayerGrid grid;
 
+    /** {@code null} unless it is drawn as octaves of noise. */
+    private final OctaveSheet sheet;
+
     private final boolean isProfiled;
     private final LitBoxes litBoxes;
     private final Map<BoxKey, SampledBox> sampled = new LinkedHashMap<>(16, 0.75f, true);
@@ -59,10 +69,13 @@ public final class CloudSource {
     /** @param column {@code null} for a finite cloud */
     private record BoxKey(int level, Column column, double seconds) {}
 
-    /** @param plan {@code null} unless of noise with a profile */
-    private record SampledBox(DensityCells density, PlanCells plan) {}
+    /**
+     * @param plan {@code null} unless of noise with a profile
+     * @param columns {@code null} unless for a sheet
+     */
+    private record SampledBox(DensityCells density, PlanCells plan, SheetColumns columns) {}
 
-    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics) {
+    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics, ProceduralNoise octaves) {
         cloud = loaded.clouds().get(index);
         this.still = still;
         this.index = index;
@@ -73,7 +86,8 @@ public final class CloudSource {
         cells = isFinite ? cells(field) : null;
         grid = isFinite ? null : grid(field.bounds());
         bounds = isFinite ? cells.box() : field.bounds();
-        isProfiled = noise(0) != null;
+        sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, octaves) : null;
+        isProfiled = sheet == null && noise(0) != null;
         litBoxes = new LitBoxes(!isFinite, physics, KEPT * levels());
     }
 
@@ -81,6 +95,14 @@ public final class CloudSource {
     private static CellBox cells(ExtinctionField field) {
         CellBox inBounds = CellBox.of(field.bounds(), CELLS);
         return field instanceof EllipsoidField ? inBounds.padded() : inBounds;
+    }
+
+    /** Returns octaves whose mean optical depth is that of the cloud's own density. */
+    private OctaveSheet octaveSheet(ExtinctionField field, ProceduralNoise octaves) {
+        CellBox box = box(grid == null ? 0 : MEAN_LEVEL, grid == null ? null : new Column(0, 0));
+        double depth = DensityCells.of(field, box, new Sampling(finestMetres(), greatestPerMetre(field)))
+                .meanDepth();
+        return OctaveSheet.of(cloud, octaves, bounds.maxY() - bounds.minY(), depth);
     }
 
     private static LayerGrid grid(Aabb bounds) {
@@ -104,7 +126,13 @@ public final class CloudSource {
 
     /** Returns true if its shape changes with time. */
     public boolean evolves() {
-        return cloud.density() instanceof Cloud.Density.Noise && cloud.motion().evolutionSeconds() > 0;
+        boolean isNoise = sheet != null || cloud.density() instanceof Cloud.Density.Noise;
+        return isNoise && cloud.motion().evolutionSeconds() > 0;
+    }
+
+    /** Returns the octaves as which it is drawn; {@code null} for another technique. */
+    public OctaveSheet sheet() {
+        return sheet;
     }
 
     /** Returns true if its density is noise with a profile, which is computed and not looked up. */
@@ -167,17 +195,30 @@ public final class CloudSource {
         List<DensityCells> density = new ArrayList<>();
         double fullPerMetre = 0;
         List<PlanCells> plans = new ArrayList<>();
+        List<SheetColumns> sheet = new ArrayList<>();
         for (int level = 0; level < levels(); level++) {
             SampledBox box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
             fullPerMetre = box.density().greatestPerMetre();
             density.add(box.density().scaled(share(seconds)));
             plans.add(box.plan());
+            sheet.add(box.columns());
         }
-        return new Sampled(density, isProfiled ? List.copyOf(plans) : List.of(), fullPerMetre);
+        return new Sampled(
+                density,
+                isProfiled ? List.copyOf(plans) : List.of(),
+                isSheet() ? List.copyOf(sheet) : List.of(),
+                fullPerMetre);
     }
 
-    /** @param plans of the boxes; empty unless of noise with a profile */
-    record Sampled(List<DensityCells> density, List<PlanCells> plans, double fullPerMetre) {}
+    private boolean isSheet() {
+        return cloud.technique() == CloudTechnique.SKYPLANE;
+    }
+
+    /**
+     * @param plans of the boxes; empty unless of noise with a profile
+     * @param sheet its columns; empty unless it is drawn as a sheet of them
+     */
+    record Sampled(List<DensityCells> density, List<PlanCells> plans, List<SheetColumns> sheet, double fullPerMetre) {}
 
     private synchronized SampledBox sampled(int level, Column column, double seconds) {
         var key = new BoxKey(level, column, seconds);
@@ -193,14 +234,25 @@ public final class CloudSource {
     }
 
     private SampledBox sample(CellBox cells, double seconds) {
+        if (sheet != null) {
+            double perMetre = sheet.greatestDepth() / (bounds.maxY() - bounds.minY());
+            var octaves = new OctaveColumns(sheet, seconds, perMetre);
+            return new SampledBox(
+                    DensityCells.of(octaves, cells, new Sampling(sheet.cellMetres() / 4, perMetre)), null, null);
+        }
         ExtinctionField field = flat(seconds);
         var sampling = new Sampling(finestMetres(), greatestPerMetre(field));
         if (!isProfiled) {
-            return new SampledBox(DensityCells.of(field, cells, sampling), null);
+            DensityCells density = DensityCells.of(field, cells, sampling);
+            return new SampledBox(
+                    density, null, isSheet() ? SheetColumns.of(field, cells, density.greatestPerMetre()) : null);
         }
         var noise = (NoiseField) field;
+        var columns = new NoiseColumns(noise);
         return new SampledBox(
-                DensityCells.of(new NoiseColumns(noise), cells, sampling), PlanCells.of(noise, cells.box()));
+                DensityCells.of(columns, cells, sampling),
+                PlanCells.of(noise, cells.box()),
+                isSheet() ? SheetColumns.of(columns, cells, sampling.greatestPerMetre()) : null);
     }
 
     /** Returns the size of what must not be missed between two samples. */

@@ -18,6 +18,7 @@ import nephele.engine.cloud.drawn.CloudInterval.Sample;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
@@ -77,6 +78,12 @@ public final class CloudTimeline implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region, int lightDivisor) {
+        this(authored, assets, region, lightDivisor, ProceduralNoise.SMOOTH);
+    }
+
+    /** @param octaves of clouds that are drawn by technique {@code procedural} */
+    public CloudTimeline(
+            Environment authored, AssetSource assets, Aabb region, int lightDivisor, ProceduralNoise octaves) {
         this.authored = causes(authored);
         this.lightDivisor = lightDivisor;
         this.region = region;
@@ -87,7 +94,7 @@ public final class CloudTimeline implements AutoCloseable {
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
             var optics = CloudOptics.of(cloud);
-            var source = new CloudSource(loaded, still, i, physics.computeIfAbsent(optics, CloudLight::new));
+            var source = new CloudSource(loaded, still, i, physics.computeIfAbsent(optics, CloudLight::new), octaves);
             if (source.exists()) {
                 all.add(source);
             }
@@ -266,6 +273,7 @@ public final class CloudTimeline implements AutoCloseable {
                     source,
                     source.lit(sampled.get(i).density(), around),
                     sampled.get(i).plans(),
+                    sampled.get(i).sheet(),
                     source.drift(seconds),
                     sampled.get(i).fullPerMetre()));
         }

@@ -11,10 +11,17 @@ import nephele.engine.math.Vec3;
  *
  * @param cells in the space that drifts with the cloud
  * @param plans of its boxes; empty unless of noise with a profile
+ * @param sheet columns of its boxes; empty unless it is drawn as a sheet of them
  * @param drift how far the wind has carried it
  * @param fullPerMetre extinction that density 1 stands for when its weather has come wholly
  */
-public record DrawnCloud(CloudSource source, CellStack cells, List<PlanCells> plans, Vec3 drift, double fullPerMetre) {
+public record DrawnCloud(
+        CloudSource source,
+        CellStack cells,
+        List<PlanCells> plans,
+        List<SheetColumns> sheet,
+        Vec3 drift,
+        double fullPerMetre) {
     /** Returns a march through it. */
     CellMarch march(CellMarch.OutsideOfCloud outside) {
         return new CellMarch(cells, outside);

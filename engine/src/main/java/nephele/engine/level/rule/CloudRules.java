@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.CloudProfile;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
@@ -110,7 +111,9 @@ final class CloudRules {
             if (evolution > 0 && evolution < FASTEST_EVOLUTION_SECONDS) {
                 refuse(path + ".evolutionSeconds", "must be 0 for a shape that stays, or at least 1");
             }
-            if (evolution > 0 && !(cloud.density() instanceof Noise)) {
+            if (evolution > 0
+                    && !(cloud.density() instanceof Noise)
+                    && cloud.technique() != CloudTechnique.PROCEDURAL) {
                 warn(path + ".evolutionSeconds", "only noise takes other shapes: leave this out");
             }
         }

@@ -17,8 +17,7 @@ final class EnvironmentRules {
         }
     };
 
-    private static final Set<CloudTechnique> DRAWN =
-            EnumSet.of(CloudTechnique.AUTO, CloudTechnique.VOLUME, CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
+    private static final Set<CloudTechnique> DRAWN = EnumSet.complementOf(EnumSet.of(CloudTechnique.SKYBOX));
     private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
 
     /** Warns of techniques of clouds that are not built yet, or that cannot show a cloud. */

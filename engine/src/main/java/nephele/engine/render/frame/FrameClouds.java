@@ -5,6 +5,7 @@ import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.ShaftClouds;
+import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
@@ -24,13 +25,14 @@ public final class FrameClouds implements GlObject {
     private Vec3 focus = Vec3.ZERO;
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    record Source(Same assets, Environment causes, Aabb region, int lightDivisor) {
+    record Source(Same assets, Environment causes, Aabb region, int lightDivisor, ProceduralNoise noise) {
         static Source of(Scene scene, Quality quality) {
             return new Source(
                     new Same(scene.assets()),
                     CloudTimeline.causes(scene.level().environment()),
                     CloudShadeRegion.of(scene.statics()),
-                    quality.cloudLightCell());
+                    quality.cloudLightCell(),
+                    quality.proceduralNoise());
         }
     }
 
@@ -39,7 +41,11 @@ public final class FrameClouds implements GlObject {
         timeline = WeatherClouds.all(environment).isEmpty()
                 ? null
                 : new CloudTimeline(
-                        environment, scene.assets(), CloudShadeRegion.of(scene.statics()), quality.cloudLightCell());
+                        environment,
+                        scene.assets(),
+                        CloudShadeRegion.of(scene.statics()),
+                        quality.cloudLightCell(),
+                        quality.proceduralNoise());
     }
 
     /** Takes the clouds of a frame, sampled finely around its eye. */

@@ -1,6 +1,7 @@
 package nephele.engine.render.frame;
 
 import java.util.function.Consumer;
+import nephele.engine.cloud.octave.ProceduralNoise;
 
 /**
  * Settings that trade accuracy for speed.
@@ -20,6 +21,8 @@ import java.util.function.Consumer;
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
+ * @param skyplaneShape shape of the sheets of technique {@code skyplane}
+ * @param proceduralNoise noise of technique {@code procedural}
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -41,6 +44,8 @@ public record Quality(
         int cloudLightCell,
         CloudScattering cloudScattering,
         BillboardFacing billboardFacing,
+        SkyplaneShape skyplaneShape,
+        ProceduralNoise proceduralNoise,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -64,6 +69,8 @@ public record Quality(
             2,
             CloudScattering.TWO_STREAM,
             BillboardFacing.VIEWER,
+            SkyplaneShape.SHELL,
+            ProceduralNoise.SMOOTH,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -125,6 +132,20 @@ public record Quality(
         AXIAL,
         /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
         SOURCE
+    }
+
+    /** The shape of the sheet as which a layer of clouds is drawn. */
+    public enum SkyplaneShape {
+        /** A sphere around the planet under an atmosphere, otherwise a plane. */
+        SHELL,
+        FLAT,
+        /**
+         * A mesh of 17 × 17 vertices around the eye that sinks by the square of the distance, 2√(R₂² − R₁²) wide and R₁
+         * above the eye, with R₂ = 9 R₁.
+         */
+        CURVED,
+        /** A hemisphere around the eye. */
+        DOME
     }
 
     /** The filter that scales a picture up. */
@@ -240,6 +261,14 @@ public record Quality(
         return with(draft -> draft.billboardFacing = facing);
     }
 
+    public Quality withSkyplaneShape(SkyplaneShape shape) {
+        return with(draft -> draft.skyplaneShape = shape);
+    }
+
+    public Quality withProceduralNoise(ProceduralNoise noise) {
+        return with(draft -> draft.proceduralNoise = noise);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -275,6 +304,8 @@ public record Quality(
         private int cloudLightCell;
         private CloudScattering cloudScattering;
         private BillboardFacing billboardFacing;
+        private SkyplaneShape skyplaneShape;
+        private ProceduralNoise proceduralNoise;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -296,6 +327,8 @@ public record Quality(
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
             billboardFacing = from.billboardFacing;
+            skyplaneShape = from.skyplaneShape;
+            proceduralNoise = from.proceduralNoise;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -319,6 +352,8 @@ public record Quality(
                     cloudLightCell,
                     cloudScattering,
                     billboardFacing,
+                    skyplaneShape,
+                    proceduralNoise,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

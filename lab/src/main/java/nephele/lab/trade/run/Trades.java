@@ -38,6 +38,8 @@ public final class Trades {
             CloudSubjects.LIGHT,
             CloudSubjects.FACING,
             CloudSubjects.HISTORY,
+            CloudSubjects.SHEET,
+            CloudSubjects.NOISE,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

@@ -78,6 +78,34 @@ public final class CloudSubjects {
                     PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
             Judged.STILL);
 
+    public static final Trade SHEET = sheet(
+            "skyplaneShape",
+            new Trade.Text(
+                    "Shape of sheets of cloud",
+                    "A layer that is drawn as a sheet bends around the planet as layers do. A plane, a mesh that sinks"
+                            + " too fast and a hemisphere show its clouds in other directions.",
+                    "the engine's own sheet around the planet"),
+            "levels/samples/clouds-skyplane.json",
+            List.of(
+                    PictureSetting.of("skyplaneShape", "shell", "all presets"),
+                    PictureSetting.of("skyplaneShape", "flat", ""),
+                    PictureSetting.of("skyplaneShape", "curved", "a mesh of 17 × 17 vertices"),
+                    PictureSetting.of("skyplaneShape", "dome", "")));
+
+    public static final Trade NOISE = sheet(
+            "proceduralNoise",
+            new Trade.Text(
+                    "Noise of procedural clouds",
+                    "Octaves of gradient noise have no period and change smoothly. Three pictures of white noise that"
+                        + " are enlarged and cross-faded repeat, and pulse while they fade. The skies are other ones"
+                        + " of the same cover: the error says how different they are, not which one is wrong.",
+                    "the engine's own gradient noise"),
+            "levels/samples/clouds-procedural.json",
+            List.of(
+                    PictureSetting.of("proceduralNoise", "smooth", "all presets"),
+                    PictureSetting.of("proceduralNoise", "source", "weights ½, ¼, ⅛"),
+                    PictureSetting.of("proceduralNoise", "source_code", "weights .328, .219, .125")));
+
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),
             PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
@@ -96,6 +124,13 @@ public final class CloudSubjects {
             Judged.TURNING);
 
     private CloudSubjects() {}
+
+    /** The first setting is the usual one, and the exact one. */
+    private static Trade sheet(String field, Trade.Text words, String level, List<PictureSetting> settings) {
+        String usual = settings.get(0).setting().name();
+        return PictureSubjects.of(field, words, List.of(field), usual, settings, Compared.DISPLAY)
+                .in(level, field, words);
+    }
 
     private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
         return subject(GRID, field, new Trade.Text(title, text, ORACLE), usual, settings, Judged.STILL);

@@ -22,6 +22,8 @@ public enum TextureUnit {
     CLOUD_DETAIL(5),
     CLOUD_PROFILE(6),
     CLOUD_PLAN(10),
+    /** The columns of a cloud that is drawn as a sheet, and has no plan. */
+    CLOUD_COLUMNS(10),
     CLOUD_LIGHT_TO_COME(9),
     /** What {@code spread.frag} reads: rays of this frame, places of the clouds there, and the layer before. */
     SPREAD_FRESH(0),

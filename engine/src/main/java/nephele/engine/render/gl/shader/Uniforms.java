@@ -59,6 +59,13 @@ public final class Uniforms {
         }
     }
 
+    /** An {@code ivec4} of one program. */
+    public record WholeVector4(int program, int location) {
+        public void set(int x, int y, int z, int w) {
+            glProgramUniform4i(program, location, x, y, z, w);
+        }
+    }
+
     /** A {@code mat4} of one program, sixteen floats column by column. */
     public record Matrix4(int program, int location) {
         public void set(float[] columns) {
@@ -86,9 +93,8 @@ public final class Uniforms {
         return new Vector4(program, location(name));
     }
 
-    /** Returns a uniform of an included file that the program may not use; {@code null} if it does not. */
-    public Vector4 vector4IfUsed(String name) {
-        return glGetUniformLocation(program, name) < 0 ? null : vector4(name);
+    public WholeVector4 wholeVector4(String name) {
+        return new WholeVector4(program, location(name));
     }
 
     public Matrix4 matrix4(String name) {
