@@ -7,9 +7,11 @@ import java.util.Optional;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherCourse;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
@@ -56,10 +58,7 @@ final class RenderCommand implements Command {
             description = "The environment's clock in seconds (default: 0).")
     private double timeSeconds;
 
-    @Option(
-            names = "--technique",
-            paramLabel = "NAME",
-            description = "Draw all clouds with this technique (not built yet).")
+    @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
     private CloudTechnique technique;
 
     @Mixin
@@ -79,7 +78,7 @@ final class RenderCommand implements Command {
             reference.merge(out);
             return ExitCode.DONE;
         }
-        var opened = new LevelName(level).open();
+        var opened = byTechnique(new LevelName(level).open());
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
         ignored(opened).ifPresent(terminal.err()::println);
@@ -103,6 +102,16 @@ final class RenderCommand implements Command {
         return ExitCode.DONE;
     }
 
+    private OpenedLevel byTechnique(OpenedLevel opened) {
+        if (technique == null) {
+            return opened;
+        }
+        Level written = opened.level();
+        Environment drawn = WeatherClouds.drawnBy(written.environment(), technique);
+        return new OpenedLevel(new LevelFile.Opened(
+                opened.file(), written.with(drawn, written.lights()), opened.assets(), opened.notice()));
+    }
+
     private Renderer renderer(OpenedLevel opened, GlContext gl, Terminal terminal) {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
@@ -113,7 +122,7 @@ final class RenderCommand implements Command {
         if (timeSeconds != 0 && !follows(opened.level().environment())) {
             options.add("--time");
         }
-        if (technique != null) {
+        if (technique != null && WeatherClouds.all(opened.level().environment()).isEmpty()) {
             options.add("--technique");
         }
         return options.isEmpty()

@@ -17,6 +17,7 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
@@ -104,6 +105,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "proceduralNoise",
                     ProceduralNoise.class,
                     (all, value) -> all.with(all.quality().withProceduralNoise(value))),
+            SettingKey.word(
+                    "billboardFacing",
+                    BillboardFacing.class,
+                    (all, value) -> all.with(all.quality().withBillboardFacing(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

@@ -47,6 +47,11 @@ public record Cloud(
         return new Cloud(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other, shafts);
     }
 
+    /** Returns the cloud drawn by another technique. */
+    public Cloud with(CloudTechnique other) {
+        return new Cloud(id, extent, other, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts);
+    }
+
     /** Creates a cloud that neither drifts nor changes. */
     public Cloud(
             String id,

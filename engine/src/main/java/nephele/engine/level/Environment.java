@@ -72,7 +72,8 @@ public record Environment(
     }
 
     public Environment withClouds(List<Cloud> written) {
-        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, written, weather, weatherSeed);
+        return new Environment(
+                sun, sky, ambient, exposureStops, toneCurve, fog, written, weather, weatherSeed, weatherKeyframes);
     }
 
     public Environment withAmbient(Vec3 radiance) {
@@ -81,7 +82,13 @@ public record Environment(
     }
 
     public Environment withFog(Fog newFog) {
-        return new Environment(sun, sky, ambient, exposureStops, toneCurve, newFog, clouds, weather, weatherSeed);
+        return new Environment(
+                sun, sky, ambient, exposureStops, toneCurve, newFog, clouds, weather, weatherSeed, weatherKeyframes);
+    }
+
+    /** Returns this environment with a weather that stays; {@code null} for none. */
+    public Environment with(Weather newWeather, long seed) {
+        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, newWeather, seed);
     }
 
     /** Returns this environment without clouds, those of its weather included. */

@@ -4,6 +4,8 @@ import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
+import nephele.engine.render.pass.cloud.billboard.BillboardTechnique;
+import nephele.engine.render.pass.cloud.particle.ParticleTechnique;
 import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.shaft.ShaftPass;
@@ -30,8 +32,12 @@ import nephele.engine.render.pass.upscale.UpscalePass;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
-    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES =
-            List.of(VolumeTechnique.REGISTERED, SkyplaneTechnique.REGISTERED, ProceduralTechnique.REGISTERED);
+    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES = List.of(
+            VolumeTechnique.REGISTERED,
+            SkyplaneTechnique.REGISTERED,
+            ProceduralTechnique.REGISTERED,
+            ParticleTechnique.REGISTERED,
+            BillboardTechnique.REGISTERED);
 
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.

@@ -179,6 +179,11 @@ public final class DensityCells {
         return greatestPerMetre * (cells.box().maxY() - cells.box().minY()) * sum / cells.count();
     }
 
+    /** Returns the density of a cell, 0 to 1. */
+    public double density(int i, int j, int k) {
+        return densities[cells.index(i, j, k)];
+    }
+
     float[] densities() {
         return densities;
     }

@@ -3,6 +3,7 @@ package nephele.engine.level.appearance;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Weather;
 
@@ -18,6 +19,18 @@ public final class WeatherClouds {
         return WeatherCourse.of(environment).weathers().isEmpty()
                 ? environment.clouds()
                 : changing(environment).stream().map(ChangingCloud::cloud).toList();
+    }
+
+    /**
+     * Returns an environment all whose clouds are drawn by a technique: those of its weather are then written ones, those of
+     * keyframes stay as they are.
+     */
+    public static Environment drawnBy(Environment environment, CloudTechnique technique) {
+        boolean stays = environment.weatherKeyframes().isEmpty();
+        List<Cloud> clouds = stays ? all(environment) : environment.clouds();
+        Environment written = environment.withClouds(
+                clouds.stream().map(cloud -> cloud.with(technique)).toList());
+        return stays ? written.with((Weather) null, 0) : written;
     }
 
     /**

@@ -31,7 +31,7 @@ public final class LevelRules {
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
             ExitRules.REACHABLE,
-            EnvironmentRules.NOT_YET);
+            EnvironmentRules.TECHNIQUES);
 
     /** All rules; the last ones read every picture and every mesh. */
     public static final List<LevelRule> ALL = all();

@@ -45,6 +45,7 @@ public record Quality(
         CloudScattering cloudScattering,
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
+        BillboardFacing billboardFacing,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -69,6 +70,7 @@ public record Quality(
             CloudScattering.TWO_STREAM,
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
+            BillboardFacing.VIEWER,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -132,6 +134,18 @@ public record Quality(
         CURVED,
         /** A hemisphere around the eye. */
         DOME
+    }
+
+    /** How the flat pictures of clouds of technique billboard are turned; shaders know the order. */
+    public enum BillboardFacing {
+        /** As the screen. */
+        SCREEN,
+        /** Towards the eye. */
+        VIEWER,
+        /** Towards the eye about an upright axis. */
+        AXIAL,
+        /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
+        SOURCE
     }
 
     /** The filter that scales a picture up. */
@@ -251,6 +265,10 @@ public record Quality(
         return with(draft -> draft.proceduralNoise = noise);
     }
 
+    public Quality withBillboardFacing(BillboardFacing facing) {
+        return with(draft -> draft.billboardFacing = facing);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -287,6 +305,7 @@ public record Quality(
         private CloudScattering cloudScattering;
         private SkyplaneShape skyplaneShape;
         private ProceduralNoise proceduralNoise;
+        private BillboardFacing billboardFacing;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -309,6 +328,7 @@ public record Quality(
             cloudScattering = from.cloudScattering;
             skyplaneShape = from.skyplaneShape;
             proceduralNoise = from.proceduralNoise;
+            billboardFacing = from.billboardFacing;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -333,6 +353,7 @@ public record Quality(
                     cloudScattering,
                     skyplaneShape,
                     proceduralNoise,
+                    billboardFacing,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

@@ -14,7 +14,10 @@ uniform vec3 marchedSquare; // x: side of the square of rays of which one is dra
 uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
 #else
 #include "view-distance.glsl"
-in vec3 direction;
+#ifdef QUADS
+noperspective
+#endif
+in vec3 direction; // not of unit length; its part along the view's axis is 1
 uniform sampler2D viewDepth;
 #endif
 

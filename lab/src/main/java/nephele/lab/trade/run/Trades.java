@@ -36,6 +36,7 @@ public final class Trades {
             CloudSubjects.STEP,
             CloudSubjects.RESOLUTION,
             CloudSubjects.LIGHT,
+            CloudSubjects.FACING,
             CloudSubjects.HISTORY,
             CloudSubjects.SHEET,
             CloudSubjects.NOISE,

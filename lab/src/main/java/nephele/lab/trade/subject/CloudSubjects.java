@@ -11,6 +11,7 @@ import nephele.lab.trade.subject.CloudExperiment.Judged;
 public final class CloudSubjects {
     private static final String GRID = "levels/samples/clouds-grid.json";
     private static final String CUMULUS = "levels/samples/clouds-cumulus.json";
+    private static final String BILLBOARDS = "levels/samples/clouds-billboard.json";
     private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they"
         + " take. Flicker is the RMS change of the error from frame to frame, in linear light, while the view turns by"
         + " 0.3 pixels a frame";
@@ -88,12 +89,30 @@ public final class CloudSubjects {
                     PictureSetting.of("proceduralNoise", "source", "weights ½, ¼, ⅛"),
                     PictureSetting.of("proceduralNoise", "source_code", "weights .328, .219, .125")));
 
+    public static final Trade FACING = subject(
+            BILLBOARDS,
+            "billboardFacing",
+            new Trade.Text(
+                    "Turning of flat clouds",
+                    "Clouds of technique billboard are flat pictures of balls. Turned towards the eye they are the"
+                            + " balls as far away; turned as the screen they grow towards the picture's edges; turned"
+                            + " about an upright axis they are thin from above and below.",
+                    ORACLE),
+            "viewer",
+            List.of(
+                    PictureSetting.of("billboardFacing", "viewer", "all presets"),
+                    PictureSetting.of("billboardFacing", "screen", ""),
+                    PictureSetting.of("billboardFacing", "axial", ""),
+                    PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
+            Judged.STILL);
+
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),
             PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
             PictureSetting.of("cloudHistory", "sixteen_frames", "low"));
 
     public static final Trade HISTORY = subject(
+            CUMULUS,
             "cloudHistory",
             new Trade.Text(
                     "Rays through clouds among frames",
@@ -114,13 +133,12 @@ public final class CloudSubjects {
     }
 
     private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
-        return subject(field, new Trade.Text(title, text, ORACLE), usual, settings, Judged.STILL);
+        return subject(GRID, field, new Trade.Text(title, text, ORACLE), usual, settings, Judged.STILL);
     }
 
     private static Trade subject(
-            String field, Trade.Text words, String usual, List<PictureSetting> settings, Judged judged) {
+            String level, String field, Trade.Text words, String usual, List<PictureSetting> settings, Judged judged) {
         List<Setting> named = settings.stream().map(PictureSetting::setting).toList();
-        String level = judged == Judged.STILL ? GRID : CUMULUS;
         return new Trade(
                         field,
                         words,

@@ -37,6 +37,11 @@ public final class CloudCanvas {
         return focus;
     }
 
+    /** Returns by how much quads must be larger, as a share of their distance, since rays are not at the middles of pixels. */
+    public double margin() {
+        return layer == null ? 0 : layer.pixel() * view.projection().tanHalfHeight();
+    }
+
     /** Sets the uniforms of a program in use. */
     public void put(PixelUniforms uniforms, PlacedCloud cloud) {
         if (layer != null) {

@@ -105,6 +105,11 @@ final class CloudLayer implements GlObject {
         rays.step().set((float) (2.0 * divisor / width), (float) (2.0 * divisor / height));
     }
 
+    /** Returns the size of a drawn pixel as a share of half the view's height. */
+    double pixel() {
+        return 2.0 * divisor * marchedSide() / height;
+    }
+
     /** Returns the column of the ray that a frame marches in a square, whose side is a power of 2. */
     static int column(int frame, int side) {
         return side == 1 ? 0 : side / 2 * ((frame ^ frame >> 1) & 1) + column(frame >> 2, side / 2);

@@ -85,19 +85,19 @@ public final class CloudPass implements Pass {
         var cloudContext = new CloudContext(context, ranges.count());
         Map<CloudTechnique, CloudTechniqueDrawer> built = new EnumMap<>(CloudTechnique.class);
         for (PlacedCloud cloud : clouds) {
-            CloudTechniqueDrawer.Registered technique =
-                    drawn(techniques, cloud.source().cloud());
+            CloudTechniqueDrawer.Registered technique = drawn(techniques, cloud.source());
             CloudTechniqueDrawer drawer = built.computeIfAbsent(
                     technique.technique(), known -> technique.build().apply(cloudContext));
             entries.add(new Entry(cloud, drawer.of(cloud)));
         }
     }
 
-    /** Returns the technique of a cloud; the first one for {@code auto} and for techniques that are not registered. */
+    /** Returns the technique of a cloud; the first one for {@code auto} and where the written one cannot show it. */
     private static CloudTechniqueDrawer.Registered drawn(
-            List<CloudTechniqueDrawer.Registered> techniques, Cloud cloud) {
+            List<CloudTechniqueDrawer.Registered> techniques, CloudSource cloud) {
         return techniques.stream()
-                .filter(known -> known.technique() == cloud.technique())
+                .filter(known -> known.technique() == cloud.cloud().technique()
+                        && known.canShow().test(cloud))
                 .findFirst()
                 .orElse(techniques.get(0));
     }

@@ -13,7 +13,8 @@ import nephele.engine.render.pass.cloud.SheetProgram;
 
 /** Draws clouds as sheets whose optical depth is computed from octaves of noise in the shader. */
 public final class ProceduralTechnique implements CloudTechniqueDrawer {
-    public static final Registered REGISTERED = new Registered(CloudTechnique.PROCEDURAL, ProceduralTechnique::new);
+    public static final Registered REGISTERED =
+            new Registered(CloudTechnique.PROCEDURAL, cloud -> true, ProceduralTechnique::new);
 
     private final CloudContext context;
     private final FullScreenTriangle triangle;

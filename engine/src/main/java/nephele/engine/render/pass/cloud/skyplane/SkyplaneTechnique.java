@@ -15,7 +15,8 @@ import nephele.engine.render.pass.cloud.SheetProgram;
 
 /** Draws clouds as sheets at the middle of their heights, by the optical depths of their columns. */
 public final class SkyplaneTechnique implements CloudTechniqueDrawer {
-    public static final Registered REGISTERED = new Registered(CloudTechnique.SKYPLANE, SkyplaneTechnique::new);
+    public static final Registered REGISTERED =
+            new Registered(CloudTechnique.SKYPLANE, cloud -> true, SkyplaneTechnique::new);
 
     private final CloudContext context;
     private final FullScreenTriangle triangle;

@@ -12,7 +12,8 @@ import nephele.engine.render.pass.cloud.PlacedCloud;
 
 /** Marches rays through the cells of clouds. */
 public final class VolumeTechnique implements CloudTechniqueDrawer {
-    public static final Registered REGISTERED = new Registered(CloudTechnique.VOLUME, VolumeTechnique::new);
+    public static final Registered REGISTERED =
+            new Registered(CloudTechnique.VOLUME, cloud -> true, VolumeTechnique::new);
 
     private final CloudContext context;
     private final FullScreenTriangle triangle;

@@ -1,0 +1,56 @@
+package nephele.engine.render.pass.cloud;
+
+import java.util.function.Function;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudPuffs;
+import nephele.engine.cloud.drawn.DrawnCloud;
+import nephele.engine.level.Environment;
+import nephele.engine.render.frame.LoadContext;
+
+/** A cloud that is divided into balls, drawn by one of the programs for them. */
+public final class PuffCloud implements CloudDrawing {
+    private final PlacedCloud placed;
+    private final Function<CloudPixels, PuffProgram> programs;
+    private final LitCells cells;
+    private final PuffQuads quads;
+    private DrawnCloud shownFrom;
+    private DrawnCloud shownTo;
+    private double shownShare;
+    private CloudPuffs from;
+    private CloudPuffs to;
+    private CloudPuffs now;
+
+    /** @param programs compiled when pixels are first drawn */
+    public PuffCloud(LoadContext context, PlacedCloud placed, Function<CloudPixels, PuffProgram> programs) {
+        this.placed = placed;
+        this.programs = programs;
+        cells = new LitCells(context, placed);
+        quads = context.own(new PuffQuads(context.gl()));
+    }
+
+    @Override
+    public void follow(Environment environment, CloudInterval interval) {
+        cells.follow(environment, interval);
+        boolean isSame = cells.shown() == shownFrom && cells.toCome() == shownTo;
+        if (!isSame) {
+            from = cells.shown() == shownTo ? to : CloudPuffs.of(cells.shown());
+            to = cells.toCome() == cells.shown() ? from : CloudPuffs.of(cells.toCome());
+            shownFrom = cells.shown();
+            shownTo = cells.toCome();
+        }
+        if (!isSame || cells.share() != shownShare) {
+            shownShare = cells.share();
+            now = from.towards(to, shownShare);
+        }
+    }
+
+    @Override
+    public void draw(CloudCanvas canvas) {
+        PuffProgram program = programs.apply(canvas.pixels());
+        program.use(canvas.margin());
+        canvas.put(program.pixels(), placed);
+        cells.bind(program.cells(), canvas.view(), canvas.focus(), 1);
+        quads.show(now, canvas.view().eye().minus(placed.drift()), placed.presence());
+        quads.draw();
+    }
+}

@@ -1,0 +1,82 @@
+package nephele.engine.render.pass.cloud;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.cloud.drawn.CloudPuffs;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.QuadStream;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+
+/** A cloud's balls as quads, the farthest first; balls at equal distances keep their order. */
+public final class PuffQuads implements GlObject {
+    /** Of a vertex: centre relative to the eye and deviation; extinction in the centre and corner. */
+    private static final int FLOATS = 8;
+
+    private static final int CORNERS = 4;
+
+    private final QuadStream quads;
+    private CloudPuffs shown;
+    private Vec3 eyeShown;
+    private double factorShown;
+    private float[] vertices = new float[0];
+    private long[] order = new long[0];
+
+    public PuffQuads(GlContext gl) {
+        quads = new QuadStream(gl, "puffs", VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4));
+    }
+
+    /**
+     * Shows balls from an eye.
+     *
+     * @param eye in the space of the balls
+     * @param factor on their extinction
+     */
+    public void show(CloudPuffs puffs, Vec3 eye, double factor) {
+        if (puffs == shown && eye.equals(eyeShown) && factor == factorShown) {
+            return;
+        }
+        shown = puffs;
+        eyeShown = eye;
+        factorShown = factor;
+        List<CloudPuffs.Puff> all = puffs.all();
+        if (order.length != all.size()) {
+            order = new long[all.size()];
+            vertices = new float[FLOATS * CORNERS * all.size()];
+        }
+        for (int i = 0; i < order.length; i++) {
+            float distance = (float) all.get(i).centre().minus(eye).length();
+            order[i] = (long) (Integer.MAX_VALUE - Float.floatToIntBits(distance)) << 32 | i;
+        }
+        Arrays.sort(order);
+        for (int place = 0; place < order.length; place++) {
+            put(place, all.get((int) order[place]), eye, factor);
+        }
+        quads.upload(vertices, vertices.length, order.length);
+    }
+
+    private void put(int place, CloudPuffs.Puff puff, Vec3 eye, double factor) {
+        Vec3 centre = puff.centre().minus(eye);
+        for (int corner = 0; corner < CORNERS; corner++) {
+            int at = FLOATS * (CORNERS * place + corner);
+            vertices[at] = (float) centre.x();
+            vertices[at + 1] = (float) centre.y();
+            vertices[at + 2] = (float) centre.z();
+            vertices[at + 3] = (float) puff.deviationMetres();
+            vertices[at + 4] = (float) (factor * puff.perMetre());
+            vertices[at + 5] = corner == 0 || corner == 3 ? -1 : 1;
+            vertices[at + 6] = corner < 2 ? -1 : 1;
+        }
+    }
+
+    public void draw() {
+        quads.draw();
+    }
+
+    @Override
+    public void close() {
+        quads.close();
+    }
+}
