@@ -98,6 +98,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     CloudScattering.class,
                     (all, value) -> all.with(all.quality().withCloudScattering(value))),
             SettingKey.word(
+                    "billboardFacing",
+                    BillboardFacing.class,
+                    (all, value) -> all.with(all.quality().withBillboardFacing(value))),
+            SettingKey.word(
                     "skyplaneShape",
                     SkyplaneShape.class,
                     (all, value) -> all.with(all.quality().withSkyplaneShape(value))),
@@ -105,10 +109,6 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "proceduralNoise",
                     ProceduralNoise.class,
                     (all, value) -> all.with(all.quality().withProceduralNoise(value))),
-            SettingKey.word(
-                    "billboardFacing",
-                    BillboardFacing.class,
-                    (all, value) -> all.with(all.quality().withBillboardFacing(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

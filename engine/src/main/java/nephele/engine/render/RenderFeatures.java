@@ -36,8 +36,8 @@ public final class RenderFeatures {
             VolumeTechnique.REGISTERED,
             SkyplaneTechnique.REGISTERED,
             ProceduralTechnique.REGISTERED,
-            ParticleTechnique.REGISTERED,
-            BillboardTechnique.REGISTERED);
+            BillboardTechnique.REGISTERED,
+            ParticleTechnique.REGISTERED);
 
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.

@@ -170,6 +170,11 @@ public final class DensityCells {
         return greatestPerMetre;
     }
 
+    /** Returns the density of a cell, 0 to 1. */
+    public double density(int i, int j, int k) {
+        return densities[cells.index(i, j, k)];
+    }
+
     /** Returns the mean optical depth of its columns. */
     public double meanDepth() {
         double sum = 0;
@@ -177,11 +182,6 @@ public final class DensityCells {
             sum += density;
         }
         return greatestPerMetre * (cells.box().maxY() - cells.box().minY()) * sum / cells.count();
-    }
-
-    /** Returns the density of a cell, 0 to 1. */
-    public double density(int i, int j, int k) {
-        return densities[cells.index(i, j, k)];
     }
 
     float[] densities() {

@@ -1,7 +1,9 @@
 package nephele.engine.level.appearance;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -11,6 +13,8 @@ import nephele.engine.level.json.WordFormats;
 
 /** The lines of {@code explain} about clouds: how they are drawn, and which ones a weather adds. */
 public final class CloudExplanation {
+    private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
+
     private CloudExplanation() {}
 
     /** Returns no lines for a level without clouds and weather; each cloud of a weather is one line of JSON. */
@@ -24,8 +28,14 @@ public final class CloudExplanation {
             lines.add("clouds: " + (clouds.size() - written.size()) + " drawn as volumes");
         }
         for (Cloud cloud : written) {
-            lines.add("clouds: " + cloud.id() + " by technique " + WordFormats.Choice.word(cloud.technique())
-                    + ": because technique is written");
+            boolean isDivided = OF_BALLS.contains(cloud.technique());
+            boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
+            lines.add("clouds: " + cloud.id()
+                    + (isDivided && isLayer ? " as a volume, not" : "")
+                    + " by technique " + WordFormats.Choice.word(cloud.technique())
+                    + (isDivided && isLayer
+                            ? ": because an endless layer is not divided into balls"
+                            : ": because technique is written"));
         }
         for (WeatherKeyframe keyframe : environment.weatherKeyframes()) {
             lines.add("environment.weatherKeyframes: " + WordFormats.Choice.word(keyframe.weather()) + " from "

@@ -43,9 +43,9 @@ public record Quality(
         double cloudStep,
         int cloudLightCell,
         CloudScattering cloudScattering,
+        BillboardFacing billboardFacing,
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
-        BillboardFacing billboardFacing,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -68,9 +68,9 @@ public record Quality(
             1,
             2,
             CloudScattering.TWO_STREAM,
+            BillboardFacing.VIEWER,
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
-            BillboardFacing.VIEWER,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -122,6 +122,18 @@ public record Quality(
         OCTAVES
     }
 
+    /** How the flat pictures of clouds of technique billboard are turned; shaders know the order. */
+    public enum BillboardFacing {
+        /** As the screen. */
+        SCREEN,
+        /** Towards the eye. */
+        VIEWER,
+        /** Towards the eye about an upright axis. */
+        AXIAL,
+        /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
+        SOURCE
+    }
+
     /** The shape of the sheet as which a layer of clouds is drawn. */
     public enum SkyplaneShape {
         /** A sphere around the planet under an atmosphere, otherwise a plane. */
@@ -134,18 +146,6 @@ public record Quality(
         CURVED,
         /** A hemisphere around the eye. */
         DOME
-    }
-
-    /** How the flat pictures of clouds of technique billboard are turned; shaders know the order. */
-    public enum BillboardFacing {
-        /** As the screen. */
-        SCREEN,
-        /** Towards the eye. */
-        VIEWER,
-        /** Towards the eye about an upright axis. */
-        AXIAL,
-        /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
-        SOURCE
     }
 
     /** The filter that scales a picture up. */
@@ -257,16 +257,16 @@ public record Quality(
         return with(draft -> draft.cloudScattering = model);
     }
 
+    public Quality withBillboardFacing(BillboardFacing facing) {
+        return with(draft -> draft.billboardFacing = facing);
+    }
+
     public Quality withSkyplaneShape(SkyplaneShape shape) {
         return with(draft -> draft.skyplaneShape = shape);
     }
 
     public Quality withProceduralNoise(ProceduralNoise noise) {
         return with(draft -> draft.proceduralNoise = noise);
-    }
-
-    public Quality withBillboardFacing(BillboardFacing facing) {
-        return with(draft -> draft.billboardFacing = facing);
     }
 
     public Quality withPortalTechnique(PortalTechnique technique) {
@@ -303,9 +303,9 @@ public record Quality(
         private double cloudStep;
         private int cloudLightCell;
         private CloudScattering cloudScattering;
+        private BillboardFacing billboardFacing;
         private SkyplaneShape skyplaneShape;
         private ProceduralNoise proceduralNoise;
-        private BillboardFacing billboardFacing;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -326,9 +326,9 @@ public record Quality(
             cloudStep = from.cloudStep;
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
+            billboardFacing = from.billboardFacing;
             skyplaneShape = from.skyplaneShape;
             proceduralNoise = from.proceduralNoise;
-            billboardFacing = from.billboardFacing;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -351,9 +351,9 @@ public record Quality(
                     cloudStep,
                     cloudLightCell,
                     cloudScattering,
+                    billboardFacing,
                     skyplaneShape,
                     proceduralNoise,
-                    billboardFacing,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

@@ -41,20 +41,14 @@ float narrowFading(vec3 ray) {
 PuffLight puffLight(vec3 place, vec3 ray, float toEye) {
     vec4 light = lightAt(place, place.y);
     float left = textureLod(cloudDensity, texelOf(place, place.y, 0.0, cells.x), 0.0).b;
-    vec3 apart = ray - cloudSun;
-    float separation = dot(apart, apart);
-    float cosine = 1.0 - 0.5 * separation;
-    float column = sqrt(sqrt(0.25 * separation)) * ((SEPARATIONS - 1.0) / SEPARATIONS) + 0.5 / SEPARATIONS;
+    RayAngles angles = rayAngles(ray, stepping.w);
     float beam = exp(-medium.y * light.r);
-    float resistance = 0.75 * (1.0 - phase.x) * medium.y;
-    float toSun = 1.0 + resistance * OBLIQUITY * light.r;
-    float toOutside = 1.0 + resistance * (stepping.w + toEye);
+    float toSun = 1.0 + angles.resistance * OBLIQUITY * light.r;
+    float toOutside = 1.0 + angles.resistance * (angles.depthAround + toEye);
     float kept = min(1.0, BRIGHTEST * (toOutside + beam * toSun) / ((toOutside + toSun) * max(light.g, 1e-10)));
-    float axisCosine = -dot(ray, diffuseAxis.xyz);
-    float slope = cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + axisCosine * light.b;
-    float once = (1.0 + 3.0 * phase.x * cosine) / FOUR_PI;
+    float slope = angles.cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + angles.axisCosine * light.b;
     return PuffLight(
-        smallAngleLight(column, light.r + toEye),
-        medium.w * (once * beam + kept * max(0.0, light.g + phase.x * slope)),
+        smallAngleLight(angles.column, light.r + toEye),
+        medium.w * (angles.once * beam + kept * max(0.0, light.g + phase.x * slope)),
         medium.z * (light.a * skyAbove + max(0.0, left - light.a) * skyBelow));
 }

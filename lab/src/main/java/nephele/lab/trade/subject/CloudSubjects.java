@@ -61,6 +61,23 @@ public final class CloudSubjects {
                     PictureSetting.of("cloudLightCell", 2, "all presets"),
                     PictureSetting.of("cloudLightCell", 4, "")));
 
+    public static final Trade FACING = subject(
+            BILLBOARDS,
+            "billboardFacing",
+            new Trade.Text(
+                    "Turning of flat clouds",
+                    "Clouds of technique billboard are flat pictures of balls. Turned towards the eye they are the"
+                            + " balls as far away; turned as the screen they grow towards the picture's edges; turned"
+                            + " about an upright axis they are thin from above and below.",
+                    ORACLE),
+            "viewer",
+            List.of(
+                    PictureSetting.of("billboardFacing", "viewer", "all presets"),
+                    PictureSetting.of("billboardFacing", "screen", ""),
+                    PictureSetting.of("billboardFacing", "axial", ""),
+                    PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
+            Judged.STILL);
+
     public static final Trade SHEET = sheet(
             "skyplaneShape",
             new Trade.Text(
@@ -88,23 +105,6 @@ public final class CloudSubjects {
                     PictureSetting.of("proceduralNoise", "smooth", "all presets"),
                     PictureSetting.of("proceduralNoise", "source", "weights ½, ¼, ⅛"),
                     PictureSetting.of("proceduralNoise", "source_code", "weights .328, .219, .125")));
-
-    public static final Trade FACING = subject(
-            BILLBOARDS,
-            "billboardFacing",
-            new Trade.Text(
-                    "Turning of flat clouds",
-                    "Clouds of technique billboard are flat pictures of balls. Turned towards the eye they are the"
-                            + " balls as far away; turned as the screen they grow towards the picture's edges; turned"
-                            + " about an upright axis they are thin from above and below.",
-                    ORACLE),
-            "viewer",
-            List.of(
-                    PictureSetting.of("billboardFacing", "viewer", "all presets"),
-                    PictureSetting.of("billboardFacing", "screen", ""),
-                    PictureSetting.of("billboardFacing", "axial", ""),
-                    PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
-            Judged.STILL);
 
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),

@@ -97,11 +97,6 @@ public final class Uniforms {
         return new WholeVector4(program, location(name));
     }
 
-    /** Returns a uniform of an included file that the program may not use; {@code null} if it does not. */
-    public Vector4 vector4IfUsed(String name) {
-        return glGetUniformLocation(program, name) < 0 ? null : vector4(name);
-    }
-
     public Matrix4 matrix4(String name) {
         return new Matrix4(program, location(name));
     }

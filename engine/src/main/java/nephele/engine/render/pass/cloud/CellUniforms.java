@@ -7,35 +7,31 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /**
- * The uniforms of {@code cloud-march.glsl}: the numbers of a cloud and of the light around it.
+ * The uniforms of {@code cloud-light.glsl}, and of the light around a cloud.
  *
- * @param cellEdges {@code null} for programs that do not step through cells
- * @param diffuseAxis {@code null} for octaves
- * @param stepping {@code null} for programs that march no ray
+ * @param diffuseAxis {@code null} for octaves, which have none
  */
 public record CellUniforms(
         List<Uniforms.Vector4> boxes,
         Uniforms.Vector4 cells,
-        Uniforms.Vector4 cellEdges,
         Uniforms.Vector3 cloudBase,
         Uniforms.Vector3 cloudHalf,
         Uniforms.Vector4 medium,
         Uniforms.Vector4 phase,
         Uniforms.Vector3 cloudSun,
         Uniforms.Vector4 diffuseAxis,
-        Uniforms.Vector4 stepping,
         Uniforms.Vector3 irradiance,
         Uniforms.Vector3 skyAbove,
         Uniforms.Vector3 skyBelow) {
-    /** Boxes that a cloud has at most. */
+    /** Boxes that a cloud has at most; {@code MOST_BOXES} in shaders. */
     public static final int MOST_BOXES = 6;
 
-    /** Finds the uniforms of a program and assigns its samplers. */
+    /** Finds the uniforms of a program and assigns its samplers, but for that of the density. */
     public static CellUniforms of(Uniforms uniforms, CloudScattering scattering) {
-        uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
+        boolean isTwoStream = scattering == CloudScattering.TWO_STREAM;
         uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
         uniforms.sampler("cloudLightToCome", TextureUnit.CLOUD_LIGHT_TO_COME);
-        if (scattering == CloudScattering.TWO_STREAM) {
+        if (isTwoStream) {
             uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
         }
         return new CellUniforms(
@@ -43,14 +39,12 @@ public record CellUniforms(
                         .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
                         .toList(),
                 uniforms.vector4("cells"),
-                uniforms.vector4IfUsed("cellEdges"),
                 uniforms.vector3("cloudBase"),
                 uniforms.vector3("cloudHalf"),
                 uniforms.vector4("medium"),
                 uniforms.vector4("phase"),
                 uniforms.vector3("cloudSun"),
-                scattering == CloudScattering.TWO_STREAM ? uniforms.vector4("diffuseAxis") : null,
-                uniforms.vector4IfUsed("stepping"),
+                isTwoStream ? uniforms.vector4("diffuseAxis") : null,
                 uniforms.vector3("irradiance"),
                 uniforms.vector3("skyAbove"),
                 uniforms.vector3("skyBelow"));

@@ -11,7 +11,7 @@ import nephele.engine.render.frame.LoadContext;
 public final class PuffCloud implements CloudDrawing {
     private final PlacedCloud placed;
     private final Function<CloudPixels, PuffProgram> programs;
-    private final LitCells cells;
+    private final LitCloud cells;
     private final PuffQuads quads;
     private DrawnCloud shownFrom;
     private DrawnCloud shownTo;
@@ -24,7 +24,7 @@ public final class PuffCloud implements CloudDrawing {
     public PuffCloud(LoadContext context, PlacedCloud placed, Function<CloudPixels, PuffProgram> programs) {
         this.placed = placed;
         this.programs = programs;
-        cells = new LitCells(context, placed);
+        cells = new LitCloud(context, placed);
         quads = context.own(new PuffQuads(context.gl()));
     }
 
@@ -46,10 +46,7 @@ public final class PuffCloud implements CloudDrawing {
 
     @Override
     public void draw(CloudCanvas canvas) {
-        PuffProgram program = programs.apply(canvas.pixels());
-        program.use(canvas.margin());
-        canvas.put(program.pixels(), placed);
-        cells.bind(program.cells(), canvas.view(), canvas.focus(), 1);
+        programs.apply(canvas.pixels()).use(canvas, placed, cells);
         quads.show(now, canvas.view().eye().minus(placed.drift()), placed.presence());
         quads.draw();
     }

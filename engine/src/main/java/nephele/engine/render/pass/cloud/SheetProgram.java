@@ -8,6 +8,7 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /**
@@ -47,6 +48,7 @@ public final class SheetProgram<P> {
                 ShaderSource.load(FOLDER + "cloud.vert", defines),
                 ShaderSource.load(FOLDER + fragments, defines),
                 uniforms -> {
+                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     return new Places<>(
                             PixelUniforms.of(uniforms, context, pixels),
                             CellUniforms.of(uniforms, scattering),
@@ -56,16 +58,16 @@ public final class SheetProgram<P> {
     }
 
     /** Uses it for a cloud; what else it has is left to be set. */
-    public P use(CloudCanvas canvas, PlacedCloud placed, LitCells lit) {
+    public P use(CloudCanvas canvas, PlacedCloud placed, LitCloud lit) {
         program.use();
         Places<P> places = program.uniforms();
         canvas.put(places.pixels, placed);
-        lit.bind(places.cells, canvas.view(), canvas.focus(), 1);
+        lit.put(places.cells, canvas.view(), canvas.focus());
         places.sheet.set((float) canvas.view().eyeY(), (float) longestWay(lit));
         return places.own;
     }
 
-    private static double longestWay(LitCells lit) {
+    private static double longestWay(LitCloud lit) {
         CellStack cells = lit.shown().cells();
         Aabb box = cells.narrowest().box();
         return cells.isLayer()

@@ -8,14 +8,14 @@ import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.LitCells;
+import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.SheetProgram;
 
 /** A cloud of the level that is drawn as a sheet of octaves. */
 final class ProceduralCloud implements CloudDrawing {
     private final PlacedCloud placed;
-    private final LitCells lit;
+    private final LitCloud lit;
     private final Function<CloudPixels, SheetProgram<OctaveUniforms>> programs;
     private final FullScreenTriangle triangle;
 
@@ -27,7 +27,7 @@ final class ProceduralCloud implements CloudDrawing {
         this.placed = placed;
         this.programs = programs;
         this.triangle = triangle;
-        lit = new LitCells(context, placed);
+        lit = new LitCloud(context, placed);
     }
 
     @Override

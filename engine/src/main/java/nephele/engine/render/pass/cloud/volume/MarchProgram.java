@@ -3,6 +3,8 @@ package nephele.engine.render.pass.cloud.volume;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.CellUniforms;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudPixels;
@@ -13,7 +15,10 @@ final class MarchProgram {
     private static final String SHARED = "/nephele/engine/render/pass/cloud/";
     private static final String FOLDER = SHARED + "volume/";
 
-    private final GlProgram<CellUniforms> program;
+    private final GlProgram<Places> program;
+
+    /** The numbers of steps. */
+    record Places(Uniforms.Vector4 cellEdges, Uniforms.Vector4 stepping) {}
 
     /** Where the density comes from. */
     enum Noise {
@@ -24,6 +29,7 @@ final class MarchProgram {
     }
 
     private final PixelUniforms pixelUniforms;
+    private final CellUniforms cellUniforms;
     private final NoiseTextures.Places noisePlaces;
 
     MarchProgram(CloudContext context, CloudPixels pixels, Noise noise) {
@@ -35,6 +41,7 @@ final class MarchProgram {
                 .with("MOST_BOXES", CellUniforms.MOST_BOXES)
                 .values();
         var found = new PixelUniforms[1];
+        var cells = new CellUniforms[1];
         var tables = new NoiseTextures.Places[1];
         program = new GlProgram<>(
                 context.load().gl(),
@@ -42,15 +49,22 @@ final class MarchProgram {
                 ShaderSource.load(FOLDER + "volume.frag", defines),
                 uniforms -> {
                     found[0] = PixelUniforms.of(uniforms, context, pixels);
+                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
+                    cells[0] = CellUniforms.of(uniforms, scattering);
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
-                    return CellUniforms.of(uniforms, scattering);
+                    return new Places(uniforms.vector4("cellEdges"), uniforms.vector4("stepping"));
                 });
         noisePlaces = tables[0];
         pixelUniforms = found[0];
+        cellUniforms = cells[0];
     }
 
     PixelUniforms pixels() {
         return pixelUniforms;
+    }
+
+    CellUniforms cells() {
+        return cellUniforms;
     }
 
     /** Returns {@code null} if the density comes from cells. */
@@ -62,7 +76,7 @@ final class MarchProgram {
         program.use();
     }
 
-    CellUniforms cells() {
+    Places places() {
         return program.uniforms();
     }
 }

@@ -1,28 +1,31 @@
 package nephele.engine.render.pass.cloud.volume;
 
 import java.util.Map;
+import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.level.Environment;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.LitCells;
+import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.volume.MarchProgram.Noise;
+import nephele.engine.scene.View;
 
-/** A cloud of the level through whose cells rays are marched. */
+/** A cloud of the level whose cells are marched. */
 final class MarchedCloud implements CloudDrawing {
     private final PlacedCloud placed;
     private final CloudSource cloud;
+    private final LitCloud lit;
     private final Map<CloudPixels, MarchPrograms> programs;
     private final FullScreenTriangle triangle;
     private final double stepCells;
-    private final LitCells cells;
     /** {@code null} if the density comes from cells. */
     private final NoiseTextures noiseTextures;
 
@@ -38,8 +41,8 @@ final class MarchedCloud implements CloudDrawing {
         this.programs = programs;
         this.triangle = triangle;
         cloud = placed.source();
+        lit = new LitCloud(context, placed);
         stepCells = context.quality().cloudStep();
-        cells = new LitCells(context, placed);
         noiseTextures = cloud.isProfiled()
                 ? new NoiseTextures(context, (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
                 : null;
@@ -47,10 +50,10 @@ final class MarchedCloud implements CloudDrawing {
 
     @Override
     public void follow(Environment environment, CloudInterval now) {
-        cells.follow(environment, now);
+        lit.follow(environment, now);
         if (noiseTextures != null) {
             noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
-            noiseTextures.show(cells.shown().plans(), cells.toCome().plans());
+            noiseTextures.show(lit.shown().plans(), lit.toCome().plans());
         }
     }
 
@@ -59,14 +62,24 @@ final class MarchedCloud implements CloudDrawing {
         MarchProgram program = programs.get(canvas.pixels()).of(kind());
         program.use();
         canvas.put(program.pixels(), placed);
-        cells.bind(program.cells(), canvas.view(), canvas.focus(), stepCells);
-        if (noiseTextures != null) {
-            noiseTextures.bind(program.noisePlaces(), noise, canvas.view().eye().minus(placed.drift()));
-        }
+        bind(program, canvas.view(), canvas.focus());
         triangle.draw();
     }
 
     private Noise kind() {
         return !cloud.isProfiled() ? Noise.NONE : cloud.evolves() ? Noise.EVOLVING : Noise.STILL;
+    }
+
+    /** @param focus of the boxes of layers */
+    private void bind(MarchProgram program, View view, Vec3 focus) {
+        lit.put(program.cells(), view, focus);
+        if (noiseTextures != null) {
+            noiseTextures.bind(program.noisePlaces(), noise, view.eye().minus(placed.drift()));
+        }
+        MarchProgram.Places places = program.places();
+        CellBox narrowest = lit.shown().cells().narrowest();
+        places.cellEdges().set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
+                narrowest.shortest());
+        places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) lit.depthAround(view));
     }
 }

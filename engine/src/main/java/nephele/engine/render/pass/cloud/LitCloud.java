@@ -16,12 +16,12 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 
-/** The cells of a cloud at the time of the frame on the GPU, and the light around it. */
-public final class LitCells {
+/** The cells of a cloud on the GPU at the time of the frame, and the light around it: the numbers of {@link CellUniforms}. */
+public final class LitCloud {
     private final SharedResources shared;
     private final PlacedCloud placed;
     private final CloudSource cloud;
@@ -37,14 +37,14 @@ public final class LitCells {
     private double share;
     private double groundShare;
 
-    public LitCells(LoadContext context, PlacedCloud placed) {
+    public LitCloud(LoadContext context, PlacedCloud placed) {
         shared = context.shared();
         this.placed = placed;
         cloud = placed.source();
         textures = new CloudTextures(context, cloud);
     }
 
-    /** Takes the cells and the light of the present time. */
+    /** Takes its cells and the light around it at the time of the frame. */
     public void follow(Environment environment, CloudInterval now) {
         shown = now.from().clouds().all().get(placed.index());
         toCome = now.to().clouds().all().get(placed.index());
@@ -54,22 +54,6 @@ public final class LitCells {
         follow(environment);
     }
 
-    /** Returns the cloud at the sampled time before. */
-    public DrawnCloud shown() {
-        return shown;
-    }
-
-    /** Returns it at the sampled time after. */
-    public DrawnCloud toCome() {
-        return toCome;
-    }
-
-    /** Returns the share of the time between both that has passed. */
-    public double share() {
-        return share;
-    }
-
-    /** Takes the light of the present environment. */
     private void follow(Environment now) {
         if (now == followed) {
             return;
@@ -84,47 +68,53 @@ public final class LitCells {
         below = Vec3.of(sky.ambient(0, -1, 0));
     }
 
-    /**
-     * Binds the cells and sets the numbers of a program in use.
-     *
-     * @param focus of the boxes of layers
-     * @param stepCells cells of a step
-     */
-    public void bind(CellUniforms places, View view, Vec3 focus, double stepCells) {
-        textures.bind();
-        Vec3 eye = view.eye().minus(placed.drift());
-        putBoxes(places, eye, focus.minus(view.eye()));
-        putMedium(places);
-        if (places.stepping() != null) {
-            places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) depthAround(view));
-        }
-        set(places.cloudSun(), towardsSun);
-        if (places.diffuseAxis() != null) {
-            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
-            places.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
-                    cloud.physics().slopeOfBeam());
-        }
-        set(places.irradiance(), irradiance);
-        set(places.skyAbove(), above);
-        set(places.skyBelow(), below.scaled(groundShare));
+    /** Returns the cloud at the earlier of the two sampled times. */
+    public DrawnCloud shown() {
+        return shown;
     }
 
-    private void putMedium(CellUniforms places) {
+    /** Returns the cloud at the later one. */
+    public DrawnCloud toCome() {
+        return toCome;
+    }
+
+    /** Returns the share of the later one, 0 to 1. */
+    public double share() {
+        return share;
+    }
+
+    /**
+     * Binds the textures and sets the numbers of a program in use.
+     *
+     * @param focus of the boxes of layers
+     */
+    public void put(CellUniforms uniforms, View view, Vec3 focus) {
+        textures.bind();
+        putBoxes(uniforms, view.eye().minus(placed.drift()), focus.minus(view.eye()));
         CloudOptics optics = cloud.physics().optics();
         DeltaScaling scaled = cloud.physics().medium();
-        double greatest = placed.presence() * shown.fullPerMetre();
-        places.medium()
-                .set((float) greatest, (float) scaled.depthFactor(), (float) optics.albedo(), (float) scaled.albedo());
-        places.phase()
+        double greatestPerMetre = placed.presence() * shown.fullPerMetre();
+        uniforms.medium().set((float) greatestPerMetre, (float) scaled.depthFactor(), (float) optics.albedo(), (float)
+                scaled.albedo());
+        uniforms.phase()
                 .set(
                         (float) scaled.g(),
                         (float) (1 / cloud.physics().smallAngles().deepest()),
                         (float) cloud.halfCurvature(),
                         (float) optics.meanCosine());
+        set(uniforms.cloudSun(), towardsSun);
+        if (uniforms.diffuseAxis() != null) {
+            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
+            uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
+                    cloud.physics().slopeOfBeam());
+        }
+        set(uniforms.irradiance(), irradiance);
+        set(uniforms.skyAbove(), above);
+        set(uniforms.skyBelow(), below.scaled(groundShare));
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */
-    private double depthAround(View view) {
+    public double depthAround(View view) {
         Plane exit = view.clip();
         Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
         Vec3 place = begin.minus(placed.drift());
@@ -133,11 +123,11 @@ public final class LitCells {
         return placed.presence() * (before + share * (after - before));
     }
 
-    private void putBoxes(CellUniforms places, Vec3 eye, Vec3 focus) {
+    private void putBoxes(CellUniforms uniforms, Vec3 eye, Vec3 focus) {
         CellStack cells = shown.cells();
         for (int level = 0; level < cells.levels(); level++) {
             Aabb box = cells.density().get(level).cells().box();
-            places.boxes()
+            uniforms.boxes()
                     .get(level)
                     .set(
                             (float) ((box.minX() + box.maxX()) / 2 - eye.x()),
@@ -147,30 +137,21 @@ public final class LitCells {
         }
         CellBox narrowest = cells.narrowest();
         Aabb box = narrowest.box();
-        places.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
-        putEdges(places, narrowest);
+        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
         float low = (float) (box.minY() - eye.y());
         float high = (float) (box.maxY() - box.minY());
         if (cells.isLayer()) {
-            places.cloudBase().set((float) focus.x(), low, (float) focus.z());
-            places.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
+            uniforms.cloudBase().set((float) focus.x(), low, (float) focus.z());
+            uniforms.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
         } else {
             Vec3 middle = box.centre().minus(eye);
-            places.cloudBase().set((float) middle.x(), low, (float) middle.z());
-            places.cloudHalf()
+            uniforms.cloudBase().set((float) middle.x(), low, (float) middle.z());
+            uniforms.cloudHalf()
                     .set((float) ((box.maxX() - box.minX()) / 2), high, (float) ((box.maxZ() - box.minZ()) / 2));
         }
     }
 
-    private static void putEdges(CellUniforms places, CellBox narrowest) {
-        if (places.cellEdges() != null) {
-            places.cellEdges()
-                    .set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
-                            narrowest.shortest());
-        }
-    }
-
-    private static void set(Vector3 place, Vec3 v) {
+    private static void set(Uniforms.Vector3 place, Vec3 v) {
         place.set((float) v.x(), (float) v.y(), (float) v.z());
     }
 }
