@@ -7,6 +7,9 @@ import nephele.engine.level.Emitter;
  * the others are glowing pieces that fly further and fall.
  */
 record ExplosionLaw(Emitter emitter, double breadth, double longest) implements ParticleLaw {
+    /** Of the billows' longest life, that of the flying pieces. */
+    static final double PIECES_LIFE = 0.35;
+
     private static final double DRAG_PER_SECOND = 5;
     private static final double PIECE_DRAG_PER_SECOND = 1.1;
     private static final double EXPOSED_SECONDS = 1.0 / 45;
@@ -72,7 +75,7 @@ record ExplosionLaw(Emitter emitter, double breadth, double longest) implements 
 
     private boolean piece(long index, double age, double x, double y, double z, ParticleState out) {
         long seed = emitter.seed();
-        double life = 0.35 * longest * (0.4 + 0.6 * Chance.unit(seed, index, 4));
+        double life = PIECES_LIFE * longest * (0.4 + 0.6 * Chance.unit(seed, index, 4));
         if (age >= life) {
             return false;
         }

@@ -41,7 +41,20 @@ public final class LevelParticles {
     private static Aabb bounds(Emitter emitter) {
         Vec3 size = emitter.size();
         double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
-        return Aabb.around(emitter.centre(), size).grown(BEYOND_BOX * longest + 1 + emitter.widthMetres());
+        Aabb around = Aabb.around(emitter.centre(), size).grown(BEYOND_BOX * longest + 1 + emitter.widthMetres());
+        double fallen = fallenMetres(emitter);
+        return fallen == 0 ? around : around.union(around.moved(new Vec3(0, -fallen, 0)));
+    }
+
+    /** Returns how far thrown particles can fall in their lives. */
+    private static double fallenMetres(Emitter emitter) {
+        double seconds =
+                switch (emitter.kind()) {
+                    case SPARKS -> emitter.longestLifeSeconds();
+                    case EXPLOSION -> ExplosionLaw.PIECES_LIFE * emitter.longestLifeSeconds();
+                    default -> 0;
+                };
+        return 0.5 * Motion.GRAVITY * seconds * seconds;
     }
 
     public List<Emitter> emitters() {

@@ -41,8 +41,8 @@ final class ParticleState {
     }
 
     void emission(double r, double g, double b, double factor) {
-        red = r * factor;
-        green = g * factor;
-        blue = b * factor;
+        red = Math.max(0, r * factor);
+        green = Math.max(0, g * factor);
+        blue = Math.max(0, b * factor);
     }
 }

@@ -27,7 +27,7 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
         double turns = Chance.unit(seed, index, 4);
         double waver = Chance.unit(seed, index, 5);
         double lag = height / emitter.size().y();
-        double sway = 0.22 * breadth * risen;
+        double sway = 0.42 * breadth * risen;
         out.place(
                 emitter.size().x() * radius * Waves.cosine(turns)
                         + sway
@@ -39,7 +39,7 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
                                 * (Waves.sine(0.11 * clock - 0.8 * lag + 0.3)
                                         + 0.45 * Waves.sine(0.27 * clock - 1.5 * lag + waver)));
         double half = ParticleLaw.halfWidth(emitter, breadth * (0.42 + 0.16 * Chance.unit(seed, index, 6)));
-        out.halfWidth = half * (0.7 + 1.9 * Math.pow(share, 0.75));
+        out.halfWidth = half * (0.7 + 2.5 * Math.pow(share, 0.75));
         out.stretch(0, 0, 0);
         out.emission(0, 0, 0, 0);
         double left = 1 - share;
