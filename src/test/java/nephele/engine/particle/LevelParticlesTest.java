@@ -104,13 +104,27 @@ class LevelParticlesTest {
                 assertTrue(Float.isFinite(number));
             }
             for (int i = 0; i < at.count(); i++) {
-                float reach = at.halfWidth(i) + Math.abs(at.alongX(i));
-                float up = at.halfWidth(i) + Math.abs(at.alongY(i));
-                assertTrue(bounds.contains(at.x(i) + reach, at.y(i) + up, at.z(i)), "particle " + i);
-                assertTrue(bounds.contains(at.x(i) - reach, at.y(i) - up, at.z(i)), "particle " + i);
-                assertTrue(at.opacity(i) >= 0 && at.opacity(i) <= 1 && at.halfWidth(i) >= 0);
-                assertTrue(at.red(i) >= 0 && at.green(i) >= 0 && at.blue(i) >= 0);
-                assertTrue(at.look(i) >= 0 && at.look(i) < 10);
+                float reach = at.get(i, ParticleArrays.HALF_WIDTH) + Math.abs(at.get(i, ParticleArrays.ALONG_X));
+                float up = at.get(i, ParticleArrays.HALF_WIDTH) + Math.abs(at.get(i, ParticleArrays.ALONG_Y));
+                assertTrue(
+                        bounds.contains(
+                                at.get(i, ParticleArrays.X) + reach,
+                                at.get(i, ParticleArrays.Y) + up,
+                                at.get(i, ParticleArrays.Z)),
+                        "particle " + i);
+                assertTrue(
+                        bounds.contains(
+                                at.get(i, ParticleArrays.X) - reach,
+                                at.get(i, ParticleArrays.Y) - up,
+                                at.get(i, ParticleArrays.Z)),
+                        "particle " + i);
+                assertTrue(at.get(i, ParticleArrays.OPACITY) >= 0
+                        && at.get(i, ParticleArrays.OPACITY) <= 1
+                        && at.get(i, ParticleArrays.HALF_WIDTH) >= 0);
+                assertTrue(at.get(i, ParticleArrays.RED) >= 0
+                        && at.get(i, ParticleArrays.GREEN) >= 0
+                        && at.get(i, ParticleArrays.BLUE) >= 0);
+                assertTrue(at.get(i, ParticleArrays.LOOK) >= 0 && at.get(i, ParticleArrays.LOOK) < 10);
             }
         }
     }
@@ -157,10 +171,15 @@ class LevelParticlesTest {
             int low = 0;
             ParticleArrays at = particles.at(20);
             for (int i = 0; i < at.count(); i++) {
-                assertTrue(at.y(i) > -3, "in the floor");
+                assertTrue(at.get(i, ParticleArrays.Y) > -3, "in the floor");
                 // The grid's cells are 0.125 m wide.
-                below += at.x(i) > 0.07 && at.x(i) < 2.93 && Math.abs(at.z(i)) < 2.93 && at.y(i) < -0.9 ? 1 : 0;
-                low += at.x(i) < -0.07 && at.y(i) < -2.4 ? 1 : 0;
+                below += at.get(i, ParticleArrays.X) > 0.07
+                                && at.get(i, ParticleArrays.X) < 2.93
+                                && Math.abs(at.get(i, ParticleArrays.Z)) < 2.93
+                                && at.get(i, ParticleArrays.Y) < -0.9
+                        ? 1
+                        : 0;
+                low += at.get(i, ParticleArrays.X) < -0.07 && at.get(i, ParticleArrays.Y) < -2.4 ? 1 : 0;
             }
             assertEquals(0, below, kind + " below the roof");
             assertTrue(low > 20, low + " near the floor");

@@ -50,8 +50,8 @@ class QuadLawTest {
             ParticleArrays at = particles.at(seconds);
             assertEquals(100, at.count());
             for (int i = 0; i < at.count(); i++) {
-                assertEquals(0.2, at.halfWidth(i), 1e-6);
-                assertTrue(at.opacity(i) >= 0.035, "opacity " + at.opacity(i));
+                assertEquals(0.2, at.get(i, ParticleArrays.HALF_WIDTH), 1e-6);
+                assertTrue(at.get(i, ParticleArrays.OPACITY) >= 0.035, "opacity " + at.get(i, ParticleArrays.OPACITY));
             }
         }
     }

@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.placed.StaticShapes;
@@ -27,17 +28,9 @@ final class TestEmitters {
         return new LevelParticles(emitters, StaticShapes.of(List.of()));
     }
 
-    /** Returns all numbers of the particles at a time, 14 for each. */
+    /** Returns all numbers of the particles at a time, {@link ParticleArrays#STRIDE} for each. */
     static float[] numbers(LevelParticles particles, double seconds) {
         ParticleArrays at = particles.at(seconds);
-        float[] numbers = new float[14 * at.count()];
-        for (int i = 0; i < at.count(); i++) {
-            float[] one = {
-                at.x(i), at.y(i), at.z(i), at.halfWidth(i), at.alongX(i), at.alongY(i), at.alongZ(i),
-                at.opacity(i), at.albedo(i), at.red(i), at.green(i), at.blue(i), at.look(i), at.emitter(i)
-            };
-            System.arraycopy(one, 0, numbers, 14 * i, 14);
-        }
-        return numbers;
+        return Arrays.copyOf(at.numbers(), ParticleArrays.STRIDE * at.count());
     }
 }

@@ -25,10 +25,10 @@ class WavesTest {
         double product = 0;
         int count = 20_000;
         for (int i = 0; i < count; i++) {
-            double a = Chance.unit(5, i, 1);
+            double a = Chance.unit(Chance.dice(5, i), 1);
             assertTrue(a >= 0 && a < 1);
             sum += a;
-            product += Chance.signed(5, i, 1) * Chance.signed(5, i, 2);
+            product += Chance.signed(Chance.dice(5, i), 1) * Chance.signed(Chance.dice(5, i), 2);
         }
         assertEquals(0.5, sum / count, 0.01);
         assertEquals(0, product / count, 0.01);

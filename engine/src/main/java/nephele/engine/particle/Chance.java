@@ -10,15 +10,19 @@ final class Chance {
 
     private Chance() {}
 
+    /** Returns the dice of an index: its numbers for different purposes are independent. */
+    static long dice(long seed, long index) {
+        return mixed(seed * GOLDEN + index);
+    }
+
     /** Returns a number from 0 (included) to 1. */
-    static double unit(long seed, long index, int purpose) {
-        long z = mixed(mixed(seed * GOLDEN + index) + purpose * GOLDEN);
-        return (z >>> 11) * UNIT;
+    static double unit(long dice, int purpose) {
+        return (mixed(dice + purpose * GOLDEN) >>> 11) * UNIT;
     }
 
     /** Returns a number from −1 (included) to 1. */
-    static double signed(long seed, long index, int purpose) {
-        return 2 * unit(seed, index, purpose) - 1;
+    static double signed(long dice, int purpose) {
+        return 2 * unit(dice, purpose) - 1;
     }
 
     private static long mixed(long z) {

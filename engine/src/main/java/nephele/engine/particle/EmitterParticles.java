@@ -50,7 +50,7 @@ final class EmitterParticles {
         long first = Math.max(0, (long) Math.ceil((clock - longest) * rate - 1));
         long last = (long) Math.floor(clock * rate);
         for (long index = first; index <= last; index++) {
-            double age = clock - (index + Chance.unit(emitter.seed(), index, BIRTH)) / rate;
+            double age = clock - (index + Chance.unit(Chance.dice(emitter.seed(), index), BIRTH)) / rate;
             if (age >= 0 && age < longest && law.at(index, age, clock, state) && isAbove(state)) {
                 out.add(number, state);
             }
@@ -71,7 +71,7 @@ final class EmitterParticles {
         }
         for (long i = 0; i < count; i++) {
             long index = burst * count + i;
-            double age = since - BURST_SECONDS * Chance.unit(emitter.seed(), index, BIRTH);
+            double age = since - BURST_SECONDS * Chance.unit(Chance.dice(emitter.seed(), index), BIRTH);
             if (age >= 0 && law.at(index, age, clock, state)) {
                 out.add(number, state);
             }

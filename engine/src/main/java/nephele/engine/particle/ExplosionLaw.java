@@ -23,19 +23,19 @@ record ExplosionLaw(Emitter emitter, double breadth, double longest) implements 
 
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
-        long seed = emitter.seed();
-        double turns = Chance.unit(seed, index, 1);
-        double up = Chance.signed(seed, index, 2);
+        long dice = Chance.dice(emitter.seed(), index);
+        double turns = Chance.unit(dice, 1);
+        double up = Chance.signed(dice, 2);
         double level = Math.sqrt(Math.max(0, 1 - up * up));
         double x = level * Waves.cosine(turns);
         double z = level * Waves.sine(turns);
-        if (Chance.unit(seed, index, 3) > BILLOWS) {
+        if (Chance.unit(dice, 3) > BILLOWS) {
             return piece(index, age, x, up, z, out);
         }
         // Billows gather in lobes, as a fireball is no sphere.
-        long lobe = index % LOBES;
-        double lobeTurns = Chance.unit(seed, lobe, 10);
-        double lobeUp = 0.15 + 0.85 * Chance.signed(seed, lobe, 11);
+        long lobe = Chance.dice(emitter.seed(), index % LOBES);
+        double lobeTurns = Chance.unit(lobe, 10);
+        double lobeUp = 0.15 + 0.85 * Chance.signed(lobe, 11);
         double lobeLevel = Math.sqrt(Math.max(0, 1 - lobeUp * lobeUp));
         return billow(
                 index,
@@ -47,40 +47,40 @@ record ExplosionLaw(Emitter emitter, double breadth, double longest) implements 
     }
 
     private boolean billow(long index, double age, double x, double y, double z, ParticleState out) {
-        long seed = emitter.seed();
-        double life = longest * (0.55 + 0.45 * Chance.unit(seed, index, 4));
+        long dice = Chance.dice(emitter.seed(), index);
+        double life = longest * (0.55 + 0.45 * Chance.unit(dice, 4));
         if (age >= life) {
             return false;
         }
         double share = age / life;
-        double reach = 0.34 * Math.cbrt(Chance.unit(seed, index, 5)) * (1 - Math.exp(-DRAG_PER_SECOND * age));
+        double reach = 0.34 * Math.cbrt(Chance.unit(dice, 5)) * (1 - Math.exp(-DRAG_PER_SECOND * age));
         double rise = 0.16 * emitter.size().y() * (share + 0.25 * share * share);
         out.place(
                 emitter.size().x() * reach * x,
                 emitter.size().y() * reach * (0.75 * y + 0.1) + rise,
                 emitter.size().z() * reach * z);
-        double half = ParticleLaw.halfWidth(emitter, breadth * (0.15 + 0.13 * Chance.unit(seed, index, 6)));
+        double half = ParticleLaw.halfWidth(emitter, breadth * (0.15 + 0.13 * Chance.unit(dice, 6)));
         out.halfWidth = half * (0.5 + 1.2 * (1 - Math.exp(-4 * age)) + 0.6 * share);
         out.stretch(0, 0, 0);
-        double heat = Math.exp(-age * (1.4 + 5.5 * Chance.unit(seed, index, 7)));
+        double heat = Math.exp(-age * (1.4 + 5.5 * Chance.unit(dice, 7)));
         double left = 1 - share;
         out.emission(
                 1, 0.09 + 0.50 * heat * heat, 0.006 + 0.28 * heat * heat * heat, RADIANCE * heat * heat * heat * heat);
         out.opacity = 0.9 * Waves.step(0, 0.01, share) * left * left;
         out.albedo = 0.22 + 0.2 * share;
         out.picture = ParticlePicture.BILLOW.number(index);
-        out.turns = Chance.unit(seed, index, 8) + 0.05 * age * Chance.signed(seed, index, 9);
+        out.turns = Chance.unit(dice, 8) + 0.05 * age * Chance.signed(dice, 9);
         return true;
     }
 
     private boolean piece(long index, double age, double x, double y, double z, ParticleState out) {
-        long seed = emitter.seed();
-        double life = PIECES_LIFE * longest * (0.4 + 0.6 * Chance.unit(seed, index, 4));
+        long dice = Chance.dice(emitter.seed(), index);
+        double life = PIECES_LIFE * longest * (0.4 + 0.6 * Chance.unit(dice, 4));
         if (age >= life) {
             return false;
         }
         double heat = 1 - age / life;
-        double start = (1.0 + 1.6 * Chance.unit(seed, index, 5)) / 2;
+        double start = (1.0 + 1.6 * Chance.unit(dice, 5)) / 2;
         double kept = Math.exp(-PIECE_DRAG_PER_SECOND * age);
         double way = start * (1 - kept) / PIECE_DRAG_PER_SECOND;
         Motion.fall(start * emitter.size().y() * Math.abs(y), PIECE_DRAG_PER_SECOND, age, kept, out);

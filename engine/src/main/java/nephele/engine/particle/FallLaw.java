@@ -28,16 +28,16 @@ record FallLaw(Emitter emitter, double speed, double halfWidth) implements Parti
         if (fallen >= emitter.size().y()) {
             return false;
         }
-        long seed = emitter.seed();
-        double x = 0.5 * emitter.size().x() * Chance.signed(seed, index, 1);
-        double z = 0.5 * emitter.size().z() * Chance.signed(seed, index, 2);
+        long dice = Chance.dice(emitter.seed(), index);
+        double x = 0.5 * emitter.size().x() * Chance.signed(dice, 1);
+        double z = 0.5 * emitter.size().z() * Chance.signed(dice, 2);
         double y = 0.5 * emitter.size().y() - fallen;
         out.emission(0, 0, 0, 0);
         out.albedo = 1;
         out.turns = 0;
         if (isRain(emitter)) {
             out.place(x, y, z);
-            out.halfWidth = halfWidth * (0.7 + 0.6 * Chance.unit(seed, index, 3));
+            out.halfWidth = halfWidth * (0.7 + 0.6 * Chance.unit(dice, 3));
             out.stretch(0, 0.5 * EXPOSED_SECONDS * speed, 0);
             out.opacity = 0.27;
             out.picture = ParticlePicture.STREAK.number(index);
@@ -48,16 +48,16 @@ record FallLaw(Emitter emitter, double speed, double halfWidth) implements Parti
     }
 
     private void drift(long index, double age, double clock, ParticleState out, double x, double y, double z) {
-        long seed = emitter.seed();
-        double phase = Chance.unit(seed, index, 3);
-        double beat = 0.22 + 0.3 * Chance.unit(seed, index, 4);
+        long dice = Chance.dice(emitter.seed(), index);
+        double phase = Chance.unit(dice, 3);
+        double beat = 0.22 + 0.3 * Chance.unit(dice, 4);
         out.place(
                 x + DRIFT_METRES * (Waves.sine(beat * age + phase) + Waves.sine(0.07 * clock + 0.05 * y)),
                 y + 0.05 * Waves.sine(2 * beat * age + phase),
                 z
                         + DRIFT_METRES
                                 * (Waves.cosine(0.8 * beat * age + phase) + Waves.sine(0.05 * clock + 0.06 * y + 0.3)));
-        out.halfWidth = halfWidth * (0.6 + 0.7 * Chance.unit(seed, index, 5));
+        out.halfWidth = halfWidth * (0.6 + 0.7 * Chance.unit(dice, 5));
         out.stretch(0, 0, 0);
         out.opacity = 0.9;
         out.picture = ParticlePicture.SPOT.number(index);

@@ -16,18 +16,18 @@ record FireLaw(Emitter emitter, double breadth, double longest) implements Parti
 
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
-        long seed = emitter.seed();
-        double radius = Math.sqrt(Chance.unit(seed, index, 1));
-        double life = longest * (1 - 0.62 * radius) * (0.72 + 0.28 * Chance.unit(seed, index, 2));
+        long dice = Chance.dice(emitter.seed(), index);
+        double radius = Math.sqrt(Chance.unit(dice, 1));
+        double life = longest * (1 - 0.62 * radius) * (0.72 + 0.28 * Chance.unit(dice, 2));
         if (age >= life) {
             return false;
         }
         double share = age / life;
         double risen = age / longest;
         double height = emitter.size().y() * risen * (0.62 + 0.38 * risen);
-        double turns = Chance.unit(seed, index, 3);
+        double turns = Chance.unit(dice, 3);
         double inward = 0.40 * radius * (1 - 0.72 * share);
-        double waver = Chance.unit(seed, index, 4);
+        double waver = Chance.unit(dice, 4);
         double lean = breadth
                 * risen
                 * (0.16 * Waves.sine(0.83 * clock - 0.42 * height / breadth)
@@ -40,7 +40,7 @@ record FireLaw(Emitter emitter, double breadth, double longest) implements Parti
                 emitter.size().x() * inward * Waves.cosine(turns) + lean,
                 height - 0.46 * emitter.size().y(),
                 emitter.size().z() * inward * Waves.sine(turns) + across);
-        double half = ParticleLaw.halfWidth(emitter, breadth * (0.34 + 0.20 * Chance.unit(seed, index, 5)));
+        double half = ParticleLaw.halfWidth(emitter, breadth * (0.34 + 0.20 * Chance.unit(dice, 5)));
         out.halfWidth = half * (0.55 + 0.75 * Math.sqrt(share)) * Math.pow(1 - share, 0.55);
         double stretch = out.halfWidth * (0.55 + 0.9 * risen);
         out.stretch(

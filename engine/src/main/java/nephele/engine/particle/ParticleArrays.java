@@ -2,147 +2,78 @@ package nephele.engine.particle;
 
 import java.util.Arrays;
 
-/** The particles of all emitters at one time, an array for each number; places are relative to their emitter's centre. */
+/**
+ * The particles of all emitters at one time, in one array: those drawn one after the other are far apart in it, so the
+ * numbers of each lie together. Places are relative to the particle's emitter.
+ */
 public final class ParticleArrays {
-    private int count;
-    private float[] x;
-    private float[] y;
-    private float[] z;
-    private float[] halfWidth;
-    private float[] alongX;
-    private float[] alongY;
-    private float[] alongZ;
-    private float[] opacity;
-    private float[] albedo;
-    private float[] red;
-    private float[] green;
-    private float[] blue;
-    /** Number of the picture, and as its fraction the rotation in turns. */
-    private float[] look;
+    /** Numbers of a particle in {@link #numbers}. */
+    public static final int STRIDE = 14;
 
-    private int[] emitter;
+    // Places of the numbers of a particle.
+    public static final int X = 0;
+    public static final int Y = 1;
+    public static final int Z = 2;
+    public static final int HALF_WIDTH = 3;
+    public static final int RED = 4;
+    public static final int GREEN = 5;
+    public static final int BLUE = 6;
+    public static final int OPACITY = 7;
+    public static final int ALONG_X = 8;
+    public static final int ALONG_Y = 9;
+    public static final int ALONG_Z = 10;
+    /** The {@link ParticlePicture#number}, and as its fraction the rotation in turns. */
+    public static final int LOOK = 11;
+
+    public static final int ALBEDO = 12;
+    /** The index of the emitter. */
+    public static final int EMITTER = 13;
+
+    private int count;
+    private float[] numbers;
 
     ParticleArrays(int capacity) {
-        x = new float[capacity];
-        y = new float[capacity];
-        z = new float[capacity];
-        halfWidth = new float[capacity];
-        alongX = new float[capacity];
-        alongY = new float[capacity];
-        alongZ = new float[capacity];
-        opacity = new float[capacity];
-        albedo = new float[capacity];
-        red = new float[capacity];
-        green = new float[capacity];
-        blue = new float[capacity];
-        look = new float[capacity];
-        emitter = new int[capacity];
+        numbers = new float[STRIDE * capacity];
     }
 
     void clear() {
         count = 0;
     }
 
-    void add(int ofEmitter, ParticleState state) {
-        if (count == x.length) {
-            grow();
+    void add(int emitter, ParticleState state) {
+        int at = STRIDE * count++;
+        if (at == numbers.length) {
+            numbers = Arrays.copyOf(numbers, 2 * at + 64 * STRIDE);
         }
-        int at = count++;
-        x[at] = (float) state.x;
-        y[at] = (float) state.y;
-        z[at] = (float) state.z;
-        halfWidth[at] = (float) state.halfWidth;
-        alongX[at] = (float) state.alongX;
-        alongY[at] = (float) state.alongY;
-        alongZ[at] = (float) state.alongZ;
-        opacity[at] = (float) state.opacity;
-        albedo[at] = (float) state.albedo;
-        red[at] = (float) state.red;
-        green[at] = (float) state.green;
-        blue[at] = (float) state.blue;
+        float[] n = numbers;
+        n[at + X] = (float) state.x;
+        n[at + Y] = (float) state.y;
+        n[at + Z] = (float) state.z;
+        n[at + HALF_WIDTH] = (float) state.halfWidth;
+        n[at + RED] = (float) state.red;
+        n[at + GREEN] = (float) state.green;
+        n[at + BLUE] = (float) state.blue;
+        n[at + OPACITY] = (float) state.opacity;
+        n[at + ALONG_X] = (float) state.alongX;
+        n[at + ALONG_Y] = (float) state.alongY;
+        n[at + ALONG_Z] = (float) state.alongZ;
         // Below 1, also after rounding to float.
-        double turns = Math.min(state.turns - Math.floor(state.turns), 0.9999);
-        look[at] = (float) (state.picture + turns);
-        emitter[at] = ofEmitter;
-    }
-
-    private void grow() {
-        int capacity = 2 * x.length + 64;
-        x = Arrays.copyOf(x, capacity);
-        y = Arrays.copyOf(y, capacity);
-        z = Arrays.copyOf(z, capacity);
-        halfWidth = Arrays.copyOf(halfWidth, capacity);
-        alongX = Arrays.copyOf(alongX, capacity);
-        alongY = Arrays.copyOf(alongY, capacity);
-        alongZ = Arrays.copyOf(alongZ, capacity);
-        opacity = Arrays.copyOf(opacity, capacity);
-        albedo = Arrays.copyOf(albedo, capacity);
-        red = Arrays.copyOf(red, capacity);
-        green = Arrays.copyOf(green, capacity);
-        blue = Arrays.copyOf(blue, capacity);
-        look = Arrays.copyOf(look, capacity);
-        emitter = Arrays.copyOf(emitter, capacity);
+        n[at + LOOK] = (float) (state.picture + Math.min(state.turns - Math.floor(state.turns), 0.9999));
+        n[at + ALBEDO] = (float) state.albedo;
+        n[at + EMITTER] = emitter;
     }
 
     public int count() {
         return count;
     }
 
-    public float x(int particle) {
-        return x[particle];
+    /** Returns the array: valid until the next evaluation, only to be read, {@link #STRIDE} numbers for each particle. */
+    public float[] numbers() {
+        return numbers;
     }
 
-    public float y(int particle) {
-        return y[particle];
-    }
-
-    public float z(int particle) {
-        return z[particle];
-    }
-
-    public float halfWidth(int particle) {
-        return halfWidth[particle];
-    }
-
-    public float alongX(int particle) {
-        return alongX[particle];
-    }
-
-    public float alongY(int particle) {
-        return alongY[particle];
-    }
-
-    public float alongZ(int particle) {
-        return alongZ[particle];
-    }
-
-    public float opacity(int particle) {
-        return opacity[particle];
-    }
-
-    public float albedo(int particle) {
-        return albedo[particle];
-    }
-
-    public float red(int particle) {
-        return red[particle];
-    }
-
-    public float green(int particle) {
-        return green[particle];
-    }
-
-    public float blue(int particle) {
-        return blue[particle];
-    }
-
-    /** Returns the {@link ParticlePicture#number}, and as its fraction the rotation in turns. */
-    public float look(int particle) {
-        return look[particle];
-    }
-
-    /** Returns the index of the emitter. */
-    public int emitter(int particle) {
-        return emitter[particle];
+    /** Returns one number of a particle. */
+    public float get(int particle, int number) {
+        return numbers[STRIDE * particle + number];
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.particle;
 
+import java.util.Arrays;
 import nephele.engine.level.Emitter;
 
 /**
@@ -8,66 +9,101 @@ import nephele.engine.level.Emitter;
  * opacity is the life. Between whole frames the same formulas hold for the fraction. A box of 7.2 m has the report's
  * scale: what is fastest approaches 3.6 m.
  */
-record QuadLaw(Emitter emitter, double halfWidth) implements ParticleLaw {
+final class QuadLaw implements ParticleLaw {
     static final double FRAMES_PER_SECOND = 60;
     static final double KEPT_SPEED = 0.99;
     static final double LEAST_LIFE = 0.05;
+    private static final double LOG_KEPT = Math.log(KEPT_SPEED);
     private static final double WIDTH = 0.4;
-    /** The farthest that a particle of speed 9 can fly: 9 / 250 · (1 + 0.99 + 0.99² + …). */
-    private static final double REACH_METRES = 9.0 / 250 / (1 - KEPT_SPEED);
+    private static final int LIFE_NUMBERS = 6;
+
+    private final Emitter emitter;
+    private final double halfWidth;
+    private final double[] falls;
+    private final double[] frames;
+    /** The part of its first life after which a place is taken first. */
+    private final double[] delays;
+
+    /** The life of each place that {@link #begun} is of; only spares computing it anew. */
+    private final long[] lives;
+
+    private final double[] begun;
 
     QuadLaw(Emitter emitter) {
-        this(emitter, ParticleLaw.halfWidth(emitter, WIDTH));
+        this.emitter = emitter;
+        halfWidth = ParticleLaw.halfWidth(emitter, WIDTH);
+        int places = (int) emitter.mostAtOnce();
+        falls = new double[places];
+        frames = new double[places];
+        delays = new double[places];
+        lives = new long[places];
+        begun = new double[LIFE_NUMBERS * places];
+        Arrays.fill(lives, -1);
+        for (int place = 0; place < places; place++) {
+            long dice = Chance.dice(emitter.seed(), place);
+            falls[place] = 0.005 + 0.01 * Chance.unit(dice, 20);
+            frames[place] = Math.floor((1 - LEAST_LIFE) / falls[place]) + 1;
+            delays[place] = Chance.unit(dice, 21);
+        }
     }
 
     /** Returns by how much the life of a place falls in a frame. */
-    double fall(long place) {
-        return 0.005 + 0.01 * Chance.unit(emitter.seed(), place, 20);
+    double fall(int place) {
+        return falls[place];
     }
 
     /** Returns the frames of a life at a place: whole, 64 to 191. */
-    double frames(long place) {
-        return Math.floor((1 - LEAST_LIFE) / fall(place)) + 1;
+    double frames(int place) {
+        return frames[place];
     }
 
     /** Writes a particle of a place in one of its lives; {@code age} in seconds, less than {@link #frames}. */
-    void at(long place, long life, double age, ParticleState out) {
+    void at(int place, long life, double age, ParticleState out) {
+        if (lives[place] != life) {
+            begin(place, life);
+        }
         double frame = age * FRAMES_PER_SECOND;
-        long seed = emitter.seed() + 31 * place;
-        double up = Chance.signed(seed, life, 1);
-        double level = Math.sqrt(Math.max(0, 1 - up * up));
-        double turns = Chance.unit(seed, life, 2);
-        double speed = 1 + 8 * Chance.unit(seed, life, 3);
-        double way = speed / 250 * (1 - Math.pow(KEPT_SPEED, frame)) / (1 - KEPT_SPEED);
-        double scale = way / (2 * REACH_METRES);
-        out.place(
-                emitter.size().x() * scale * level * Waves.cosine(turns),
-                emitter.size().y() * scale * up,
-                emitter.size().z() * scale * level * Waves.sine(turns));
+        double flown = 1 - Math.exp(LOG_KEPT * frame);
+        int at = LIFE_NUMBERS * place;
+        out.place(flown * begun[at], flown * begun[at + 1], flown * begun[at + 2]);
         out.halfWidth = halfWidth;
         out.stretch(0, 0, 0);
-        out.opacity = Math.max(0, 1 - fall(place) * frame);
-        double hue = Chance.unit(seed, life, 4);
-        out.emission(
-                0.5 + 0.5 * Waves.cosine(hue),
-                0.5 + 0.5 * Waves.cosine(hue - 1.0 / 3),
-                0.5 + 0.5 * Waves.cosine(hue + 1.0 / 3),
-                out.opacity);
+        out.opacity = Math.max(0, 1 - falls[place] * frame);
+        out.emission(begun[at + 3], begun[at + 4], begun[at + 5], out.opacity);
         out.albedo = 0;
         out.picture = ParticlePicture.SPOT.first();
         out.turns = 0;
     }
 
+    /** Finds what stays the same during a life: how far it would fly along each axis, and the colour. */
+    private void begin(int place, long life) {
+        long dice = Chance.dice(emitter.seed() + 31L * place, life);
+        double up = Chance.signed(dice, 1);
+        double level = Math.sqrt(Math.max(0, 1 - up * up));
+        double turns = Chance.unit(dice, 2);
+        double reach = (1 + 8 * Chance.unit(dice, 3)) / 18;
+        double hue = Chance.unit(dice, 4);
+        int at = LIFE_NUMBERS * place;
+        begun[at] = emitter.size().x() * reach * level * Waves.cosine(turns);
+        begun[at + 1] = emitter.size().y() * reach * up;
+        begun[at + 2] = emitter.size().z() * reach * level * Waves.sine(turns);
+        begun[at + 3] = 0.5 + 0.5 * Waves.cosine(hue);
+        begun[at + 4] = 0.5 + 0.5 * Waves.cosine(hue - 1.0 / 3);
+        begun[at + 5] = 0.5 + 0.5 * Waves.cosine(hue + 1.0 / 3);
+        lives[place] = life;
+    }
+
     /** {@code index} is a place; the clock tells which of its lives it has. */
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
-        double period = frames(index) / FRAMES_PER_SECOND;
-        double since = clock / period - Chance.unit(emitter.seed(), index, 21);
+        int place = (int) index;
+        double period = frames[place] / FRAMES_PER_SECOND;
+        double since = clock / period - delays[place];
         if (since < 0) {
             return false;
         }
         double life = Math.floor(since);
-        at(index, (long) life, (since - life) * period, out);
+        at(place, (long) life, (since - life) * period, out);
         return true;
     }
 }

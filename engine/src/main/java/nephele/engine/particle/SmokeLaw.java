@@ -12,8 +12,8 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
 
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
-        long seed = emitter.seed();
-        double life = longest * (0.7 + 0.3 * Chance.unit(seed, index, 1));
+        long dice = Chance.dice(emitter.seed(), index);
+        double life = longest * (0.7 + 0.3 * Chance.unit(dice, 1));
         if (age >= life) {
             return false;
         }
@@ -23,9 +23,9 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
         // 3.
         double climbed = risen + 0.4 * (1 - Math.exp(-3 * risen));
         double height = 0.78 * emitter.size().y() * climbed / 1.38;
-        double radius = 0.18 * Math.sqrt(Chance.unit(seed, index, 2)) + 0.20 * risen * Chance.unit(seed, index, 3);
-        double turns = Chance.unit(seed, index, 4);
-        double waver = Chance.unit(seed, index, 5);
+        double radius = 0.18 * Math.sqrt(Chance.unit(dice, 2)) + 0.20 * risen * Chance.unit(dice, 3);
+        double turns = Chance.unit(dice, 4);
+        double waver = Chance.unit(dice, 5);
         double lag = height / emitter.size().y();
         double sway = 0.42 * breadth * risen;
         out.place(
@@ -38,7 +38,7 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
                         + sway
                                 * (Waves.sine(0.11 * clock - 0.8 * lag + 0.3)
                                         + 0.45 * Waves.sine(0.27 * clock - 1.5 * lag + waver)));
-        double half = ParticleLaw.halfWidth(emitter, breadth * (0.42 + 0.16 * Chance.unit(seed, index, 6)));
+        double half = ParticleLaw.halfWidth(emitter, breadth * (0.42 + 0.16 * Chance.unit(dice, 6)));
         out.halfWidth = half * (0.7 + 2.5 * Math.pow(share, 0.75));
         out.stretch(0, 0, 0);
         out.emission(0, 0, 0, 0);
@@ -46,7 +46,7 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
         out.opacity = 0.62 * Waves.step(0, 0.12, share) * left * Math.sqrt(left);
         out.albedo = ALBEDO;
         out.picture = ParticlePicture.BILLOW.number(index);
-        out.turns = waver + 0.03 * age * Chance.signed(seed, index, 7);
+        out.turns = waver + 0.03 * age * Chance.signed(dice, 7);
         return true;
     }
 }

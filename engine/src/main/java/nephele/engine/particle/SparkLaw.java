@@ -22,15 +22,15 @@ record SparkLaw(Emitter emitter, double longest, double speed) implements Partic
 
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
-        long seed = emitter.seed();
-        double life = longest * (0.45 + 0.55 * Chance.unit(seed, index, 1));
+        long dice = Chance.dice(emitter.seed(), index);
+        double life = longest * (0.45 + 0.55 * Chance.unit(dice, 1));
         if (age >= life) {
             return false;
         }
         double share = age / life;
-        double start = speed * (0.45 + 0.55 * Chance.unit(seed, index, 2));
-        double turns = Chance.unit(seed, index, 3);
-        double spread = Math.sqrt(Chance.unit(seed, index, 4));
+        double start = speed * (0.45 + 0.55 * Chance.unit(dice, 2));
+        double turns = Chance.unit(dice, 3);
+        double spread = Math.sqrt(Chance.unit(dice, 4));
         double outX = 0.42 * emitter.size().x() / longest * spread * Waves.cosine(turns) * 1.6;
         double outZ = 0.42 * emitter.size().z() / longest * spread * Waves.sine(turns) * 1.6;
         double kept = Math.exp(-DRAG_PER_SECOND * age);

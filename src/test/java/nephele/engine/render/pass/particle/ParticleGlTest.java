@@ -222,11 +222,9 @@ class ParticleGlTest {
     /** Outputs DIRECT and HDR blend differently, but draw the same particles. */
     @Test
     void directOutputShowsThem() {
+        Emitter wide = new Emitter("e", Kind.QUADS, CENTRE, new Vec3(3, 3, 3), 60, 5, -20, 0, 0.8);
         int[] with = offscreen.pixels(
-                level(emitter(Kind.QUADS)).level(),
-                TestAssets.NONE,
-                ahead(Vec3.ZERO),
-                RenderSettings.of(Output.DIRECT));
+                level(wide).level(), TestAssets.NONE, ahead(Vec3.ZERO), RenderSettings.of(Output.DIRECT));
         int[] without =
                 offscreen.pixels(level().level(), TestAssets.NONE, ahead(Vec3.ZERO), RenderSettings.of(Output.DIRECT));
         int brighter = 0;

@@ -121,9 +121,9 @@ public final class ParticlePass implements Pass {
         if (order.count() == 0) {
             return;
         }
-        quads.begin(order.count());
+        FloatBuffer texels = quads.begin(order.count());
         for (int i = 0; i < order.count(); i++) {
-            put(all, order.at(i), quads.next());
+            put(all.numbers(), ParticleArrays.STRIDE * order.at(i), texels, ParticleQuads.FLOATS * i);
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
@@ -142,14 +142,16 @@ public final class ParticlePass implements Pass {
         float backX = (float) view.back().x();
         float backY = (float) view.back().y();
         float backZ = (float) view.back().z();
+        float[] n = all.numbers();
         order.begin(all.count());
         for (int i = 0; i < all.count(); i++) {
-            int emitter = all.emitter(i);
+            int at = ParticleArrays.STRIDE * i;
+            int emitter = (int) n[at + ParticleArrays.EMITTER];
             if (isSeen[emitter]) {
-                float x = centres[3 * emitter] + all.x(i);
-                float y = centres[3 * emitter + 1] + all.y(i);
-                float z = centres[3 * emitter + 2] + all.z(i);
-                if (x * backX + y * backY + z * backZ < reach(all, i)) {
+                float x = centres[3 * emitter] + n[at];
+                float y = centres[3 * emitter + 1] + n[at + 1];
+                float z = centres[3 * emitter + 2] + n[at + 2];
+                if (x * backX + y * backY + z * backZ < reach(n, at)) {
                     order.add(i, x * x + y * y + z * z);
                 }
             }
@@ -158,26 +160,30 @@ public final class ParticlePass implements Pass {
     }
 
     /** Returns a bound of the distance from a particle's middle to its corners. */
-    private static float reach(ParticleArrays all, int i) {
-        return 1.5f * all.halfWidth(i) + Math.abs(all.alongX(i)) + Math.abs(all.alongY(i)) + Math.abs(all.alongZ(i));
+    private static float reach(float[] n, int at) {
+        return 1.5f * n[at + ParticleArrays.HALF_WIDTH]
+                + Math.abs(n[at + ParticleArrays.ALONG_X])
+                + Math.abs(n[at + ParticleArrays.ALONG_Y])
+                + Math.abs(n[at + ParticleArrays.ALONG_Z]);
     }
 
-    private void put(ParticleArrays all, int i, FloatBuffer out) {
-        int emitter = all.emitter(i);
-        float lit = all.albedo(i) * all.opacity(i);
-        out.put(centres[3 * emitter] + all.x(i));
-        out.put(centres[3 * emitter + 1] + all.y(i));
-        out.put(centres[3 * emitter + 2] + all.z(i));
-        out.put(all.halfWidth(i));
-        out.put(all.red(i) + lit * light.radiance(emitter, 0));
-        out.put(all.green(i) + lit * light.radiance(emitter, 1));
-        out.put(all.blue(i) + lit * light.radiance(emitter, 2));
-        out.put(all.opacity(i));
-        boolean isBillow =
-                all.look(i) >= ParticlePicture.BILLOW.first() && all.look(i) < ParticlePicture.TONGUE.first();
-        out.put(isBillow ? light.relief(emitter, 0) : all.alongX(i));
-        out.put(isBillow ? light.relief(emitter, 1) : all.alongY(i));
-        out.put(isBillow ? light.relief(emitter, 2) : all.alongZ(i));
-        out.put(all.look(i));
+    /** Writes a particle as {@code particle.vert} reads it, with its place from the eye and the light that it scatters. */
+    private void put(float[] n, int at, FloatBuffer out, int to) {
+        int emitter = (int) n[at + ParticleArrays.EMITTER];
+        float lit = n[at + ParticleArrays.ALBEDO] * n[at + ParticleArrays.OPACITY];
+        for (int i = 0; i < 3; i++) {
+            out.put(to + i, centres[3 * emitter + i] + n[at + i]);
+            int colour = ParticleArrays.RED + i;
+            out.put(to + colour, n[at + colour] + lit * light.radiance(emitter, i));
+        }
+        out.put(to + ParticleArrays.HALF_WIDTH, n[at + ParticleArrays.HALF_WIDTH]);
+        out.put(to + ParticleArrays.OPACITY, n[at + ParticleArrays.OPACITY]);
+        float look = n[at + ParticleArrays.LOOK];
+        out.put(to + ParticleArrays.LOOK, look);
+        boolean isBillow = look >= ParticlePicture.BILLOW.first() && look < ParticlePicture.TONGUE.first();
+        for (int axis = 0; axis < 3; axis++) {
+            int along = ParticleArrays.ALONG_X + axis;
+            out.put(to + along, isBillow ? light.relief(emitter, axis) : n[at + along]);
+        }
     }
 }

@@ -50,30 +50,29 @@ final class ParticleQuads implements GlObject {
         texels = BufferTexture.changing(gl, "particles");
     }
 
-    /** Begins the list of a view. */
-    void begin(int most) {
-        count = 0;
-        int floats = FLOATS * (most + PER_SHEET);
+    /**
+     * Begins the list of a view.
+     *
+     * @return where the {@link #FLOATS} numbers of each particle go, the farthest first
+     */
+    FloatBuffer begin(int particles) {
+        count = particles;
+        int floats = FLOATS * (particles + PER_SHEET);
         if (staging.capacity() < floats) {
             MemoryUtil.memFree(staging);
-            staging = MemoryUtil.memAllocFloat(2 * floats);
+            staging = MemoryUtil.memAllocFloat(floats + floats / 2);
         }
-        staging.clear();
-    }
-
-    /** Returns where the {@link #FLOATS} numbers of the next particle go. */
-    FloatBuffer next() {
-        count++;
-        return staging;
+        return staging.clear();
     }
 
     /** Draws the list with the current program, which reads the texels from unit {@code DYNAMIC_INSTANCES}. */
     void draw() {
         int sheets = (count + PER_SHEET - 1) / PER_SHEET;
-        for (int i = count * FLOATS; i < sheets * PER_SHEET * FLOATS; i++) {
-            staging.put(0);
+        int floats = sheets * PER_SHEET * FLOATS;
+        for (int i = count * FLOATS; i < floats; i++) {
+            staging.put(i, 0);
         }
-        texels.upload(staging.flip());
+        texels.upload(staging.limit(floats));
         texels.bind(TextureUnit.DYNAMIC_INSTANCES);
         sheet.drawInstanced(0, PER_SHEET * TRIANGLES.length, sheets);
     }
