@@ -31,6 +31,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ParticleGlTest {
     private static final int SIZE = 48;
     private static final Vec3 CENTRE = new Vec3(0, 0, -5);
+    /** Of no float a million metres out. */
+    private static final Vec3 EYE = new Vec3(0.31, 0.17, 0.03);
+
     private static final double MONTH_SECONDS = 30 * 86_400;
     private static final Vec3 DUSK = new Vec3(0.2, 0.25, 0.4);
 
@@ -90,14 +93,14 @@ class ParticleGlTest {
     void earlierFramesTimesAndPlacesFarOutDoNotMatter(Kind kind) {
         Emitter emitter = emitter(kind);
         Level level = level(emitter).level();
-        float[] fresh = radiance(level, ahead(Vec3.ZERO), 0.4);
-        assertTrue(differing(fresh, radiance(level().level(), ahead(Vec3.ZERO), 0)) > 20, "nothing is drawn");
-        assertArrayEquals(fresh, radiance(level, ahead(Vec3.ZERO), 3, 0.1, 9, 0.4));
+        float[] fresh = radiance(level, ahead(EYE), 0.4);
+        assertTrue(differing(fresh, radiance(level().level(), ahead(EYE), 0)) > 20, "nothing is drawn");
+        assertArrayEquals(fresh, radiance(level, ahead(EYE), 3, 0.1, 9, 0.4));
         Level later = level(emitter.startingAt(MONTH_SECONDS - 20)).level();
-        assertSame(fresh, radiance(later, ahead(Vec3.ZERO), MONTH_SECONDS + 0.4));
+        assertSame(fresh, radiance(later, ahead(EYE), MONTH_SECONDS + 0.4));
         Vec3 far = new Vec3(1_048_576, -1_048_576, 524_288);
         Level moved = level(emitter.at(CENTRE.plus(far))).level();
-        assertSame(fresh, radiance(moved, ahead(far), 0.4));
+        assertSame(fresh, radiance(moved, ahead(EYE.plus(far)), 0.4));
     }
 
     /** In a constant sky of radiance 1, flakes and drops that scatter all light cannot be seen, however thick they are. */
@@ -162,19 +165,24 @@ class ParticleGlTest {
         }
     }
 
-    /** A billow that a wall cuts in half fades towards it: its light changes by little from pixel to pixel. */
+    /** Squares that a black floor cuts fade towards it: their light differs by little from row to row. */
     @Test
-    void smokeFadesWhereItMeetsAWall() {
-        Emitter smoke = new Emitter("e", Kind.SMOKE, CENTRE, new Vec3(3, 3, 3), 30, 5, -20, 0, 2);
-        Level level = level(smoke)
-                .box(null, new Vec3(0, 0, -5.1), new Vec3(20, 20, 0.2))
+    void particlesFadeWhereTheyMeetAFloor() {
+        Vec3 low = new Vec3(0, -1, -5);
+        Emitter wide = new Emitter("e", Kind.QUADS, low, new Vec3(0.2, 0.2, 0.2), 4, 5, -20, 0, 3);
+        Level level = new TestLevel()
+                .emitter(wide)
+                .box(null, low.plus(new Vec3(0, -0.5, 0)), new Vec3(40, 1, 40))
                 .level();
-        float[] seen = radiance(level, ahead(Vec3.ZERO), 0);
+        float[] seen = radiance(level, offscreen.view(new Vec3(0, 4, -1), low), 0);
         double steepest = 0;
+        double most = 0;
         for (int i = 3 * SIZE; i < seen.length; i++) {
+            most = Math.max(most, seen[i]);
             steepest = Math.max(steepest, Math.abs(seen[i] - seen[i - 3 * SIZE]));
         }
-        assertTrue(steepest < 0.05, "an edge: " + steepest);
+        assertTrue(most > 0.1, "too faint: " + most);
+        assertTrue(steepest < 0.6 * most, "an edge: " + steepest + " of " + most);
     }
 
     /** 3,600 directions all around from among all kinds, straight up and down included. */
