@@ -29,6 +29,7 @@ final class PackageTable {
             "collision",
             "sim",
             "cloud",
+            "particle",
             "atmosphere");
 
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
@@ -45,6 +46,7 @@ final class PackageTable {
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
         USES.put("cloud", List.of("level", "asset"));
+        USES.put("particle", List.of("collision"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of());

@@ -43,7 +43,8 @@ class PrototypesTest {
                         "portals",
                         "models",
                         "bodies",
-                        "exits"),
+                        "exits",
+                        "emitters"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(

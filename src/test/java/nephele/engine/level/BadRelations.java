@@ -20,6 +20,19 @@ final class BadRelations {
                     "solids[1].id",
                     "already the id",
                     "\"solids\": [{\"id\": \"a\", " + BOX + "}, {\"id\": \"a\", " + BOX + "}]"),
+            level(
+                    "emitters[1].id",
+                    "give it another",
+                    "\"emitters\": [" + emitter("smoke", "[1, 1, 1]", "1") + ", " + emitter("fire", "[1, 1, 1]", "1")
+                            + "]"),
+            level(
+                    "emitters[0].ratePerSecond",
+                    "at most 200000 particles at once: lower the rates",
+                    "\"emitters\": [" + emitter("snow", "[9, 99, 9]", "9000") + "]"),
+            level(
+                    "emitters[0].repeatSeconds",
+                    "an explosion lasts 4.5 s: repeat it later, or give 0",
+                    "\"emitters\": [" + emitter("explosion", "[1, 1, 1]", "9, \"repeatSeconds\": 2") + "]"),
             level("materials[1].id", "already the id", "\"materials\": [{\"id\": \"m\"}, {\"id\": \"m\"}]"),
             level(
                     "solids[0].material",
@@ -217,6 +230,11 @@ final class BadRelations {
                 "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"" + layout + "\", \"files\": [" + files
                         + "]}}");
         return new BadLevel("skybox " + layout + " of " + String.join(" ", names), bad.path(), words, bad.content());
+    }
+
+    private static String emitter(String kind, String size, String rate) {
+        return "{\"id\": \"e\", \"kind\": \"" + kind + "\", \"centre\": [0, 0, 0], \"size\": " + size
+                + ", \"ratePerSecond\": " + rate + "}";
     }
 
     private static String plane(int x, int y, int z, double distance) {

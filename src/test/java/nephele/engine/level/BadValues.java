@@ -64,6 +64,23 @@ final class BadValues {
             texture("shiftUMetres", "1e8", "must be from"),
             texture("shiftVMetres", "1e999", "too large"),
             box("faces.+y.texture", "{\"+y\": {\"texture\": 1}}", "an object"),
+            emitter(
+                    "kind",
+                    "\"kind\": \"steam\", \"size\": [1, 1, 1], \"ratePerSecond\": 1",
+                    "must be one of [fire, smoke"),
+            emitter("kind", "\"size\": [1, 1, 1], \"ratePerSecond\": 1", "is missing"),
+            emitter(
+                    "ratePerSecond",
+                    "\"kind\": \"fire\", \"size\": [1, 1, 1], \"ratePerSecond\": -1",
+                    "must be from 0 to 1000000"),
+            emitter(
+                    "size[1]",
+                    "\"kind\": \"fire\", \"size\": [1, 0, 1], \"ratePerSecond\": 1",
+                    "must be from 0.01 to 1000"),
+            emitter(
+                    "seed",
+                    "\"kind\": \"fire\", \"size\": [1, 1, 1], \"ratePerSecond\": 1, \"seed\": 0.5",
+                    "whole number"),
             level("solids[0].kind", "is missing", "\"solids\": [{\"id\": \"a\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": \"sphere\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": 1}]"),
@@ -139,6 +156,13 @@ final class BadValues {
     private static BadLevel id(String escaped, String words) {
         BadLevel bad = level("materials[0].id", words, "\"materials\": [{\"id\": \"a" + escaped + "b\"}]");
         return new BadLevel("id with " + words, bad.path(), words, bad.content());
+    }
+
+    private static BadLevel emitter(String path, String members, String words) {
+        return level(
+                "emitters[0]." + path,
+                words,
+                "\"emitters\": [{\"id\": \"e\", \"centre\": [0, 0, 0], " + members + "}]");
     }
 
     private static BadLevel stops(String value, String words) {

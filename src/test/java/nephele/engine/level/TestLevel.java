@@ -21,6 +21,7 @@ public final class TestLevel {
     private final List<Body> bodies = new ArrayList<>();
     private final List<ModelPlacement> models = new ArrayList<>();
     private final List<Exit> exits = new ArrayList<>();
+    private final List<Emitter> emitters = new ArrayList<>();
     private final List<Cloud> clouds = new ArrayList<>();
 
     /** Adds a sun without shadows. */
@@ -135,6 +136,11 @@ public final class TestLevel {
         return this;
     }
 
+    public TestLevel emitter(Emitter emitter) {
+        emitters.add(emitter);
+        return this;
+    }
+
     public TestLevel cloud(Cloud cloud) {
         clouds.add(cloud);
         return this;
@@ -167,7 +173,8 @@ public final class TestLevel {
                 .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
                 .with(environment, List.copyOf(lights))
                 .withPortals(List.copyOf(portals))
-                .withExits(List.copyOf(exits));
+                .withExits(List.copyOf(exits))
+                .withEmitters(List.copyOf(emitters));
     }
 
     public static Vec3 grey(double value) {

@@ -116,10 +116,10 @@ final class RenderCommand implements Command {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
-    /** Returns a notice for options without effect: the environment stands still. */
+    /** Returns a notice for options without effect: nothing moves. */
     private Optional<String> ignored(OpenedLevel opened) {
         var options = new ArrayList<String>();
-        if (timeSeconds != 0 && !follows(opened.level().environment())) {
+        if (timeSeconds != 0 && !follows(opened.level())) {
             options.add("--time");
         }
         if (technique != null && WeatherClouds.all(opened.level().environment()).isEmpty()) {
@@ -130,8 +130,10 @@ final class RenderCommand implements Command {
                 : Optional.of("nothing in this level follows " + String.join(" or ", options));
     }
 
-    private static boolean follows(Environment environment) {
-        return Daylight.moves(environment)
+    private static boolean follows(Level level) {
+        Environment environment = level.environment();
+        return !level.emitters().isEmpty()
+                || Daylight.moves(environment)
                 || WeatherCourse.of(environment).changes()
                 || WeatherClouds.all(environment).stream()
                         .anyMatch(cloud -> !cloud.motion().equals(Cloud.Motion.STILL));

@@ -10,6 +10,7 @@ import nephele.editor.mark.MarkColour;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Emitter;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
@@ -53,6 +54,7 @@ public final class EntityMarks {
             all.player(level.player());
         }
         level.exits().forEach(all::exit);
+        level.emitters().forEach(all::emitter);
         level.cameras().forEach(all::camera);
         level.environment().clouds().forEach(all::cloud);
         level.portals().forEach(portal -> all.portal(portal, level));
@@ -97,6 +99,15 @@ public final class EntityMarks {
         String name = "exits/" + exit.id();
         if (!isHidden(name)) {
             wires(name).cylinder(exit.feet(), exit.radiusMetres(), exit.heightMetres());
+        }
+    }
+
+    private void emitter(Emitter emitter) {
+        String name = "emitters/" + emitter.id();
+        if (!isHidden(name)) {
+            Aabb box = Aabb.around(emitter.centre(), emitter.size());
+            wires(name).box(box);
+            wires(name).label(new Vec3(box.minX(), box.maxY(), box.maxZ()), emitter.id());
         }
     }
 

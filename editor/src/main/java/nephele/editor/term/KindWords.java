@@ -15,6 +15,7 @@ public final class KindWords {
             word("capsule", "Capsule", "Cápsula", "Cápsula"),
             word("cloud", "Cloud", "Nuvem", "Nuvem"),
             word("constant", "Even", "Uniforme", "Uniforme"),
+            word("emitter", "Particles", "Partículas", "Partículas"),
             word("exit", "Exit", "Saída", "Saída"),
             word("fog", "Fog", "Neblina", "Nevoeiro"),
             word("gradient", "Gradient", "Gradiente", "Gradiente"),

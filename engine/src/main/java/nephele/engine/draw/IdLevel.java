@@ -11,11 +11,11 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
-import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.level.SolidFaces;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.math.Vec3;
 
 /**
@@ -36,7 +36,7 @@ public final class IdLevel {
 
     private IdLevel() {}
 
-    /** Returns the level with its surfaces in the colours of {@link #colour}, under flat light, without lights and exits. */
+    /** Returns the level with its surfaces in the colours of {@link #colour}, under flat light, without lights, exits and emitters. */
     public static Level of(Level level) {
         var materials = new ArrayList<Material>();
         var solids = new ArrayList<Solid>();
@@ -65,7 +65,8 @@ public final class IdLevel {
         var flatLight = new Environment(null, null, ONE, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         return level.with(flatLight, List.of())
                 .with(materials, solids, bodies, models)
-                .withExits(List.of());
+                .withExits(List.of())
+                .withEmitters(List.of());
     }
 
     /**

@@ -25,6 +25,7 @@ public record Level(
         @Written List<Body> bodies,
         @Written PortalGun portalGun,
         @Written(most = 8) List<Exit> exits,
+        @Written(most = 256) List<Emitter> emitters,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
         @Written(absent = "{}") EditorNotes editor) {
     /** Returns a level with an environment and cameras and nothing else. */
@@ -42,6 +43,7 @@ public record Level(
                 List.of(),
                 List.of(),
                 null,
+                List.of(),
                 List.of(),
                 Map.of(),
                 EditorNotes.NONE);
@@ -97,6 +99,11 @@ public record Level(
         return with(draft -> draft.exits = otherExits);
     }
 
+    /** Returns this level with other emitters. */
+    public Level withEmitters(List<Emitter> otherEmitters) {
+        return with(draft -> draft.emitters = otherEmitters);
+    }
+
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
         return with(draft -> draft.editor = notes);
@@ -121,6 +128,7 @@ public record Level(
         private List<Body> bodies;
         private PortalGun portalGun;
         private List<Exit> exits;
+        private List<Emitter> emitters;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -135,6 +143,7 @@ public record Level(
             bodies = from.bodies;
             portalGun = from.portalGun;
             exits = from.exits;
+            emitters = from.emitters;
             editor = from.editor;
         }
 
@@ -153,6 +162,7 @@ public record Level(
                     bodies,
                     portalGun,
                     exits,
+                    emitters,
                     from.aim,
                     editor);
         }

@@ -15,6 +15,7 @@ import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.exposure.ExposurePass;
+import nephele.engine.render.pass.particle.ParticlePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
@@ -59,6 +60,7 @@ public final class RenderFeatures {
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
             CloudPass.feature(CLOUD_TECHNIQUES),
+            ParticlePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,
             // After the views.

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
-import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
-import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.BakedSky;

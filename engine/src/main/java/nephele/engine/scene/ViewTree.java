@@ -3,7 +3,7 @@ package nephele.engine.scene;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
-import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.appearance.MirrorFaces;
 
 /**
  * The views that make up one frame: the main view, the views through its openings, the views through the openings in

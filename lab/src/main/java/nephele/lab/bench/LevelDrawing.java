@@ -4,10 +4,18 @@ import java.util.List;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
-/** A level drawn by the engine along a camera path. */
-public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture) implements Drawing {
+/** A level drawn by the engine along a camera path; particles move by 1/60 s in each frame of it. */
+public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture, FrameState state)
+        implements Drawing {
+    private static final double FRAMES_PER_SECOND = 60;
+
+    public LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture) {
+        this(renderer, views, picture, FrameState.atStart(renderer.scene().level()));
+    }
+
     @Override
     public int roundLength() {
         return views.size();
@@ -15,11 +23,14 @@ public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget pic
 
     @Override
     public void draw(int frame) {
-        renderer.draw(views.get(frame), picture);
+        draw(frame, StepListener.NONE);
     }
 
     void draw(int frame, StepListener listener) {
-        renderer.draw(views.get(frame), picture, listener);
+        if (!renderer.scene().level().emitters().isEmpty()) {
+            state.seconds(frame / FRAMES_PER_SECOND);
+        }
+        renderer.draw(views.get(frame), state, picture, listener);
     }
 
     @Override

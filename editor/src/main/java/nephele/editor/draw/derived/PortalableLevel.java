@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
-import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Solid;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.math.Vec3;
 
 /** Faces that take portals bright, all others dark. */

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.Function;
 import nephele.engine.level.Body;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Emitter;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
@@ -40,6 +41,7 @@ public final class VisibleLevel implements LevelDerivation {
                 models(level.models(), hidden));
         shown = shown.withPortals(shown(level.portals(), "portals/", PortalSpec::id, hidden));
         shown = shown.withExits(shown(level.exits(), "exits/", Exit::id, hidden));
+        shown = shown.withEmitters(shown(level.emitters(), "emitters/", Emitter::id, hidden));
         Environment environment = level.environment();
         List<Cloud> clouds = shown(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
         if (clouds.size() < environment.clouds().size()) {

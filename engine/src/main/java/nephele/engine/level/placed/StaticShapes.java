@@ -6,8 +6,8 @@ import java.util.Set;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
-import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Solid;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
 

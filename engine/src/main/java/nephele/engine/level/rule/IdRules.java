@@ -10,6 +10,7 @@ import java.util.function.Function;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Emitter;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -33,6 +34,7 @@ final class IdRules {
         unique("models", level.models(), ModelPlacement::id, report);
         unique("bodies", level.bodies(), Body::id, report);
         unique("exits", level.exits(), Exit::id, report);
+        unique("emitters", level.emitters(), Emitter::id, report);
     };
 
     static final LevelRule MATERIALS = (level, assets, report) -> {

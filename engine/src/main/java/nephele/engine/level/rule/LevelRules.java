@@ -31,6 +31,8 @@ public final class LevelRules {
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
             ExitRules.REACHABLE,
+            EmitterRules.COUNT,
+            EmitterRules.USED,
             EnvironmentRules.TECHNIQUES);
 
     /** All rules; the last ones read every picture and every mesh. */

@@ -3,8 +3,8 @@ package nephele.engine.level.rule;
 import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.level.Material;
-import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Problem;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.math.Vec3;
 
 /** Mirrors are flat faces of solids and reflect by their base colour alone. */

@@ -42,6 +42,7 @@ public record FrameRequest(
                 || hasBodies()
                 || mayShowCharacter()
                 || !level.exits().isEmpty()
+                || !level.emitters().isEmpty()
                 || !WeatherClouds.all(level.environment()).isEmpty()
                 || sky instanceof Sky.Gradient
                 || sky instanceof Sky.Skybox

@@ -2,8 +2,8 @@ package nephele.engine.render.frame;
 
 import java.util.Optional;
 import nephele.engine.level.Level;
-import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.level.appearance.WeatherClouds;
 
 /**
@@ -20,6 +20,9 @@ public final class LinearLight {
         }
         if (!WeatherClouds.all(level.environment()).isEmpty()) {
             return Optional.of("environment.clouds: they are blended with what is behind them");
+        }
+        if (level.emitters().stream().anyMatch(emitter -> emitter.ratePerSecond() > 0)) {
+            return Optional.of("emitters: particles are blended with what is behind them");
         }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()

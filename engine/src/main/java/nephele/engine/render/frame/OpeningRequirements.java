@@ -2,7 +2,7 @@ package nephele.engine.render.frame;
 
 import java.util.List;
 import java.util.function.Function;
-import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.appearance.MirrorFaces;
 
 /** Decides why a level needs the passes for openings: portals, a portal gun, or mirrors. */
 public final class OpeningRequirements {

@@ -80,6 +80,11 @@ public final class BufferTexture implements GlObject {
         requireRoom(values.remaining() / FLOATS_PER_TEXEL);
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
+        if (gl.state().listener() != null) {
+            float[] copy = new float[values.remaining()];
+            values.duplicate().get(copy);
+            gl.state().listener().uploaded(buffer.id(), copy);
+        }
     }
 
     /** Replaces texels from {@code first} on, four floats each, within the size of the last upload. */

@@ -1,9 +1,13 @@
-package nephele.engine.level;
+package nephele.engine.level.appearance;
 
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /** Finds the faces of a level's solids that are mirrors. */

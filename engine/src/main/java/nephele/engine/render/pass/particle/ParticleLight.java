@@ -1,0 +1,131 @@
+package nephele.engine.render.pass.particle;
+
+import java.util.List;
+import nephele.engine.level.Emitter;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import nephele.engine.particle.EmitterSurroundings;
+import nephele.engine.particle.LevelParticles;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.scene.light.SkyIrradiance;
+import org.joml.Vector3d;
+
+/**
+ * The light on the particles of each emitter, the same for all of them: mean radiance of the sky as far as it is seen,
+ * or the constant ambient light, sun and lamps as scattered evenly in all directions by a thick billow.
+ */
+final class ParticleLight {
+    /** Radiance for an irradiance of 1: twice that of light scattered once, 1 / (4 π). */
+    private static final double OF_IRRADIANCE = 1 / (2 * Math.PI);
+
+    /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
+    private static final double RELIEF = 0.7;
+
+    private final Level level;
+    private final LevelParticles particles;
+    private final SharedResources shared;
+    private final double[] skyShare;
+    private final Vector3d[] ofLamps;
+    /** Scattered radiance by emitter, RGB. */
+    private final float[] radiance;
+
+    private final float[] relief;
+
+    private Vec3 towardsSun = Vec3.ZERO;
+    private Environment followed;
+
+    ParticleLight(Level level, LevelParticles particles, SharedResources shared) {
+        this.level = level;
+        this.particles = particles;
+        this.shared = shared;
+        List<Emitter> emitters = particles.emitters();
+        skyShare = new double[emitters.size()];
+        ofLamps = new Vector3d[emitters.size()];
+        radiance = new float[3 * emitters.size()];
+        relief = new float[3 * emitters.size()];
+        for (int i = 0; i < emitters.size(); i++) {
+            skyShare[i] = particles.surroundings().skyShare(emitters.get(i));
+            ofLamps[i] = ofLamps(emitters.get(i));
+        }
+    }
+
+    private Vector3d ofLamps(Emitter emitter) {
+        Vector3d sum = new Vector3d();
+        level.lights().stream()
+                .flatMap(light -> PunctualLight.of(light).stream())
+                .forEach(light -> sum.add(light.irradianceAt(emitter.centre())));
+        return sum.mul(OF_IRRADIANCE / 2);
+    }
+
+    /** Updates the light to an environment, if it is another one. */
+    void follow(Environment now) {
+        if (now == followed) {
+            return;
+        }
+        followed = now;
+        Sun sun = Daylight.onGround(now);
+        towardsSun = sun == null ? Vec3.ZERO : Directions.unit(sun.directionTowardsSun());
+        SkyIrradiance sky = now.ambient() == null ? shared.surfaceLight().irradiance(now) : null;
+        for (int i = 0; i < skyShare.length; i++) {
+            Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyShare[i]);
+            Vector3d direct = new Vector3d();
+            if (sun != null && sees(sun, i)) {
+                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE);
+            }
+            put(
+                    i,
+                    around.add(ofLamps[i]),
+                    direct,
+                    sky == null ? new Vector3d() : skew(sky).mul(skyShare[i]));
+        }
+    }
+
+    private static Vector3d mean(SkyIrradiance sky) {
+        double[] terms = sky.coefficients();
+        return new Vector3d(terms[0], terms[1], terms[2]);
+    }
+
+    /** Returns the sum over red, green and blue of the part of the light in proportion to x, y and z of a normal. */
+    private static Vector3d skew(SkyIrradiance sky) {
+        double[] terms = sky.coefficients();
+        return new Vector3d(
+                terms[9] + terms[10] + terms[11], terms[3] + terms[4] + terms[5], terms[6] + terms[7] + terms[8]);
+    }
+
+    private boolean sees(Sun sun, int emitter) {
+        EmitterSurroundings surroundings = particles.surroundings();
+        return !sun.castsShadow() || surroundings.sees(particles.emitters().get(emitter), towardsSun);
+    }
+
+    /** Adds up light from all sides and from the sun, and finds from where more of it comes. */
+    private void put(int emitter, Vector3d around, Vector3d direct, Vector3d skewed) {
+        double sum = around.x + around.y + around.z + direct.x + direct.y + direct.z;
+        double ofSun = sum > 0 ? RELIEF * (direct.x + direct.y + direct.z) / sum : 0;
+        double ofSky = sum > 0 ? 1 / sum : 0;
+        relief[3 * emitter] = (float) (ofSun * towardsSun.x() + ofSky * skewed.x);
+        relief[3 * emitter + 1] = (float) (ofSun * towardsSun.y() + ofSky * skewed.y);
+        relief[3 * emitter + 2] = (float) (ofSun * towardsSun.z() + ofSky * skewed.z);
+        around.add(direct);
+        radiance[3 * emitter] = (float) around.x;
+        radiance[3 * emitter + 1] = (float) around.y;
+        radiance[3 * emitter + 2] = (float) around.z;
+    }
+
+    /** Returns the light on particles of an emitter, in one of red, green and blue. */
+    float radiance(int emitter, int channel) {
+        return radiance[3 * emitter + channel];
+    }
+
+    /**
+     * Returns a component of the direction from which most light comes; its length is by how much the side that faces it
+     * is brighter than the middle of a billow, as a share. Zero in even light.
+     */
+    float relief(int emitter, int axis) {
+        return relief[3 * emitter + axis];
+    }
+}

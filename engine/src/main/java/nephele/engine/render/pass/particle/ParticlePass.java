@@ -1,0 +1,189 @@
+package nephele.engine.render.pass.particle;
+
+import java.nio.FloatBuffer;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Emitter;
+import nephele.engine.math.Frustum;
+import nephele.engine.particle.BackToFront;
+import nephele.engine.particle.LevelParticles;
+import nephele.engine.particle.ParticleArrays;
+import nephele.engine.particle.ParticlePicture;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.View;
+import nephele.engine.scene.light.LightRequirements;
+import org.joml.Matrix4d;
+
+/**
+ * Draws the particles of all emitters in each view: evaluated for the frame's time, sorted for the view's eye, and
+ * blended over the view. Places are subtracted in double precision, so the world's size does not matter.
+ */
+public final class ParticlePass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy);
+
+    private final GlContext gl;
+    private final SharedResources shared;
+    private final TargetReads reads;
+    private final LevelParticles particles;
+    private final ParticleLight light;
+    private final ParticleProgram program;
+    private final ParticleQuads quads;
+    private final BackToFront order = new BackToFront();
+    private final Frustum whole = Frustum.reusable(6);
+    private final Matrix4d clipFromRelative = new Matrix4d();
+    private final boolean[] isSeen;
+    /** From the eye to the centres of the emitters. */
+    private final float[] centres;
+
+    private ParticlePass(LoadContext context) {
+        gl = context.gl();
+        shared = context.shared();
+        reads = meetSurfaces(context.request()) ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
+        List<Emitter> emitters = making(context.request());
+        particles = new LevelParticles(emitters, context.scene().statics());
+        light = new ParticleLight(context.scene().level(), particles, shared);
+        isSeen = new boolean[emitters.size()];
+        centres = new float[3 * emitters.size()];
+        quads = context.own(new ParticleQuads(gl));
+        program = new ParticleProgram(context, emitters, meetSurfaces(context.request()));
+    }
+
+    private static List<Emitter> making(FrameRequest request) {
+        return request.level().emitters().stream()
+                .filter(emitter -> emitter.ratePerSecond() > 0)
+                .toList();
+    }
+
+    /** Returns false if there is nothing by which particles could be cut. */
+    private static boolean meetSurfaces(FrameRequest request) {
+        return LightRequirements.hasSurfaces(request.level()) || request.hasBodies() || request.mayShowCharacter();
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        int making = making(request).size();
+        return making == 0
+                ? List.of()
+                : List.of(new Required("emitters: " + making + " make particles", ParticlePass::new));
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return reads.declared();
+    }
+
+    @Override
+    public boolean needsCopies(FrameContext frame) {
+        return findSeen(frame);
+    }
+
+    /** Finds the emitters that a view may see; returns true if there is one. */
+    private boolean findSeen(FrameContext frame) {
+        boolean any = false;
+        for (int i = 0; i < isSeen.length; i++) {
+            isSeen[i] = limits(frame).mayIntersect(particles.bounds(i));
+            any |= isSeen[i];
+        }
+        return any;
+    }
+
+    private Frustum limits(FrameContext frame) {
+        if (frame.limits() != null) {
+            return frame.limits();
+        }
+        View view = frame.view();
+        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
+        whole.keepAll(view.clipFromRelative(clipFromRelative));
+        return whole;
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        if (!findSeen(frame)) {
+            return;
+        }
+        ParticleArrays all = particles.at(frame.frameState().seconds());
+        light.follow(frame.frameState().environment());
+        sort(all, frame.view());
+        if (order.count() == 0) {
+            return;
+        }
+        FloatBuffer texels = quads.begin(order.count());
+        for (int i = 0; i < order.count(); i++) {
+            put(all.numbers(), ParticleArrays.STRIDE * order.at(i), texels, ParticleQuads.FLOATS * i);
+        }
+        frame.surface().bind();
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
+        reads.bind(shared);
+        program.use(frame);
+        quads.draw();
+    }
+
+    private void sort(ParticleArrays all, View view) {
+        for (int i = 0; i < isSeen.length; i++) {
+            var centre = particles.emitters().get(i).centre();
+            centres[3 * i] = (float) (centre.x() - view.eyeX());
+            centres[3 * i + 1] = (float) (centre.y() - view.eyeY());
+            centres[3 * i + 2] = (float) (centre.z() - view.eyeZ());
+        }
+        float backX = (float) view.back().x();
+        float backY = (float) view.back().y();
+        float backZ = (float) view.back().z();
+        float[] n = all.numbers();
+        order.begin(all.count());
+        for (int i = 0; i < all.count(); i++) {
+            int at = ParticleArrays.STRIDE * i;
+            int emitter = (int) n[at + ParticleArrays.EMITTER];
+            if (isSeen[emitter]) {
+                float x = centres[3 * emitter] + n[at];
+                float y = centres[3 * emitter + 1] + n[at + 1];
+                float z = centres[3 * emitter + 2] + n[at + 2];
+                if (x * backX + y * backY + z * backZ < reach(n, at)) {
+                    order.add(i, x * x + y * y + z * z);
+                }
+            }
+        }
+        order.sort();
+    }
+
+    /** Returns a bound of the distance from a particle's middle to its corners. */
+    private static float reach(float[] n, int at) {
+        return 1.5f * n[at + ParticleArrays.HALF_WIDTH]
+                + Math.abs(n[at + ParticleArrays.ALONG_X])
+                + Math.abs(n[at + ParticleArrays.ALONG_Y])
+                + Math.abs(n[at + ParticleArrays.ALONG_Z]);
+    }
+
+    /** Writes a particle as {@code particle.vert} reads it, with its place from the eye and the light that it scatters. */
+    private void put(float[] n, int at, FloatBuffer out, int to) {
+        int emitter = (int) n[at + ParticleArrays.EMITTER];
+        float lit = n[at + ParticleArrays.ALBEDO] * n[at + ParticleArrays.OPACITY];
+        for (int i = 0; i < 3; i++) {
+            out.put(to + i, centres[3 * emitter + i] + n[at + i]);
+            int colour = ParticleArrays.RED + i;
+            out.put(to + colour, n[at + colour] + lit * light.radiance(emitter, i));
+        }
+        out.put(to + ParticleArrays.HALF_WIDTH, n[at + ParticleArrays.HALF_WIDTH]);
+        out.put(to + ParticleArrays.OPACITY, n[at + ParticleArrays.OPACITY]);
+        float look = n[at + ParticleArrays.LOOK];
+        out.put(to + ParticleArrays.LOOK, look);
+        boolean isBillow = look >= ParticlePicture.BILLOW.first() && look < ParticlePicture.TONGUE.first();
+        for (int axis = 0; axis < 3; axis++) {
+            int along = ParticleArrays.ALONG_X + axis;
+            out.put(to + along, isBillow ? light.relief(emitter, axis) : n[at + along]);
+        }
+    }
+}
