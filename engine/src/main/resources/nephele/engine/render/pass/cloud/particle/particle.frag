@@ -13,7 +13,7 @@ struct Lit {
     float through; // of the cloud between front and back of the ball
 };
 
-const int SAMPLES = 6;
+const int SAMPLES = 4;
 
 // Balls overlap: what hides a part of one is the whole cloud there, as its cells have it.
 Lit litPart(PuffPart part, vec3 ray) {
