@@ -74,6 +74,17 @@ public final class Offscreen implements AutoCloseable {
         return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, aspect, 0.05, 1000));
     }
 
+    /** Returns the unit direction of a pixel's ray; the first pixel is the lower left one. */
+    public Vec3 ray(View view, int pixel) {
+        double x = (2 * (pixel % picture.width()) + 1.0) / picture.width() - 1;
+        double y = (2 * (pixel / picture.width()) + 1.0) / picture.height() - 1;
+        Vec3 towards = view.right()
+                .scaled(x * view.projection().tanHalfWidth())
+                .addScaled(y * view.projection().tanHalfHeight(), view.up())
+                .addScaled(-1, view.back());
+        return towards.scaled(1 / towards.length());
+    }
+
     public static int red(int rgb) {
         return rgb >> 16;
     }

@@ -45,7 +45,7 @@ public record Emitter(
     public static final double RAIN_METRES_PER_SECOND = 8;
     public static final double SNOW_METRES_PER_SECOND = 1.1;
 
-    /** Of places whose life falls by 0.005 to 0.015 in each of 60 frames a second, from 1 to 0.05. */
+    /** Mean life of a quad: it falls from 1 to 0.05 by 0.005 to 0.015 in each of 60 frames a second. */
     private static final double QUAD_MEAN_LIFE_SECONDS = 0.95 / 0.6;
 
     /** The most particles that a level shows at once. */

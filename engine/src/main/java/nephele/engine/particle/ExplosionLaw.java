@@ -7,7 +7,7 @@ import nephele.engine.level.Emitter;
  * the others are glowing pieces that fly further and fall.
  */
 record ExplosionLaw(Emitter emitter, double breadth, double longest) implements ParticleLaw {
-    /** Of the billows' longest life, that of the flying pieces. */
+    /** Longest life of the flying pieces, as a share of that of the billows. */
     static final double PIECES_LIFE = 0.35;
 
     private static final double DRAG_PER_SECOND = 5;

@@ -51,21 +51,13 @@ class CurvedMeshGlTest {
                 float[] drawn = renderer.readRadiance();
                 double squares = 0;
                 for (int i = 0; i < WIDTH * HEIGHT; i++) {
-                    double cosine = mesh.cosine(ray(view, i));
+                    double cosine = mesh.cosine(offscreen.ray(view, i));
                     double expected = cosine > 0 ? Math.exp(-DEPTH / cosine) : 1;
                     squares += (drawn[3 * i] - expected) * (drawn[3 * i] - expected);
                 }
                 assertEquals(0, Math.sqrt(squares / (WIDTH * HEIGHT)), 0.01, "along " + rise);
             }
         }
-    }
-
-    private static Vec3 ray(View view, int pixel) {
-        double x = (2 * (pixel % WIDTH) + 1.0) / WIDTH - 1;
-        double y = (2 * (pixel / WIDTH) + 1.0) / HEIGHT - 1;
-        Vec3 towards =
-                view.right().scaled(x * WIDTH / HEIGHT).addScaled(y, view.up()).addScaled(-1, view.back());
-        return towards.scaled(1 / towards.length());
     }
 
     /**

@@ -24,7 +24,6 @@ import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -93,12 +92,8 @@ class PuffCloudGlTest {
         return offscreen.view(Vec3.ZERO, CENTRE);
     }
 
-    private static Ray ray(View view, int pixel) {
-        double x = (2 * (pixel % WIDTH) + 1.0) / WIDTH - 1;
-        double y = (2 * (pixel / WIDTH) + 1.0) / HEIGHT - 1;
-        Vector3d direction = view.direction(
-                x * view.projection().tanHalfWidth(), y * view.projection().tanHalfHeight(), -1, new Vector3d());
-        return Ray.of(view.eye(), Vec3.of(direction.normalize()));
+    private Ray ray(View view, int pixel) {
+        return Ray.of(view.eye(), offscreen.ray(view, pixel));
     }
 
     /** Balls that scatter nothing show how much of the white sky passes. */
@@ -192,7 +187,7 @@ class PuffCloudGlTest {
         }
     }
 
-    private static double mean(float[] values, PuffsField field, View view) {
+    private double mean(float[] values, PuffsField field, View view) {
         double sum = 0;
         int count = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {

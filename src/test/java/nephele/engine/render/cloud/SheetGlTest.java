@@ -144,18 +144,10 @@ class SheetGlTest {
         float[] drawn = drawn(renderer, view);
         double squares = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            double error = drawn[3 * i] - expected.applyAsDouble(ray(view, i));
+            double error = drawn[3 * i] - expected.applyAsDouble(offscreen.ray(view, i));
             squares += error * error;
         }
         return Math.sqrt(squares / (WIDTH * HEIGHT));
-    }
-
-    private static Vec3 ray(View view, int pixel) {
-        double x = (2 * (pixel % WIDTH) + 1.0) / WIDTH - 1;
-        double y = (2 * (pixel / WIDTH) + 1.0) / HEIGHT - 1;
-        Vec3 towards =
-                view.right().scaled(x * WIDTH / HEIGHT).addScaled(y, view.up()).addScaled(-1, view.back());
-        return towards.scaled(1 / towards.length());
     }
 
     /** An absorbing even layer before a white sky: exp(−τ/µ), along the normal as near the horizon, from both sides. */

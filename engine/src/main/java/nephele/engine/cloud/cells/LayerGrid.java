@@ -18,7 +18,7 @@ public record LayerGrid(
         double baseMetres, double topMetres, double cellMetres, int rows, int levels, int across, int reach) {
     /** The width of a cloud's boxes. */
     static final int ACROSS = 64;
-    /** That of a cloud's boxes: rays towards the sun begin in a box and go on in it for a while. */
+    /** Reach of a cloud's boxes, in their cells: rays towards the sun begin in a box and go on in it for a while. */
     static final int REACH = 18;
     /** How far the focus may be from a box's middle, in its cells. */
     static final int SLACK = 6;

@@ -21,7 +21,7 @@ public final class SlantedShade {
     private static final int REACH = ACROSS / 2 - LayerGrid.SLACK - 2;
 
     private static final double STEP_METRES = 50;
-    /** From row to row. */
+    /** Greatest number of steps from a row to the next. */
     private static final int MOST_STEPS = 12;
 
     private final List<CellBox> boxes;

@@ -6,6 +6,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
+import org.joml.Matrix4d;
 
 /** The arguments of a pass for one view; one object serves all frames, and no pass keeps it. */
 public final class FrameContext {
@@ -17,6 +18,8 @@ public final class FrameContext {
     private VisibleSet visible;
     private ViewNode node;
     private Frustum limits;
+    private final Frustum whole = Frustum.reusable(6);
+    private final Matrix4d clipFromRelative = new Matrix4d();
 
     /** @param nested draws the views through openings; {@code null} in a level that cannot have openings */
     public FrameContext(NestedViews nested) {
@@ -78,6 +81,16 @@ public final class FrameContext {
     /** Returns the frustum for culling dynamic objects; {@code null} for that of the view's picture. */
     public Frustum limits() {
         return limits;
+    }
+
+    /** Returns the frustum outside of which nothing is seen: {@link #limits}, or that of the view's picture. */
+    public Frustum seen() {
+        if (limits != null) {
+            return limits;
+        }
+        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
+        whole.keepAll(view.clipFromRelative(clipFromRelative));
+        return whole;
     }
 
     /** Returns the node of the view in the frame's view tree; {@code null} in a level that cannot have openings. */

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ParticleGlTest {
     private static final int SIZE = 48;
     private static final Vec3 CENTRE = new Vec3(0, 0, -5);
-    /** Of no float a million metres out. */
+    /** An eye whose coordinates have no exact float a million metres out. */
     private static final Vec3 EYE = new Vec3(0.31, 0.17, 0.03);
 
     private static final double MONTH_SECONDS = 30 * 86_400;

@@ -37,9 +37,9 @@ public enum TextureUnit {
     CLOUD_SHADE(8),
     /** Bound with each view; {@link Uniforms} assigns it to its sampler. */
     AIR(7),
-    /** As {@link #AIR}. */
+    /** The shadows of clouds in the air; bound and assigned as {@link #AIR} is. */
     SHAFTS(14),
-    /** What {@code shaft.frag} reads. */
+    /** The shade of clouds that {@code shaft.frag} reads. */
     SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),
     DYNAMIC_SUN_SHADOW(10),

@@ -1,7 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import java.util.List;
-import java.util.stream.IntStream;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -12,10 +10,7 @@ import nephele.engine.render.gl.shader.Uniforms;
  * @param diffuseAxis {@code null} for octaves, which have none
  */
 public record CellUniforms(
-        List<Uniforms.Vector4> boxes,
-        Uniforms.Vector4 cells,
-        Uniforms.Vector3 cloudBase,
-        Uniforms.Vector3 cloudHalf,
+        BoxUniforms boxes,
         Uniforms.Vector4 medium,
         Uniforms.Vector4 phase,
         Uniforms.Vector3 cloudSun,
@@ -26,21 +21,17 @@ public record CellUniforms(
     /** Boxes that a cloud has at most; {@code MOST_BOXES} in shaders. */
     public static final int MOST_BOXES = 6;
 
-    /** Finds the uniforms of a program and assigns its samplers, but for that of the density. */
+    /** Finds the uniforms of a program and assigns its samplers. */
     public static CellUniforms of(Uniforms uniforms, CloudScattering scattering) {
         boolean isTwoStream = scattering == CloudScattering.TWO_STREAM;
+        uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
         uniforms.sampler("cloudLight", TextureUnit.CLOUD_LIGHT);
         uniforms.sampler("cloudLightToCome", TextureUnit.CLOUD_LIGHT_TO_COME);
         if (isTwoStream) {
             uniforms.sampler("smallAngles", TextureUnit.SMALL_ANGLES);
         }
         return new CellUniforms(
-                IntStream.range(0, MOST_BOXES)
-                        .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
-                        .toList(),
-                uniforms.vector4("cells"),
-                uniforms.vector3("cloudBase"),
-                uniforms.vector3("cloudHalf"),
+                BoxUniforms.of(uniforms, MOST_BOXES),
                 uniforms.vector4("medium"),
                 uniforms.vector4("phase"),
                 uniforms.vector3("cloudSun"),

@@ -42,7 +42,7 @@ public final class CloudPass implements Pass {
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
-    /** In the order in which they are drawn. */
+    /** The clouds with their drawings, in the order in which they are drawn. */
     private final List<Entry> entries = new ArrayList<>();
 
     private final List<PlacedCloud> clouds = new ArrayList<>();

@@ -90,7 +90,7 @@ public final class LitCloud {
      */
     public void put(CellUniforms uniforms, View view, Vec3 focus) {
         textures.bind();
-        putBoxes(uniforms, view.eye().minus(placed.drift()), focus.minus(view.eye()));
+        putBoxes(uniforms.boxes(), view.eye().minus(placed.drift()), focus.minus(view.eye()));
         CloudOptics optics = cloud.physics().optics();
         DeltaScaling scaled = cloud.physics().medium();
         double greatestPerMetre = placed.presence() * shown.fullPerMetre();
@@ -123,31 +123,19 @@ public final class LitCloud {
         return placed.presence() * (before + share * (after - before));
     }
 
-    private void putBoxes(CellUniforms uniforms, Vec3 eye, Vec3 focus) {
+    private void putBoxes(BoxUniforms uniforms, Vec3 eye, Vec3 focus) {
         CellStack cells = shown.cells();
         for (int level = 0; level < cells.levels(); level++) {
-            Aabb box = cells.density().get(level).cells().box();
-            uniforms.boxes()
-                    .get(level)
-                    .set(
-                            (float) ((box.minX() + box.maxX()) / 2 - eye.x()),
-                            (float) ((box.minZ() + box.maxZ()) / 2 - eye.z()),
-                            (float) (1 / (box.maxX() - box.minX())),
-                            (float) (1 / (box.maxZ() - box.minZ())));
+            uniforms.put(level, cells.density().get(level).cells().box(), eye);
         }
         CellBox narrowest = cells.narrowest();
         Aabb box = narrowest.box();
         uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
-        float low = (float) (box.minY() - eye.y());
-        float high = (float) (box.maxY() - box.minY());
         if (cells.isLayer()) {
-            uniforms.cloudBase().set((float) focus.x(), low, (float) focus.z());
-            uniforms.cloudHalf().set((float) cells.reachMetres(), high, (float) cells.reachMetres());
+            uniforms.put(box, eye, focus, cells.reachMetres(), cells.reachMetres());
         } else {
-            Vec3 middle = box.centre().minus(eye);
-            uniforms.cloudBase().set((float) middle.x(), low, (float) middle.z());
-            uniforms.cloudHalf()
-                    .set((float) ((box.maxX() - box.minX()) / 2), high, (float) ((box.maxZ() - box.minZ()) / 2));
+            double halfX = (box.maxX() - box.minX()) / 2;
+            uniforms.put(box, eye, box.centre().minus(eye), halfX, (box.maxZ() - box.minZ()) / 2);
         }
     }
 

@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import java.util.function.Function;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
@@ -8,9 +7,9 @@ import nephele.engine.level.Environment;
 import nephele.engine.render.frame.LoadContext;
 
 /** A cloud that is divided into balls, drawn by one of the programs for them. */
-public final class PuffCloud implements CloudDrawing {
+final class PuffCloud implements CloudDrawing {
     private final PlacedCloud placed;
-    private final Function<CloudPixels, PuffProgram> programs;
+    private final PerPixels<PuffProgram> programs;
     private final LitCloud cells;
     private final PuffQuads quads;
     private DrawnCloud shownFrom;
@@ -20,8 +19,7 @@ public final class PuffCloud implements CloudDrawing {
     private CloudPuffs to;
     private CloudPuffs now;
 
-    /** @param programs compiled when pixels are first drawn */
-    public PuffCloud(LoadContext context, PlacedCloud placed, Function<CloudPixels, PuffProgram> programs) {
+    PuffCloud(LoadContext context, PlacedCloud placed, PerPixels<PuffProgram> programs) {
         this.placed = placed;
         this.programs = programs;
         cells = new LitCloud(context, placed);
@@ -46,7 +44,7 @@ public final class PuffCloud implements CloudDrawing {
 
     @Override
     public void draw(CloudCanvas canvas) {
-        programs.apply(canvas.pixels()).use(canvas, placed, cells);
+        programs.of(canvas.pixels()).use(canvas, placed, cells);
         quads.show(now, canvas.view().eye().minus(placed.drift()), placed.presence());
         quads.draw();
     }

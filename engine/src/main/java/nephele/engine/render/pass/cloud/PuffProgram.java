@@ -4,7 +4,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /** A program that draws the balls of a cloud as quads, with its numbers. */
@@ -27,7 +26,6 @@ public final class PuffProgram {
                 ShaderSource.load(shaders + ".vert", defines),
                 ShaderSource.load(shaders + ".frag", defines),
                 uniforms -> {
-                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     return new Places(
                             PixelUniforms.of(uniforms, context, pixels),
                             CellUniforms.of(uniforms, CloudScattering.TWO_STREAM),

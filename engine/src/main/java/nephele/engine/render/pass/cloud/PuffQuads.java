@@ -12,7 +12,7 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 
 /** A cloud's balls as quads, the farthest first; balls at equal distances keep their order. */
 public final class PuffQuads implements GlObject {
-    /** Of a vertex: centre relative to the eye and deviation; extinction in the centre and corner. */
+    /** Floats of a vertex: the ball's centre relative to the eye and its deviation; extinction in its centre, and the corner. */
     private static final int FLOATS = 8;
 
     private static final int CORNERS = 4;

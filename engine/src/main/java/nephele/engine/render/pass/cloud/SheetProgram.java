@@ -8,7 +8,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /**
@@ -48,7 +47,6 @@ public final class SheetProgram<P> {
                 ShaderSource.load(FOLDER + "cloud.vert", defines),
                 ShaderSource.load(FOLDER + fragments, defines),
                 uniforms -> {
-                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     return new Places<>(
                             PixelUniforms.of(uniforms, context, pixels),
                             CellUniforms.of(uniforms, scattering),
@@ -58,7 +56,7 @@ public final class SheetProgram<P> {
     }
 
     /** Uses it for a cloud; what else it has is left to be set. */
-    public P use(CloudCanvas canvas, PlacedCloud placed, LitCloud lit) {
+    P use(CloudCanvas canvas, PlacedCloud placed, LitCloud lit) {
         program.use();
         Places<P> places = program.uniforms();
         canvas.put(places.pixels, placed);

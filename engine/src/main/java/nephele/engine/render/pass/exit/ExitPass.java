@@ -7,7 +7,6 @@ import java.util.stream.IntStream;
 import nephele.engine.level.Exit;
 import nephele.engine.level.appearance.ExitCurtain;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Frustum;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -31,7 +30,6 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.View;
-import org.joml.Matrix4d;
 
 /**
  * Adds the light of exits' curtains to each view, as far as surfaces do not hide it. Radiance is added in linear light:
@@ -49,8 +47,6 @@ public final class ExitPass implements Pass {
     private final Blend blend;
     private final List<Exit> exits;
     private final List<Aabb> bounds;
-    private final Frustum whole = Frustum.reusable(6);
-    private final Matrix4d clipFromRelative = new Matrix4d();
     private final PrismMesh prism;
     private final GlProgram<Places> program;
 
@@ -129,21 +125,11 @@ public final class ExitPass implements Pass {
 
     private boolean isSeen(FrameContext frame) {
         for (int i = 0; i < bounds.size(); i++) {
-            if (limits(frame).mayIntersect(bounds.get(i))) {
+            if (frame.seen().mayIntersect(bounds.get(i))) {
                 return true;
             }
         }
         return false;
-    }
-
-    private Frustum limits(FrameContext frame) {
-        if (frame.limits() != null) {
-            return frame.limits();
-        }
-        View view = frame.view();
-        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
-        whole.keepAll(view.clipFromRelative(clipFromRelative));
-        return whole;
     }
 
     @Override

@@ -4,7 +4,6 @@ import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Emitter;
-import nephele.engine.math.Frustum;
 import nephele.engine.particle.BackToFront;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.particle.ParticleArrays;
@@ -25,7 +24,6 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.LightRequirements;
-import org.joml.Matrix4d;
 
 /**
  * Draws the particles of all emitters in each view: evaluated for the frame's time, sorted for the view's eye, and
@@ -43,8 +41,6 @@ public final class ParticlePass implements Pass {
     private final ParticleProgram program;
     private final ParticleQuads quads;
     private final BackToFront order = new BackToFront();
-    private final Frustum whole = Frustum.reusable(6);
-    private final Matrix4d clipFromRelative = new Matrix4d();
     private final boolean[] isSeen;
     /** From the eye to the centres of the emitters. */
     private final float[] centres;
@@ -94,20 +90,10 @@ public final class ParticlePass implements Pass {
     private boolean findSeen(FrameContext frame) {
         boolean any = false;
         for (int i = 0; i < isSeen.length; i++) {
-            isSeen[i] = limits(frame).mayIntersect(particles.bounds(i));
+            isSeen[i] = frame.seen().mayIntersect(particles.bounds(i));
             any |= isSeen[i];
         }
         return any;
-    }
-
-    private Frustum limits(FrameContext frame) {
-        if (frame.limits() != null) {
-            return frame.limits();
-        }
-        View view = frame.view();
-        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
-        whole.keepAll(view.clipFromRelative(clipFromRelative));
-        return whole;
     }
 
     @Override

@@ -7,8 +7,8 @@ import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
 import nephele.engine.render.pass.cloud.PixelUniforms;
+import nephele.engine.render.pass.cloud.PuffClouds;
 import nephele.engine.render.pass.cloud.PuffProgram;
-import nephele.engine.render.pass.cloud.PuffPrograms;
 
 /** Draws each ball of a cloud as a flat picture that is turned towards the eye, lit at its corners. */
 public final class BillboardTechnique {
@@ -21,7 +21,7 @@ public final class BillboardTechnique {
 
     private static CloudTechniqueDrawer drawer(CloudContext context) {
         BillboardFacing facing = context.load().quality().billboardFacing();
-        return new PuffPrograms(
+        return new PuffClouds(
                 context,
                 pixels -> new PuffProgram(
                         context,

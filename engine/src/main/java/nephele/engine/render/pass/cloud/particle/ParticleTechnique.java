@@ -6,8 +6,8 @@ import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
 import nephele.engine.render.pass.cloud.PixelUniforms;
+import nephele.engine.render.pass.cloud.PuffClouds;
 import nephele.engine.render.pass.cloud.PuffProgram;
-import nephele.engine.render.pass.cloud.PuffPrograms;
 
 /** Blends soft balls whose optical depth along each ray has a closed form. */
 public final class ParticleTechnique {
@@ -19,7 +19,7 @@ public final class ParticleTechnique {
     private ParticleTechnique() {}
 
     private static CloudTechniqueDrawer drawer(CloudContext context) {
-        return new PuffPrograms(
+        return new PuffClouds(
                 context, pixels -> new PuffProgram(context, pixels, SHADERS, PixelUniforms.defines(context, pixels)));
     }
 }

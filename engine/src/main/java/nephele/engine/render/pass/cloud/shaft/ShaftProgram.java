@@ -1,13 +1,11 @@
 package nephele.engine.render.pass.cloud.shaft;
 
 import java.util.List;
-import java.util.stream.IntStream;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.SlantedShade;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.level.appearance.ShaftLight;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
@@ -15,6 +13,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.pass.cloud.BoxUniforms;
 import nephele.engine.render.resource.FrameUniforms;
 
 /** {@code shaft.frag} with its numbers. */
@@ -30,25 +29,11 @@ final class ShaftProgram {
      */
     record Eye(Vec3 place, Vec3 focus) {}
 
-    private record Places(
-            List<Uniforms.Vector4> boxes,
-            Uniforms.Vector4 cells,
-            Uniforms.Vector3 base,
-            Uniforms.Vector3 half,
-            Uniforms.Vector3 slant,
-            Uniforms.Vector2 planet) {
+    private record Places(BoxUniforms boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {
         static Places of(Uniforms uniforms, int boxes) {
             uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("shade", TextureUnit.SHAFT_SHADE);
-            return new Places(
-                    IntStream.range(0, boxes)
-                            .mapToObj(i -> uniforms.vector4("boxes[" + i + "]"))
-                            .toList(),
-                    uniforms.vector4("cells"),
-                    uniforms.vector3("cloudBase"),
-                    uniforms.vector3("cloudHalf"),
-                    uniforms.vector3("slant"),
-                    uniforms.vector2("planet"));
+            return new Places(BoxUniforms.of(uniforms, boxes), uniforms.vector3("slant"), uniforms.vector2("planet"));
         }
     }
 
@@ -67,21 +52,12 @@ final class ShaftProgram {
         Places places = program.uniforms();
         List<CellBox> boxes = now.from().shade().boxes();
         for (int level = 0; level < boxes.size(); level++) {
-            Aabb box = boxes.get(level).box();
-            Vec3 middle = box.centre().minus(eye.place());
-            places.boxes
-                    .get(level)
-                    .set((float) middle.x(), (float) middle.z(), (float) (1 / (box.maxX() - box.minX())), (float)
-                            (1 / (box.maxZ() - box.minZ())));
+            places.boxes.put(level, boxes.get(level).box(), eye.place());
         }
         CellBox narrowest = boxes.get(0);
-        Aabb box = narrowest.box();
-        places.cells.set(narrowest.ny(), 0, boxes.size(), (float) now.share());
-        places.base.set(
-                (float) eye.focus().x(), (float) (box.minY() - eye.place().y()), (float)
-                        eye.focus().z());
-        float reach = (float) (clouds.grid().reach() * narrowest.sizeX());
-        places.half.set(reach, (float) (box.maxY() - box.minY()), reach);
+        places.boxes.cells().set(narrowest.ny(), 0, boxes.size(), (float) now.share());
+        double reach = clouds.grid().reach() * narrowest.sizeX();
+        places.boxes.put(narrowest.box(), eye.place(), eye.focus(), reach, reach);
         Vec3 slant = SlantedShade.slant(light.towards());
         places.slant.set((float) slant.x(), (float) slant.z(), (float) light.strength());
         places.planet.set((float) clouds.halfCurvature(), (float) eye.place().y());

@@ -1,9 +1,6 @@
 package nephele.engine.render.pass.cloud.skyplane;
 
-import java.util.EnumMap;
-import java.util.Map;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.CloudContext;
@@ -12,6 +9,7 @@ import nephele.engine.render.pass.cloud.CloudPixels;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.SheetProgram;
+import nephele.engine.render.pass.cloud.SheetPrograms;
 
 /** Draws clouds as sheets at the middle of their heights, by the optical depths of their columns. */
 public final class SkyplaneTechnique implements CloudTechniqueDrawer {
@@ -19,32 +17,25 @@ public final class SkyplaneTechnique implements CloudTechniqueDrawer {
             new Registered(CloudTechnique.SKYPLANE, cloud -> true, SkyplaneTechnique::new);
 
     private final CloudContext context;
-    private final FullScreenTriangle triangle;
-    /** Compiled when a cloud first needs them. */
-    private final Map<CloudPixels, SheetProgram<Void>> programs = new EnumMap<>(CloudPixels.class);
+    private final SheetPrograms<Void> programs;
 
     private SkyplaneTechnique(CloudContext context) {
         this.context = context;
-        triangle = context.load().own(new FullScreenTriangle(context.load().gl(), "skyplane"));
+        programs = new SheetPrograms<>(context, "skyplane", this::compiled);
     }
 
     @Override
     public CloudDrawing of(PlacedCloud cloud) {
-        return new SkyplaneCloud(context.load(), cloud, this::program, triangle);
+        return new SkyplaneCloud(context.load(), cloud, programs);
     }
 
-    private SheetProgram<Void> program(CloudPixels pixels) {
-        SheetProgram<Void> program = programs.get(pixels);
-        if (program == null) {
-            program = new SheetProgram<>(
-                    context,
-                    pixels,
-                    "skyplane/skyplane.frag",
-                    defines -> defines.with(shapeDefine()),
-                    SkyplaneTechnique::ownPlaces);
-            programs.put(pixels, program);
-        }
-        return program;
+    private SheetProgram<Void> compiled(CloudPixels pixels) {
+        return new SheetProgram<>(
+                context,
+                pixels,
+                "skyplane/skyplane.frag",
+                defines -> defines.with(shapeDefine()),
+                SkyplaneTechnique::ownPlaces);
     }
 
     private String shapeDefine() {

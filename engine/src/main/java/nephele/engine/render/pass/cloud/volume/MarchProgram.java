@@ -3,7 +3,6 @@ package nephele.engine.render.pass.cloud.volume;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.CellUniforms;
 import nephele.engine.render.pass.cloud.CloudContext;
@@ -49,7 +48,6 @@ final class MarchProgram {
                 ShaderSource.load(FOLDER + "volume.frag", defines),
                 uniforms -> {
                     found[0] = PixelUniforms.of(uniforms, context, pixels);
-                    uniforms.sampler("cloudDensity", TextureUnit.CLOUD_DENSITY);
                     cells[0] = CellUniforms.of(uniforms, scattering);
                     tables[0] = noise == Noise.NONE ? null : NoiseTextures.Places.of(uniforms, noise == Noise.EVOLVING);
                     return new Places(uniforms.vector4("cellEdges"), uniforms.vector4("stepping"));

@@ -18,11 +18,6 @@ final class MarchPrograms {
     }
 
     MarchProgram of(Noise noise) {
-        MarchProgram program = compiled.get(noise);
-        if (program == null) {
-            program = new MarchProgram(context, pixels, noise);
-            compiled.put(noise, program);
-        }
-        return program;
+        return compiled.computeIfAbsent(noise, wanted -> new MarchProgram(context, pixels, wanted));
     }
 }

@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud.volume;
 
-import java.util.Map;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -12,8 +11,8 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudDrawing;
-import nephele.engine.render.pass.cloud.CloudPixels;
 import nephele.engine.render.pass.cloud.LitCloud;
+import nephele.engine.render.pass.cloud.PerPixels;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.pass.cloud.volume.MarchProgram.Noise;
 import nephele.engine.scene.View;
@@ -23,7 +22,7 @@ final class MarchedCloud implements CloudDrawing {
     private final PlacedCloud placed;
     private final CloudSource cloud;
     private final LitCloud lit;
-    private final Map<CloudPixels, MarchPrograms> programs;
+    private final PerPixels<MarchPrograms> programs;
     private final FullScreenTriangle triangle;
     private final double stepCells;
     /** {@code null} if the density comes from cells. */
@@ -33,10 +32,7 @@ final class MarchedCloud implements CloudDrawing {
     private NoiseField noise;
 
     MarchedCloud(
-            LoadContext context,
-            PlacedCloud placed,
-            Map<CloudPixels, MarchPrograms> programs,
-            FullScreenTriangle triangle) {
+            LoadContext context, PlacedCloud placed, PerPixels<MarchPrograms> programs, FullScreenTriangle triangle) {
         this.placed = placed;
         this.programs = programs;
         this.triangle = triangle;
@@ -59,7 +55,7 @@ final class MarchedCloud implements CloudDrawing {
 
     @Override
     public void draw(CloudCanvas canvas) {
-        MarchProgram program = programs.get(canvas.pixels()).of(kind());
+        MarchProgram program = programs.of(canvas.pixels()).of(kind());
         program.use();
         canvas.put(program.pixels(), placed);
         bind(program, canvas.view(), canvas.focus());

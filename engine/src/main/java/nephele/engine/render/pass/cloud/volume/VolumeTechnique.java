@@ -1,13 +1,11 @@
 package nephele.engine.render.pass.cloud.volume;
 
-import java.util.EnumMap;
-import java.util.Map;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
-import nephele.engine.render.pass.cloud.CloudPixels;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
+import nephele.engine.render.pass.cloud.PerPixels;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 
 /** Marches rays through the cells of clouds. */
@@ -17,15 +15,12 @@ public final class VolumeTechnique implements CloudTechniqueDrawer {
 
     private final CloudContext context;
     private final FullScreenTriangle triangle;
-    /** Compiled when a cloud first needs them. */
-    private final Map<CloudPixels, MarchPrograms> programs = new EnumMap<>(CloudPixels.class);
+    private final PerPixels<MarchPrograms> programs;
 
     private VolumeTechnique(CloudContext context) {
         this.context = context;
         triangle = context.load().own(new FullScreenTriangle(context.load().gl(), "volume"));
-        for (CloudPixels pixels : CloudPixels.values()) {
-            programs.put(pixels, new MarchPrograms(context, pixels));
-        }
+        programs = new PerPixels<>(pixels -> new MarchPrograms(context, pixels));
     }
 
     @Override

@@ -35,7 +35,7 @@ vec2 pictureDepth(CloudPixel at) {
     return vec2(peak * puff.w * ROOT_HALF_PI * exp(-aside) * max(0.0, seen), metres);
 }
 
-// That of the ball itself.
+// Optical depth of the ball itself, and its distance.
 vec2 ballDepth(CloudPixel at) {
     PuffPart part = puffPart(puff.xyz, puff.w, peak, at.ray, at.visible);
     return vec2(part.depth, clamp(part.nearest, 0.0, at.visible.y));

@@ -1,0 +1,19 @@
+package nephele.engine.render.pass.cloud;
+
+import java.util.function.Function;
+
+/** A technique that divides clouds into balls. */
+public final class PuffClouds implements CloudTechniqueDrawer {
+    private final CloudContext context;
+    private final PerPixels<PuffProgram> programs;
+
+    public PuffClouds(CloudContext context, Function<CloudPixels, PuffProgram> compile) {
+        this.context = context;
+        programs = new PerPixels<>(compile);
+    }
+
+    @Override
+    public CloudDrawing of(PlacedCloud cloud) {
+        return new PuffCloud(context.load(), cloud, programs);
+    }
+}
