@@ -12,6 +12,7 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowSize;
+import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
@@ -81,6 +82,16 @@ final class PlayCommand implements Command {
     @Option(names = "--take-over", paramLabel = "TICK", description = "With --replay: play from this tick on.")
     private Long takeOver;
 
+    @Option(
+            names = "--compare",
+            paramLabel = "A,B",
+            converter = TechniquePairConverter.class,
+            description = {
+                "Draw the clouds of LEVEL by two techniques, A left and B right of a wipe that ← and → move:",
+                "auto, skybox, skyplane, procedural, billboard, particles, volume."
+            })
+    private TechniquePair compared;
+
     @Option(names = "--fullscreen", description = "Begin in full screen (F11 changes it).")
     private boolean fullScreen;
 
@@ -129,6 +140,9 @@ final class PlayCommand implements Command {
     }
 
     private PlayRequest request(Terminal terminal) {
+        if (compared != null && (level == null || warm)) {
+            throw CommandFailure.usage("--compare needs the LEVEL whose clouds are compared");
+        }
         boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
         var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
         var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
@@ -142,6 +156,7 @@ final class PlayCommand implements Command {
                 shown(name, terminal),
                 record,
                 settings(),
+                compared,
                 picture,
                 new PlayRequest.Player(files, log));
     }

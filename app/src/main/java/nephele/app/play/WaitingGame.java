@@ -218,6 +218,7 @@ public final class WaitingGame {
                 null,
                 order.record() == null ? null : Path.of(order.record()),
                 usual.simulation(),
+                null,
                 usual.picture(),
                 usual.player());
     }
