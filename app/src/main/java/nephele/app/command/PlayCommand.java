@@ -23,9 +23,11 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import nephele.engine.userfile.UserFolders;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
 
 /** Runs the game; without a display it draws the level's recorded walk offscreen. */
 @picocli.CommandLine.Command
@@ -85,7 +87,7 @@ final class PlayCommand implements Command {
     @Option(
             names = "--compare",
             paramLabel = "A,B",
-            converter = TechniquePairConverter.class,
+            converter = PairConverter.class,
             description = {
                 "Draw the clouds of LEVEL by two techniques, A left and B right of a wipe that ← and → move:",
                 "auto, skybox, skyplane, procedural, billboard, particles, volume."
@@ -207,6 +209,18 @@ final class PlayCommand implements Command {
             return new SimSettings(rate, AssistNames.parse(assists), UprightRate.parse(uprightRate));
         } catch (IllegalArgumentException outOfRange) {
             throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
+        }
+    }
+
+    /** Parses two techniques of clouds, such as `particles,volume`. */
+    static final class PairConverter implements ITypeConverter<TechniquePair> {
+        @Override
+        public TechniquePair convert(String text) {
+            try {
+                return TechniquePair.parse(text);
+            } catch (IllegalArgumentException wrong) {
+                throw new TypeConversionException(wrong.getMessage());
+            }
         }
     }
 }

@@ -55,8 +55,7 @@ public final class CloudComparison implements AutoCloseable {
     public static CloudComparison load(GlContext gl, ComparedScenes scenes, RenderSettings settings) {
         ComparedSide left = new ComparedSide(gl, scenes.left(), settings);
         try {
-            return new CloudComparison(
-                    gl, scenes.techniques(), left, new ComparedSide(gl, scenes.right(), settings));
+            return new CloudComparison(gl, scenes.techniques(), left, new ComparedSide(gl, scenes.right(), settings));
         } catch (RuntimeException e) {
             left.close();
             throw e;
@@ -72,8 +71,8 @@ public final class CloudComparison implements AutoCloseable {
         }
 
         private static Scene drawnBy(Scene scene, CloudTechnique technique) {
-            PlacedLevel placed = new PlacedLevel(
-                    TechniquePair.drawnBy(scene.level(), technique), scene.assets(), scene.statics());
+            PlacedLevel placed =
+                    new PlacedLevel(TechniquePair.drawnBy(scene.level(), technique), scene.assets(), scene.statics());
             return scene.edited(placed, scene.skyVisibility());
         }
     }
@@ -194,7 +193,8 @@ public final class CloudComparison implements AutoCloseable {
 
     private float[] radiance(ComparedSide side) {
         int width = Math.min(MEASURED_WIDTH, side.picture().width());
-        int height = Math.max(1, width * side.picture().height() / side.picture().width());
+        int height =
+                Math.max(1, width * side.picture().height() / side.picture().width());
         if (small == null || small.width() != width || small.height() != height) {
             closeSmall();
             small = RenderTarget.picture(gl, "measured picture", PixelFormat.RGBA16F, width, height);

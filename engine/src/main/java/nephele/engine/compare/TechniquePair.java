@@ -76,8 +76,8 @@ public record TechniquePair(CloudTechnique left, CloudTechnique right) {
         if (WeatherClouds.all(environment).isEmpty()) {
             return Optional.of("there is no cloud in this level whose techniques could be compared");
         }
-        boolean isOnlyChanging =
-                environment.clouds().isEmpty() && !environment.weatherKeyframes().isEmpty();
+        boolean isOnlyChanging = environment.clouds().isEmpty()
+                && !environment.weatherKeyframes().isEmpty();
         return isOnlyChanging
                 ? Optional.of("clouds of weatherKeyframes keep their technique: there is nothing to compare")
                 : Optional.empty();
