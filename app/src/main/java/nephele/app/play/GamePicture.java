@@ -12,6 +12,7 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Input;
+import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.sim.state.TickEvent;
 
@@ -55,6 +56,7 @@ final class GamePicture {
     /** Shows the aim of the current level for its first seconds. */
     void levelBegins() {
         captions.begin(current.session());
+        keysOf = null;
         if (isCompared()) {
             message.say("← →  " + Phrase.MOVE_WIPE.in(files.settings().get(Settings.LANGUAGE)));
         }
@@ -123,7 +125,10 @@ final class GamePicture {
     private HudContent.Keys keys() {
         if (keysOf != files.settings() || keys.device() != input.device()) {
             keysOf = files.settings();
-            keys = new HudContent.Keys(Settings.bindings(keysOf), input.device(), keysOf.get(Settings.LANGUAGE));
+            KeyBindings all = Settings.bindings(keysOf);
+            boolean hasWipe = current.session() != null && isCompared();
+            keys = new HudContent.Keys(
+                    hasWipe ? all.without(WipeControl.KEYS) : all, input.device(), keysOf.get(Settings.LANGUAGE));
         }
         return keys;
     }

@@ -108,6 +108,7 @@ public enum Phrase {
     DIFFERS(
             "%s differs from %s by FLIP %s, mean light %s %%",
             "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
+    NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
     MOVE_WIPE(
             "move the wipe (Shift: finely)",
             "mover a divisória (Shift: devagar)",

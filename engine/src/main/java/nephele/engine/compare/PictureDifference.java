@@ -17,6 +17,11 @@ public record PictureDifference(double flip, double lightShare) {
     /** The greatest half float; what is brighter counts as this. */
     private static final float BRIGHTEST = 65504;
 
+    /** Returns true if nothing would be seen: each rounds to 0 in the digits that are told, 0.001 and 0.1 %. */
+    public boolean isNone() {
+        return flip < 5e-4 && Math.abs(lightShare) < 5e-4;
+    }
+
     /**
      * Measures linear radiances, RGB, of the same size.
      *

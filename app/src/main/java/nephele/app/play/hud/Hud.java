@@ -28,8 +28,8 @@ public final class Hud {
     }
 
     private void fill(HudContent content, Area area) {
-        if (content.comparison() != null && content.menu() == null) {
-            new WipeLine(canvas, area, content.comparison()).draw();
+        if (content.comparison() != null && content.menu() == null && content.page() == HudContent.Page.NONE) {
+            new WipeLine(canvas, area, content.comparison()).draw(content.sight());
         }
         if (content.menu() != null) {
             drawMenu(content, area);

@@ -11,6 +11,7 @@ final class WipeLine {
     private static final double EDGE = 1;
     private static final double HANDLE_WIDTH = 26;
     private static final double HANDLE_HEIGHT = 34;
+    private static final String ARROWS = "‹ ›";
     private static final double ARROW_EM = 17;
     /** The handle's place: above the crosshair. */
     private static final double HANDLE_SHARE = 0.34;
@@ -24,32 +25,36 @@ final class WipeLine {
     private static final double BESIDE = 10;
     private static final double BOTTOM = 10;
 
+    private static final double FULL_SIZE_HEIGHT = 540;
+    private static final double LEAST_SCALE = 0.65;
+
     private final OverlayCanvas canvas;
     private final Area area;
     private final HudContent.Comparison comparison;
+    private final double scale;
     private final double x;
 
+    /** A low window has smaller labels, as it has smaller messages. */
     WipeLine(OverlayCanvas canvas, Area area, HudContent.Comparison comparison) {
         this.canvas = canvas;
         this.area = area;
         this.comparison = comparison;
+        scale = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
         x = comparison.wipe().share() * area.width();
     }
 
-    void draw() {
-        line(0, area.centreY() - GAP);
-        line(area.centreY() + GAP, area.height());
+    /** @param sight the crosshair, for which the line has a gap; {@code null} for none */
+    void draw(HudContent.Sight sight) {
+        double gap = sight == null ? 0 : GAP;
+        line(0, area.centreY() - gap);
+        line(area.centreY() + gap, area.height());
         handle();
-        double leftWidth = plateWidth(EM, comparison.left());
-        double rightWidth = plateWidth(EM, comparison.right());
-        plate(clamped(x - BESIDE - leftWidth, leftWidth, -1), TOP, EM, comparison.left());
-        plate(clamped(x + BESIDE, rightWidth, 1), TOP, EM, comparison.right());
+        labels();
         if (!comparison.difference().isEmpty()) {
-            double em =
-                    Math.min(SMALL_EM, SMALL_EM * area.width() / (plateWidth(SMALL_EM, comparison.difference()) + 1));
-            double width = plateWidth(em, comparison.difference());
-            double top = area.height() - BOTTOM - height(em);
-            plate((area.width() - width) / 2, top, em, comparison.difference());
+            double wanted = plateWidth(SMALL_EM, comparison.difference());
+            double em = SMALL_EM * Math.min(1, area.width() / scale / (wanted + 2 * BESIDE));
+            double left = (area.width() - scale * plateWidth(em, comparison.difference())) / 2;
+            plate(left, area.height() - scale * (BOTTOM + height(em)), em, comparison.difference());
         }
     }
 
@@ -59,25 +64,30 @@ final class WipeLine {
     }
 
     private void handle() {
-        double top = HANDLE_SHARE * area.height() - HANDLE_HEIGHT / 2;
-        double left = x - HANDLE_WIDTH / 2;
-        canvas.rectangle(left - EDGE, top - EDGE, HANDLE_WIDTH + 2 * EDGE, HANDLE_HEIGHT + 2 * EDGE, HudPalette.INK);
-        canvas.rectangle(left, top, HANDLE_WIDTH, HANDLE_HEIGHT, HudPalette.HANDLE);
-        double baseline = top + HANDLE_HEIGHT / 2 + 0.35 * ARROW_EM;
-        double width = canvas.width(ARROW_EM, "‹");
-        canvas.text(x - 3 - width, baseline, ARROW_EM, HudPalette.ACCENT, "‹");
-        canvas.text(x + 3, baseline, ARROW_EM, HudPalette.ACCENT, "›");
+        double width = scale * HANDLE_WIDTH;
+        double height = scale * HANDLE_HEIGHT;
+        double top = HANDLE_SHARE * area.height() - height / 2;
+        double centre = Math.max(width / 2 + EDGE, Math.min(x, area.width() - width / 2 - EDGE));
+        canvas.rectangle(centre - width / 2 - EDGE, top - EDGE, width + 2 * EDGE, height + 2 * EDGE, HudPalette.INK);
+        canvas.rectangle(centre - width / 2, top, width, height, HudPalette.HANDLE);
+        double em = scale * ARROW_EM;
+        double baseline = top + height / 2 + 0.35 * em;
+        canvas.text(centre - canvas.width(em, ARROWS) / 2, baseline, em, HudPalette.ACCENT, ARROWS);
     }
 
-    /** Returns the left edge of a plate that stays in the picture; {@code side} is −1 for the left label, 1 for the right. */
-    private double clamped(double left, double width, int side) {
-        double most = area.width() - BESIDE - width;
-        double kept = Math.max(BESIDE, Math.min(left, most));
-        double other = plateWidth(EM, side < 0 ? comparison.right() : comparison.left());
-        // At an edge of the picture both labels stay side by side, in their order.
-        return side < 0 ? Math.min(kept, most - 2 * BESIDE - other) : Math.max(kept, 3 * BESIDE + other);
+    /** The labels flank the line; at an edge of the picture they stay side by side in it. */
+    private void labels() {
+        double leftWidth = scale * plateWidth(EM, comparison.left());
+        double rightWidth = scale * plateWidth(EM, comparison.right());
+        double beside = scale * BESIDE;
+        double least = leftWidth + 2 * beside;
+        double most = area.width() - rightWidth - 2 * beside;
+        double middle = Math.max(least, Math.min(x, most));
+        plate(middle - beside - leftWidth, scale * TOP, EM, comparison.left());
+        plate(middle + beside, scale * TOP, EM, comparison.right());
     }
 
+    /** Returns the width of a plate before it is scaled. */
     private double plateWidth(double em, String text) {
         return canvas.width(em, text) + 2 * PADDING;
     }
@@ -87,7 +97,8 @@ final class WipeLine {
     }
 
     private void plate(double left, double top, double em, String text) {
-        canvas.rectangle(left, top, plateWidth(em, text), height(em), HudPalette.PANEL);
-        canvas.text(left + PADDING, top + PADDING / 2 + 0.82 * em, em, HudPalette.INK, text);
+        canvas.rectangle(left, top, scale * plateWidth(em, text), scale * height(em), HudPalette.PANEL);
+        double baseline = top + scale * (PADDING / 2 + 0.82 * em);
+        canvas.text(left + scale * PADDING, baseline, scale * em, HudPalette.INK, text);
     }
 }

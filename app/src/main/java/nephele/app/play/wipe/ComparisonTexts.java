@@ -46,8 +46,11 @@ public final class ComparisonTexts {
 
     /** Returns a sentence; empty before the first measurement. */
     static String difference(TechniquePair techniques, PictureDifference difference, Language language) {
-        return difference == null
-                ? ""
+        if (difference == null) {
+            return "";
+        }
+        return difference.isNone()
+                ? Phrase.NO_DIFFERENCE.in(language)
                 : Phrase.DIFFERS.in(
                         language,
                         TechniquePair.name(techniques.tried()),

@@ -11,7 +11,8 @@ public final class WipeControl {
     private static final String RIGHT = "Right";
     private static final String ALL_RIGHT = "Home";
     private static final String ALL_LEFT = "End";
-    private static final List<String> KEYS = List.of(LEFT, RIGHT, ALL_RIGHT, ALL_LEFT);
+    /** The names of its keys. */
+    public static final List<String> KEYS = List.of(LEFT, RIGHT, ALL_RIGHT, ALL_LEFT);
 
     /** Shares of the width that a press moves it, and a held key in a second; with Shift it is finer. */
     private static final double STEP = 0.02;
