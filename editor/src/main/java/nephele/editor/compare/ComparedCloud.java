@@ -32,13 +32,17 @@ public record ComparedCloud(
                 && techniques.equals(other.techniques);
     }
 
-    /** Returns the level in which a technique draws the cloud. */
-    Level drawnBy(CloudTechnique technique) {
-        Environment environment = level.environment();
+    /**
+     * Returns a level in which a technique draws the cloud.
+     *
+     * @param placed the level with the sun of its hour
+     */
+    Level drawnBy(CloudTechnique technique, Level placed) {
+        Environment environment = placed.environment();
         Environment drawn = environment.withClouds(environment.clouds().stream()
                 .map(cloud -> cloud.id().equals(id) ? cloud.with(technique) : cloud)
                 .toList());
-        return level.with(drawn, level.lights());
+        return placed.with(drawn, placed.lights());
     }
 
     /** Returns the cloud of a level; {@code null} if it is gone. */

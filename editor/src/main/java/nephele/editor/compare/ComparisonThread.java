@@ -104,13 +104,13 @@ public final class ComparisonThread implements AutoCloseable {
             comparison = other;
         }
         scenes = next;
-        state = FrameState.atStart(asked.level());
+        state = FrameState.atStart(placed.level());
     }
 
     private void place(ComparedCloud asked, boolean isEdited) {
         PlacedLevel before = placed;
         placed = isEdited ? placed.edited(asked.level()) : PlacedLevel.of(asked.level(), asked.assets());
-        if (!LightRequirements.skyVisibility(asked.level())) {
+        if (!LightRequirements.skyVisibility(placed.level())) {
             light = null;
         } else if (light == null || before == null || before.statics() != placed.statics()) {
             light = BakedSky.known(placed).orElseGet(SkyVisibility::open);
@@ -119,7 +119,7 @@ public final class ComparisonThread implements AutoCloseable {
 
     /** @param before {@code null} for none of the same files */
     private Scene scene(ComparedCloud asked, CloudTechnique technique, Scene before) {
-        Level level = asked.drawnBy(technique);
+        Level level = asked.drawnBy(technique, placed.level());
         PlacedLevel next = new PlacedLevel(level, placed.assets(), placed.statics());
         return before == null ? Scene.of(next, light) : before.edited(next, light);
     }

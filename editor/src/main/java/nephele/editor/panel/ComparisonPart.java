@@ -127,7 +127,8 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         String told = pictures == null
                 ? text(PanelText.DRAWING.words())
                 : figures == null ? pictures.failure() : text(difference(pictures));
-        difference.setText("<html>" + told + "</html>");
+        difference.setText(
+                "<html>" + told.replace("\n", "<br>") + (told.contains("\n") ? "" : "<br>&nbsp;") + "</html>");
     }
 
     private static String millis(double millis) {

@@ -15,6 +15,8 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import nephele.editor.compare.ComparedPictures;
 import nephele.editor.compare.ComparisonThread;
@@ -90,10 +92,31 @@ final class WipePicture extends JComponent {
     }
 
     @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                private static final long serialVersionUID = 1;
+
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.SLIDER;
+                }
+            };
+        }
+        return accessibleContext;
+    }
+
+    @Override
     public Dimension getPreferredSize() {
         int width = getWidth() > 0 ? getWidth() : UIScale.scale(ComparisonThread.WIDTH);
         return new Dimension(
                 UIScale.scale(ComparisonThread.WIDTH), width * ComparisonThread.HEIGHT / ComparisonThread.WIDTH);
+    }
+
+    /** A low window takes its room from the fields above, which scroll. */
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(UIScale.scale(40), getPreferredSize().height);
     }
 
     @Override

@@ -68,8 +68,8 @@ public enum PanelText implements Text {
     WIPE("Wipe: drag it, or ← and →", "Divisória: arraste, ou ← e →", "Divisória: arrasta, ou ← e →"),
     DRAWING("Drawing …", "Desenhando …", "A desenhar …"),
     DIFFERS(
-            "%s differs from %s by FLIP %s, mean light %s %%",
-            "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
+            "%s against %s:\nFLIP %s, mean light %s %%",
+            "%s contra %s:\nFLIP %s, luz média %s %%", "%s contra %s:\nFLIP %s, luz média %s %%"),
     NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
     HISTORY("History", "Histórico", "Histórico"),
     START("Start", "Início", "Início"),
