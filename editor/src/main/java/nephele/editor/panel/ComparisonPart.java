@@ -144,7 +144,7 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
                 ChoiceWord.words(pictures.techniques().tried()),
                 ChoiceWord.words(pictures.techniques().reference()),
                 String.format(Locale.ROOT, "%.3f", measured.flip()),
-                String.format(Locale.ROOT, "%+.1f", 100 * measured.lightShare()));
+                measured.lightPercent());
     }
 
     @Override

@@ -108,9 +108,7 @@ final class WipePicture extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        int width = getWidth() > 0 ? getWidth() : UIScale.scale(ComparisonThread.WIDTH);
-        return new Dimension(
-                UIScale.scale(ComparisonThread.WIDTH), width * ComparisonThread.HEIGHT / ComparisonThread.WIDTH);
+        return new Dimension(UIScale.scale(ComparisonThread.WIDTH), UIScale.scale(ComparisonThread.HEIGHT));
     }
 
     /** A low window takes its room from the fields above, which scroll. */
@@ -135,10 +133,14 @@ final class WipePicture extends JComponent {
         g.dispose();
     }
 
+    /** Covers the component, whose proportions may differ a little. */
     private void part(Graphics2D g, BufferedImage picture, int from, int to) {
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clipRect(from, 0, to - from, getHeight());
-        clipped.drawImage(picture, 0, 0, getWidth(), getHeight(), null);
+        double scale = Math.max((double) getWidth() / picture.getWidth(), (double) getHeight() / picture.getHeight());
+        clipped.translate(getWidth() / 2.0, getHeight() / 2.0);
+        clipped.scale(scale, scale);
+        clipped.drawImage(picture, -picture.getWidth() / 2, -picture.getHeight() / 2, null);
         clipped.dispose();
     }
 

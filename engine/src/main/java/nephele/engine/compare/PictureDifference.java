@@ -1,5 +1,6 @@
 package nephele.engine.compare;
 
+import java.util.Locale;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.measure.Flip;
@@ -20,6 +21,13 @@ public record PictureDifference(double flip, double lightShare) {
     /** Returns true if nothing would be seen: each rounds to 0 in the digits that are told, 0.001 and 0.1 %. */
     public boolean isNone() {
         return flip < 5e-4 && Math.abs(lightShare) < 5e-4;
+    }
+
+    /** Returns the difference of light in per cent with its sign, such as {@code +2.4}, and {@code 0.0} for none. */
+    public String lightPercent() {
+        String digits = String.format(Locale.ROOT, "%.1f", Math.abs(100 * lightShare));
+        String sign = digits.equals("0.0") ? "" : lightShare < 0 ? "−" : "+";
+        return sign + digits;
     }
 
     /**

@@ -56,11 +56,6 @@ public final class ComparisonTexts {
                         TechniquePair.name(techniques.tried()),
                         TechniquePair.name(techniques.reference()),
                         String.format(Locale.ROOT, "%.3f", difference.flip()),
-                        signed(100 * difference.lightShare()));
-    }
-
-    private static String signed(double percent) {
-        String digits = String.format(Locale.ROOT, "%.1f", Math.abs(percent));
-        return (digits.equals("0.0") ? "" : percent < 0 ? "−" : "+") + digits;
+                        difference.lightPercent());
     }
 }
