@@ -132,7 +132,7 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
     }
 
     private static String millis(double millis) {
-        return String.format(Locale.ROOT, "%.1f ms", millis);
+        return millis == 0 ? " " : String.format(Locale.ROOT, "%.1f ms", millis);
     }
 
     private static Words difference(ComparedPictures pictures) {

@@ -19,7 +19,9 @@ final class ComparedSide implements AutoCloseable {
 
     private final GlContext gl;
     private final long[] nanos = new long[TIMED_FRAMES];
-    private long frames;
+    /** Timed frames; −1 before the first one, in which programs are compiled and clouds sampled. */
+    private long frames = -1;
+
     private Renderer renderer;
     private Environment environment;
     private RenderTarget picture;
@@ -33,7 +35,7 @@ final class ComparedSide implements AutoCloseable {
     void edit(Scene scene) {
         renderer = renderer.edited(scene);
         environment = null;
-        frames = 0;
+        frames = -1;
     }
 
     Renderer renderer() {
@@ -53,7 +55,10 @@ final class ComparedSide implements AutoCloseable {
         long start = System.nanoTime();
         renderer.draw(view, state, picture, listener);
         gl.finish();
-        nanos[(int) (frames++ % TIMED_FRAMES)] = System.nanoTime() - start;
+        if (frames >= 0) {
+            nanos[(int) (frames % TIMED_FRAMES)] = System.nanoTime() - start;
+        }
+        frames++;
         state.environment(before);
     }
 
@@ -78,10 +83,10 @@ final class ComparedSide implements AutoCloseable {
         }
     }
 
-    /** Returns the median time of a frame in milliseconds; 0 before the first. */
+    /** Returns the median time of a frame in milliseconds; 0 before the second. */
     double medianMillis() {
         int count = (int) Math.min(frames, TIMED_FRAMES);
-        return count == 0 ? 0 : FrameTimes.percentileMs(nanos, count, 0.5);
+        return count <= 0 ? 0 : FrameTimes.percentileMs(nanos, count, 0.5);
     }
 
     private void closePicture() {
