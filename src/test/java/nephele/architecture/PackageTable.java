@@ -60,6 +60,7 @@ final class PackageTable {
         USES.put("userfile", List.of("asset"));
         USES.put("named", List.of("terminal", "scene", "sim"));
         USES.put("playthrough", List.of("named"));
+        USES.put("compare", List.of("render", "measure"));
         USES.put("draw", List.of("render", "named"));
     }
 

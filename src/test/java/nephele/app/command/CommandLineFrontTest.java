@@ -79,6 +79,9 @@ class CommandLineFrontTest {
 
     static Stream<Arguments> wrongUsages() {
         return Stream.of(
+                        "play x.json --compare volume|--compare",
+                        "play x.json --compare volume,puffs|billboard, particles, volume",
+                        "play --compare volume,particles|--compare",
                         "prove --nonsense|--nonsense",
                         "prove no-such-proof|no-such-proof",
                         "prove --count x|--count",

@@ -31,6 +31,7 @@ class OffscreenWalkGlTest {
                 new PlayRequest.Shown(Replay.standing("walking.json", 240), PlayRequest.Shown.NEVER),
                 record,
                 SimSettings.DEFAULT,
+                null,
                 new PlayRequest.Picture(64, 36, false),
                 new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null));
     }

@@ -23,7 +23,7 @@ class PlayRequestTest {
 
     private PlayRequest request(QualityChoice quality, PlayRequest.Shown shown, SimSettings simulation) {
         var player = new PlayRequest.Player(files, null);
-        return new PlayRequest(new LevelName("a.json"), null, quality, shown, null, simulation, null, player);
+        return new PlayRequest(new LevelName("a.json"), null, quality, shown, null, simulation, null, null, player);
     }
 
     @Test

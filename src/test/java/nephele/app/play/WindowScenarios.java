@@ -52,6 +52,7 @@ public final class WindowScenarios {
                         null,
                         Path.of("walk.json"),
                         SimSettings.DEFAULT,
+                        null,
                         picture,
                         player),
                 window,

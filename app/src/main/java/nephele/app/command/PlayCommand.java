@@ -12,6 +12,7 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowSize;
+import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
@@ -22,9 +23,11 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import nephele.engine.userfile.UserFolders;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.TypeConversionException;
 
 /** Runs the game; without a display it draws the level's recorded walk offscreen. */
 @picocli.CommandLine.Command
@@ -81,6 +84,16 @@ final class PlayCommand implements Command {
     @Option(names = "--take-over", paramLabel = "TICK", description = "With --replay: play from this tick on.")
     private Long takeOver;
 
+    @Option(
+            names = "--compare",
+            paramLabel = "A,B",
+            converter = PairConverter.class,
+            description = {
+                "Draw the clouds of LEVEL by two techniques, A left and B right of a wipe that ← and → move:",
+                "auto, skybox, skyplane, procedural, billboard, particles, volume."
+            })
+    private TechniquePair compared;
+
     @Option(names = "--fullscreen", description = "Begin in full screen (F11 changes it).")
     private boolean fullScreen;
 
@@ -129,6 +142,9 @@ final class PlayCommand implements Command {
     }
 
     private PlayRequest request(Terminal terminal) {
+        if (compared != null && (level == null || warm)) {
+            throw CommandFailure.usage("--compare needs the LEVEL whose clouds are compared");
+        }
         boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
         var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
         var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
@@ -142,6 +158,7 @@ final class PlayCommand implements Command {
                 shown(name, terminal),
                 record,
                 settings(),
+                compared,
                 picture,
                 new PlayRequest.Player(files, log));
     }
@@ -192,6 +209,18 @@ final class PlayCommand implements Command {
             return new SimSettings(rate, AssistNames.parse(assists), UprightRate.parse(uprightRate));
         } catch (IllegalArgumentException outOfRange) {
             throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
+        }
+    }
+
+    /** Parses two techniques of clouds, such as `particles,volume`. */
+    static final class PairConverter implements ITypeConverter<TechniquePair> {
+        @Override
+        public TechniquePair convert(String text) {
+            try {
+                return TechniquePair.parse(text);
+            } catch (IllegalArgumentException wrong) {
+                throw new TypeConversionException(wrong.getMessage());
+            }
         }
     }
 }

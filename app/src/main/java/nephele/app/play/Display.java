@@ -7,6 +7,7 @@ import nephele.app.play.hud.HudContent;
 import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
+import nephele.engine.compare.Wipe;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -31,7 +32,7 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_BLUE = 0.14f;
 
     /** The greatest height of the overlay in points; the overlay of a higher picture is scaled up. */
-    private static final double HIGHEST_POINTS = 1080;
+    static final double HIGHEST_POINTS = 1080;
 
     private final GameWindow window;
     private final GlContext gl;
@@ -73,10 +74,13 @@ final class Display implements AutoCloseable {
         var picture = target();
         var walk = session.walk();
         if (walk.takeCut()) {
-            session.renderer().forget();
+            session.picture().forget();
         }
         cost.begins(listener != StepListener.NONE);
-        session.renderer().draw(view, walk.frameState(), picture, listener);
+        Wipe wipe = content.comparison() == null
+                ? Wipe.MIDDLE
+                : content.comparison().wipe();
+        session.picture().draw(view, walk.frameState(), wipe, picture, listener);
         if (shot == Shot.WITHOUT_OVERLAY) {
             save(picture);
         }

@@ -69,7 +69,7 @@ public final class GameLoop implements AutoCloseable {
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         settings = new SettingsControl(window, input, menus, menu, current, message);
-        picture = new GamePicture(display, current, menu, message, files, input::device);
+        picture = new GamePicture(display, current, menu, message, files, input);
         settings.applyVerticalSync();
         if (window.mode() == WindowMode.WINDOWED && files.settings().get(Settings.WINDOW_MODE) != WindowMode.WINDOWED) {
             settings.applyMode();
@@ -92,6 +92,7 @@ public final class GameLoop implements AutoCloseable {
     void frame() {
         poll();
         obeyKeys();
+        picture.moveWipe(stages.current(), (System.nanoTime() - lastNanos) / 1e9);
         obeyPointer();
         changeLevel();
         simulate();

@@ -1,15 +1,18 @@
 package nephele.app.play;
 
 import java.util.List;
-import java.util.function.Supplier;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.play.hud.HudContent.Page;
+import nephele.app.play.wipe.ComparisonTexts;
+import nephele.app.play.wipe.WipeControl;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
+import nephele.app.text.Phrase;
 import nephele.app.window.Input;
+import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.sim.state.TickEvent;
 
@@ -22,24 +25,22 @@ final class GamePicture {
     private final PlayerFiles files;
     private final Captions captions = new Captions();
     private final Prompts prompts = new Prompts();
+    private final ComparisonTexts comparisonTexts = new ComparisonTexts();
     private long titleNanos;
-    private final Supplier<Input.Device> device;
+    private final Input input;
+    private final WipeControl wipe;
     private GameSettings keysOf;
     private HudContent.Keys keys;
 
     GamePicture(
-            Display display,
-            CurrentLevel current,
-            MenuControl menu,
-            Message message,
-            PlayerFiles files,
-            Supplier<Input.Device> device) {
+            Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files, Input input) {
         this.display = display;
         this.current = current;
         this.menu = menu;
         this.message = message;
         this.files = files;
-        this.device = device;
+        this.input = input;
+        wipe = new WipeControl(input);
     }
 
     /** Starts the motion behind the title. */
@@ -55,6 +56,10 @@ final class GamePicture {
     /** Shows the aim of the current level for its first seconds. */
     void levelBegins() {
         captions.begin(current.session());
+        keysOf = null;
+        if (isCompared()) {
+            message.say("← →  " + Phrase.MOVE_WIPE.in(files.settings().get(Settings.LANGUAGE)));
+        }
     }
 
     /** Forgets the level, so that nothing keeps its memory. */
@@ -71,7 +76,7 @@ final class GamePicture {
         Session session = current.session();
         if (session == null) {
             display.drawEmpty(new HudContent(
-                    menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, keys()));
+                    menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()));
             return;
         }
         var area = display.area();
@@ -83,6 +88,7 @@ final class GamePicture {
                 message.texts(),
                 banner(stage, loading),
                 isPlaying ? sight(session, area) : null,
+                comparison(session),
                 keys());
         var listener = current.figures().frameBegins();
         if (stage == GameStage.TITLE) {
@@ -96,10 +102,33 @@ final class GamePicture {
         }
     }
 
+    /** Moves the wipe by the keys since the last frame, whose length is in seconds. */
+    void moveWipe(GameStage stage, double seconds) {
+        if (stage == GameStage.RUNNING && isCompared()) {
+            wipe.update(seconds);
+        } else {
+            wipe.rest();
+        }
+    }
+
+    private boolean isCompared() {
+        return current.session().picture().comparison() != null;
+    }
+
+    private HudContent.Comparison comparison(Session session) {
+        var compared = session.picture().comparison();
+        return compared == null
+                ? null
+                : comparisonTexts.of(compared, wipe.wipe(), files.settings().get(Settings.LANGUAGE));
+    }
+
     private HudContent.Keys keys() {
-        if (keysOf != files.settings() || keys.device() != device.get()) {
+        if (keysOf != files.settings() || keys.device() != input.device()) {
             keysOf = files.settings();
-            keys = new HudContent.Keys(Settings.bindings(keysOf), device.get(), keysOf.get(Settings.LANGUAGE));
+            KeyBindings all = Settings.bindings(keysOf);
+            boolean hasWipe = current.session() != null && isCompared();
+            keys = new HudContent.Keys(
+                    hasWipe ? all.without(WipeControl.KEYS) : all, input.device(), keysOf.get(Settings.LANGUAGE));
         }
         return keys;
     }
@@ -110,7 +139,7 @@ final class GamePicture {
                 crosshair,
                 files.settings().get(Settings.PORTAL_COLOURS),
                 session.isInPlayersHands()
-                        ? prompts.text(session.walk(), crosshair, files.settings(), device.get())
+                        ? prompts.text(session.walk(), crosshair, files.settings(), input.device())
                         : null);
     }
 

@@ -3,9 +3,19 @@ package nephele.app.play;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.app.play.hud.Area;
+import nephele.app.play.hud.Hud;
+import nephele.app.play.hud.HudContent;
+import nephele.app.play.wipe.ComparisonTexts;
+import nephele.engine.compare.CloudComparison;
+import nephele.engine.compare.ComparisonFigures;
+import nephele.engine.compare.TechniquePair;
+import nephele.engine.compare.Wipe;
 import nephele.engine.draw.Preparation;
+import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
@@ -16,6 +26,8 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.terminal.PrintedProgress;
 
@@ -46,13 +58,13 @@ public final class OffscreenWalk {
                 Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
-                var renderer = Session.renderer(gl, request, preparation.get(), Optional.empty())) {
+                var picture = SessionPicture.load(gl, request, preparation.get(), Optional.empty())) {
             var replay = replay();
             var playthrough = walk(preparation.get(), replay);
             out.println(
                     request.level().typed() + ": " + replay.ticks() + " ticks of a recorded walk, drawn offscreen by "
                             + gl.limits().renderer());
-            drawAll(gl, renderer, target, playthrough);
+            drawAll(gl, picture, target, playthrough);
             gl.requireNoError("play");
             save(playthrough, preparation.get().opened().level());
         }
@@ -68,10 +80,10 @@ public final class OffscreenWalk {
             profile.done("context");
             var prepared = preparation.get();
             profile.done("waiting for the level");
-            try (var renderer = Session.renderer(gl, request, prepared, Optional.empty())) {
+            try (var picture = SessionPicture.load(gl, request, prepared, Optional.empty())) {
                 profile.done("upload and compile");
                 var playthrough = walk(prepared, replay());
-                renderer.draw(playthrough.view(aspect()), playthrough.frameState(), target);
+                draw(picture, target, playthrough);
                 gl.finish();
                 profile.done("first frame");
                 profile.beside("level", prepared.nanos());
@@ -80,7 +92,7 @@ public final class OffscreenWalk {
         }
     }
 
-    private void drawAll(GlContext gl, Renderer renderer, RenderTarget target, Playthrough playthrough)
+    private void drawAll(GlContext gl, SessionPicture picture, RenderTarget target, Playthrough playthrough)
             throws IOException {
         long ticks = Math.max(1, replay().ticks());
         int ticksPerFrame = (int) Math.max(1, (ticks + MOST_FRAMES - 1) / MOST_FRAMES);
@@ -89,9 +101,12 @@ public final class OffscreenWalk {
         int nextPicture = 0;
         long cpuStartNanos = stopwatch.processCpuNanos();
         for (long tick = 0; tick <= ticks; tick += ticksPerFrame) {
-            figures.add(drawOne(gl, renderer, target, playthrough), renderer);
+            figures.add(drawOne(gl, picture, target, playthrough), picture.renderer());
             if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
                 long before = stopwatch.processCpuNanos();
+                if (picture.comparison() != null) {
+                    tellComparison(gl, picture.comparison(), target);
+                }
                 savePicture(target, ++nextPicture);
                 cpuStartNanos += stopwatch.processCpuNanos() - before;
             }
@@ -102,14 +117,40 @@ public final class OffscreenWalk {
         out.println(figures.text((stopwatch.processCpuNanos() - cpuStartNanos) / 1e6));
     }
 
-    private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Playthrough playthrough) {
+    private long drawOne(GlContext gl, SessionPicture picture, RenderTarget target, Playthrough playthrough) {
         long start = System.nanoTime();
         if (playthrough.takeCut()) {
-            renderer.forget();
+            picture.forget();
         }
-        renderer.draw(playthrough.view(aspect()), playthrough.frameState(), target);
+        draw(picture, target, playthrough);
         gl.finish();
         return System.nanoTime() - start;
+    }
+
+    private void draw(SessionPicture picture, RenderTarget target, Playthrough playthrough) {
+        picture.draw(
+                playthrough.view(aspect()), playthrough.frameState(), Wipe.MIDDLE, target, Renderer.StepListener.NONE);
+    }
+
+    /** Prints the figures of both techniques, and draws the wipe over the picture. */
+    private void tellComparison(GlContext gl, CloudComparison comparison, RenderTarget target) {
+        ComparisonFigures measured = comparison.measureNow();
+        HudContent.Comparison texts = new ComparisonTexts().of(comparison, Wipe.MIDDLE, Language.EN);
+        out.println(String.format(
+                Locale.ROOT,
+                "%s: wall p50 %.1f ms; %s: wall p50 %.1f ms; %s",
+                TechniquePair.name(comparison.techniques().left()),
+                measured.leftMillis(),
+                TechniquePair.name(comparison.techniques().right()),
+                measured.rightMillis(),
+                texts.difference()));
+        var lettering = new Lettering();
+        double pixelsPerPoint = Math.max(1, target.height() / Display.HIGHEST_POINTS);
+        var area = new Area(target.width() / pixelsPerPoint, target.height() / pixelsPerPoint);
+        var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null);
+        try (var overlay = new OverlayPass(gl, lettering)) {
+            overlay.draw(new Hud(lettering).canvas(content, area, pixelsPerPoint), target);
+        }
     }
 
     private void savePicture(RenderTarget target, int number) throws IOException {

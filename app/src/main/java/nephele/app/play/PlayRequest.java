@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
+import nephele.engine.compare.TechniquePair;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
@@ -19,6 +20,7 @@ import nephele.engine.sim.state.SimSettings;
  * @param shown null for keyboard and mouse
  * @param record null if nothing is recorded
  * @param simulation null for that of the player's settings
+ * @param compared two techniques that draw the clouds, one on each side of a wipe; null for those of the level
  */
 public record PlayRequest(
         LevelName level,
@@ -27,6 +29,7 @@ public record PlayRequest(
         Shown shown,
         Path record,
         SimSettings simulation,
+        TechniquePair compared,
         Picture picture,
         Player player) {
     /** The picture's size in pixels, and true for full screen. */
@@ -83,11 +86,11 @@ public record PlayRequest(
 
     /** Returns this request with another start; null for the level's. */
     PlayRequest from(PlayerStart start) {
-        return new PlayRequest(level, start, quality, shown, record, simulation, picture, player);
+        return new PlayRequest(level, start, quality, shown, record, simulation, compared, picture, player);
     }
 
-    /** Returns the request for another level, played by hand. */
+    /** Returns the request for another level, played by hand, with its own clouds. */
     PlayRequest of(LevelName other) {
-        return new PlayRequest(other, null, quality, null, record, simulation, picture, player);
+        return new PlayRequest(other, null, quality, null, record, simulation, null, picture, player);
     }
 }

@@ -9,24 +9,21 @@ import nephele.engine.draw.Preparation;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.AssetProblems;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.playthrough.TakenOverInput;
 import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.Renderer;
-import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 
-/** One level being played: its renderer and its simulation. */
+/** One level being played: its picture and its simulation. */
 final class Session implements AutoCloseable {
     /** The way of the title's camera to each side, and its speed. */
     private static final double SWAY_METRES = 0.35;
@@ -37,18 +34,18 @@ final class Session implements AutoCloseable {
     private Preparation.Prepared prepared;
     private final Level level;
     private final SimLevel world;
-    private Renderer renderer;
+    private SessionPicture picture;
     private final Input input;
     private final Optional<String> notice;
     private Playthrough playthrough;
 
-    private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
+    private Session(PlayRequest request, Preparation.Prepared prepared, SessionPicture picture, Input input) {
         this.request = request;
         this.prepared = prepared;
         this.level = prepared.opened().level();
         this.world = prepared.world();
         this.notice = prepared.opened().notice();
-        this.renderer = renderer;
+        this.picture = picture;
         this.input = input;
         restart();
     }
@@ -61,19 +58,7 @@ final class Session implements AutoCloseable {
     /** Builds the resources of a prepared level. */
     static Session load(
             GlContext gl, PlayRequest request, Preparation.Prepared prepared, Input input, AutoQuality auto) {
-        return new Session(request, prepared, renderer(gl, request, prepared, auto.of(request)), input);
-    }
-
-    /** @param automatic the quality in place of the preset */
-    static Renderer renderer(
-            GlContext gl, PlayRequest request, Preparation.Prepared prepared, Optional<Quality> automatic) {
-        var choice = request.chosenQuality();
-        var output = choice.output(prepared.opened().level());
-        var settings = automatic
-                .map(quality -> choice.settings(output, quality))
-                .orElseGet(() -> choice.settings(output, gl.limits().software()))
-                .with(CharacterPresence.POSSIBLE);
-        return AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
+        return new Session(request, prepared, SessionPicture.load(gl, request, prepared, auto.of(request)), input);
     }
 
     /** Restarts the level; a replay uses its own settings. */
@@ -105,16 +90,16 @@ final class Session implements AutoCloseable {
 
     /** Replaces the renderer by one of the chosen quality. */
     void redraw(GlContext gl, AutoQuality auto) {
-        Renderer next = renderer(gl, request, prepared, auto.of(request));
-        next.follow(renderer);
-        renderer.close();
-        renderer = next;
+        SessionPicture next = SessionPicture.load(gl, request, prepared, auto.of(request));
+        next.follow(picture);
+        picture.close();
+        picture = next;
     }
 
     /** Replaces the scene by one of the same level with other light. */
     void relight(Scene scene) {
         if (isOtherLight(scene)) {
-            renderer = renderer.edited(scene);
+            picture.edit(scene);
             prepared = prepared.with(scene);
         }
     }
@@ -183,7 +168,12 @@ final class Session implements AutoCloseable {
     }
 
     Renderer renderer() {
-        return renderer;
+        return picture.renderer();
+    }
+
+    /** Returns what draws the level. */
+    SessionPicture picture() {
+        return picture;
     }
 
     Optional<String> notice() {
@@ -192,6 +182,6 @@ final class Session implements AutoCloseable {
 
     @Override
     public void close() {
-        renderer.close();
+        picture.close();
     }
 }

@@ -69,7 +69,7 @@ public final class WaitingGame {
         message = parts.message;
         auto = new AutoQuality(files, gl.limits().software());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
-        picture = new GamePicture(parts.display, current, new MenuControl(input), message, files, input::device);
+        picture = new GamePicture(parts.display, current, new MenuControl(input), message, files, input);
         input.bind(Settings.bindings(files.settings()));
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
@@ -218,6 +218,7 @@ public final class WaitingGame {
                 null,
                 order.record() == null ? null : Path.of(order.record()),
                 usual.simulation(),
+                null,
                 usual.picture(),
                 usual.player());
     }

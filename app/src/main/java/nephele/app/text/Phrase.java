@@ -105,6 +105,15 @@ public enum Phrase {
     CONTROL_FIGURES("figures", "números", "números"),
     CONTROL_FULL_SCREEN("full screen", "tela cheia", "ecrã inteiro"),
     CONTROL_SCREENSHOT("picture (Shift: bare)", "imagem (Shift: sem textos)", "imagem (Shift: sem textos)"),
+    DIFFERS(
+            "%s differs from %s by FLIP %s, mean light %s %%",
+            "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
+    NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
+    MOVE_WIPE(
+            "move the wipe (Shift: finely)",
+            "mover a divisória (Shift: devagar)",
+            "mover a divisória (Shift: devagar)"),
+    WHOLE_SIDE("only the right, the left picture", "só a imagem direita, esquerda", "só a imagem direita, esquerda"),
     KEYS("Keys", "Teclas", "Teclas"),
     LOOK("look around", "olhar em volta", "olhar em volta"),
     MOUSE("Mouse", "Mouse", "Rato"),
@@ -157,9 +166,9 @@ public enum Phrase {
         };
     }
 
-    /** Returns the text in a language with its placeholder filled. */
-    public String in(Language language, Object value) {
-        return String.format(Locale.ROOT, in(language), value);
+    /** Returns the text in a language with its placeholders filled, in order. */
+    public String in(Language language, Object... values) {
+        return String.format(Locale.ROOT, in(language), values);
     }
 
     /** Returns the name of a setting by its key: {@code invertMouse} is SETTING_INVERT_MOUSE. */

@@ -13,6 +13,7 @@ public final class Input implements InputListener {
     private final EnumSet<Control> held = EnumSet.noneOf(Control.class);
     private final EnumSet<Control> struck = EnumSet.noneOf(Control.class);
     private final ArrayDeque<Control> pressed = new ArrayDeque<>();
+    private final ReservedKeys reserved = new ReservedKeys();
     private double countsRight;
     private double countsDown;
     private double lastX = Double.NaN;
@@ -38,6 +39,11 @@ public final class Input implements InputListener {
 
     public Device device() {
         return device;
+    }
+
+    /** Returns the keys that no control takes. */
+    public ReservedKeys reserved() {
+        return reserved;
     }
 
     /** Replaces the keys of all controls; keys that are held count as released. */
@@ -77,6 +83,9 @@ public final class Input implements InputListener {
         if (capturing && down) {
             capturing = false;
             captured = code;
+            return;
+        }
+        if (reserved.take(code, down)) {
             return;
         }
         for (var control : bindings.controls(code)) {
@@ -167,6 +176,7 @@ public final class Input implements InputListener {
         held.clear();
         struck.clear();
         pressed.clear();
+        reserved.forget();
         walk(0, 0);
         forgetMouse();
     }

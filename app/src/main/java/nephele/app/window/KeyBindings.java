@@ -31,6 +31,14 @@ public final class KeyBindings {
         return new KeyBindings(keys);
     }
 
+    /** Returns these bindings without some keys, by name. */
+    public KeyBindings without(List<String> taken) {
+        Map<Control, List<String>> others = new EnumMap<>(Control.class);
+        keys.forEach((control, names) -> others.put(
+                control, names.stream().filter(name -> !taken.contains(name)).toList()));
+        return new KeyBindings(others);
+    }
+
     /** Returns the names of a control's keys, the first one first. */
     public List<String> keys(Control control) {
         return keys.get(control);

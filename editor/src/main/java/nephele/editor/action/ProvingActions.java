@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.compare.ComparedPictures;
 import nephele.editor.document.Selection;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.SolutionVerdict;
@@ -16,10 +17,15 @@ import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.Proving;
 import nephele.editor.proving.ProvingText;
 import nephele.editor.proving.SolutionProof;
+import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.proving.TradeReport;
+import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.compare.TechniquePair;
+import nephele.engine.compare.Wipe;
+import nephele.engine.level.CloudTechnique;
 
 /** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
 public final class ProvingActions {
@@ -66,6 +72,17 @@ public final class ProvingActions {
                             ProvingActions::pathTrace)
                     .taking("show", "spp"),
             EditorAction.of(
+                            "compare-techniques",
+                            Words.of(
+                                    "Compare Cloud Techniques",
+                                    "Comparar técnicas de nuvem",
+                                    "Comparar técnicas de nuvem"),
+                            Menu.PROVE,
+                            List.of(),
+                            ProvingActions::compareTechniques)
+                    .when(ProvingActions::hasCloud)
+                    .taking("a", "b", "wipe", "show"),
+            EditorAction.of(
                             "explain",
                             Words.of("Explain the Pixel…", "Explicar o pixel…", "Explicar o píxel…"),
                             Menu.PROVE,
@@ -90,6 +107,7 @@ public final class ProvingActions {
         Proving proving = session.proving();
         return action.equals("heat") && proving.heat().isShown()
                 || action.equals("path-trace") && proving.corner().isShown()
+                || action.equals("compare-techniques") && proving.techniques().isShown()
                 || action.equals("trade") && proving.trade().isRunning();
     }
 
@@ -152,6 +170,50 @@ public final class ProvingActions {
             corner.show(shown, (int) Math.max(1, call.number("spp", 1)));
         } else {
             corner.show(shown);
+        }
+    }
+
+    private static boolean hasCloud(EditorSession session) {
+        return !session.document().level().environment().clouds().isEmpty();
+    }
+
+    /** Compares in the inspector of the selected cloud, else of the first one. A script fails if nothing can be drawn. */
+    private static void compareTechniques(ActionCall call) throws ActionFailure {
+        TechniqueComparison comparison = call.session().proving().techniques();
+        boolean isAsked = call.text("a").isPresent()
+                || call.text("b").isPresent()
+                || call.text("wipe").isPresent();
+        boolean shows = call.text("show").map(Boolean::parseBoolean).orElse(isAsked || !comparison.isShown());
+        if (!shows) {
+            comparison.hide();
+            return;
+        }
+        if (comparison.cloud().isEmpty()) {
+            String first = call.session()
+                    .document()
+                    .level()
+                    .environment()
+                    .clouds()
+                    .get(0)
+                    .id();
+            call.session().document().select(Selection.of(new EntityRef(TechniqueComparison.CLOUDS, first)));
+        }
+        TechniquePair before = comparison.techniques();
+        comparison.techniques(
+                new TechniquePair(technique(call, "a", before.left()), technique(call, "b", before.right())));
+        comparison.wipe(new Wipe(call.number("wipe", comparison.wipe().share())));
+        comparison.show();
+        String failure = comparison.pictures().map(ComparedPictures::failure).orElse(null);
+        if (failure != null) {
+            throw new ActionFailure(Words.same(failure));
+        }
+    }
+
+    private static CloudTechnique technique(ActionCall call, String name, CloudTechnique absent) throws ActionFailure {
+        try {
+            return call.text(name).map(TechniquePair::technique).orElse(absent);
+        } catch (IllegalArgumentException wrong) {
+            throw new ActionFailure(Words.same(name + ": " + wrong.getMessage()));
         }
     }
 

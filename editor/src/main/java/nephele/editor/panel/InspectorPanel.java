@@ -23,6 +23,7 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
     private final transient FieldChanges changes;
     private final transient AssetChooser chooser;
+    private final ComparisonPart comparison;
     private final JLabel heading = new JLabel();
     private final JLabel message = new JLabel();
     private final JPanel content =
@@ -32,16 +33,18 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
 
     /** @param chooser asked for the name of a picture or mesh */
     public InspectorPanel(EditorSession session, AssetChooser chooser) {
-        super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill][]"));
+        super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill][][]"));
         this.session = session;
         this.chooser = chooser;
         changes = new FieldChanges(session, this::report);
+        comparison = new ComparisonPart(session);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
         JScrollPane scroll = new JScrollPane(content);
         scroll.getVerticalScrollBar().setUnitIncrement(16);
         add(heading);
         add(scroll);
         add(message);
+        add(comparison);
         message.setVisible(false);
         registration = session.listen(change -> {
             if (change == Change.DOCUMENT || change == Change.SETTINGS || change == Change.FILE) {
@@ -105,5 +108,6 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
     @Override
     public void close() {
         registration.close();
+        comparison.close();
     }
 }

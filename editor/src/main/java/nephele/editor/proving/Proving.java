@@ -14,6 +14,7 @@ public final class Proving {
     private final SolutionProof solution;
     private final TracedCorner corner;
     private final TradeReport trade;
+    private final TechniqueComparison techniques;
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
     private Vec3 pointed;
@@ -26,6 +27,7 @@ public final class Proving {
         solution = new SolutionProof(subject);
         corner = new TracedCorner(subject);
         trade = new TradeReport(subject);
+        techniques = new TechniqueComparison(subject);
     }
 
     /** Sets the threads of all further proofs. */
@@ -35,6 +37,7 @@ public final class Proving {
         solution.runOn(others);
         corner.runOn(others);
         trade.runOn(others);
+        techniques.runOn(others);
     }
 
     public ProblemTour problems() {
@@ -57,12 +60,17 @@ public final class Proving {
         return trade;
     }
 
+    public TechniqueComparison techniques() {
+        return techniques;
+    }
+
     /** Follows a change of level, selection, panes or files. */
     public void follow() {
         problems.follow();
         solution.follow();
         heat.follow();
         corner.follow();
+        techniques.follow();
     }
 
     /** Takes away the marks of the chosen problem and of the solution. */
@@ -76,6 +84,7 @@ public final class Proving {
         heat.show(false);
         corner.show(false);
         trade.stop();
+        techniques.hide();
     }
 
     /** Returns the marks for all panes. */

@@ -58,10 +58,15 @@ final class PictureChain implements AutoCloseable {
 
     /** Returns RGB of the views, the bottom row first. */
     float[] readRadiance() {
+        return radiance().readFloats();
+    }
+
+    /** Returns the linear picture of the views. */
+    RenderTarget radiance() {
         if (before.length == 0 || before[0] == null || formats[0] != PixelFormat.RGBA16F) {
             throw new IllegalStateException("radiance can be read after a frame with output HDR");
         }
-        return before[0].readFloats();
+        return before[0];
     }
 
     private void close(int pass) {

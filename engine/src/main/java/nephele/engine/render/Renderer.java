@@ -304,6 +304,11 @@ public final class Renderer implements AutoCloseable {
         return chain.readRadiance();
     }
 
+    /** Copies what {@link #readRadiance} returns to a target of any size, sampled bilinearly. */
+    public void copyRadiance(RenderTarget target) {
+        chain.radiance().copyScaledTo(target);
+    }
+
     /**
      * Copies the depth of the last frame's surfaces to its picture, for lines that are drawn over it. Views that have a
      * target of their own, as for output HDR, leave the picture's depth as it was.

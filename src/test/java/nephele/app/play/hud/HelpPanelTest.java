@@ -17,9 +17,10 @@ final class HelpPanelTest {
     void pageFitsIntoLowWindows() {
         for (double height : new double[] {360, 540, 720}) {
             var area = new Area(16 * height / 9, height);
-            assertTrue(HelpPanel.height(area) <= height + 1e-9, height + ": " + HelpPanel.height(area));
+            int rows = HelpPanel.ROWS;
+            assertTrue(HelpPanel.height(area, rows) <= height + 1e-9, height + ": " + rows);
         }
-        assertEquals(1, HelpPanel.scale(new Area(1280, 720)));
+        assertEquals(1, HelpPanel.scale(new Area(1280, 720), HelpPanel.ROWS));
     }
 
     @Test

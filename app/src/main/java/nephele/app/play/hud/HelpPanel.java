@@ -14,25 +14,37 @@ final class HelpPanel {
     private static final double ROW_HEIGHT = 29;
     static final double EM = 18;
     static final double KEY_COLUMN = 210;
-    private static final double ROWS = Control.values().length + 1;
-    private static final double HEIGHT = 2 * PADDING + 2 * TITLE_EM + ROWS * ROW_HEIGHT;
+    /** The rows of a level whose techniques are not compared. */
+    static final int ROWS = Control.values().length + 1;
+
+    private static final int WIPE_ROWS = 2;
 
     private HelpPanel() {}
 
+    /** Returns the number of rows for this content. */
+    static int rows(HudContent content) {
+        return content.comparison() == null ? ROWS : ROWS + WIPE_ROWS;
+    }
+
+    private static double full(int rows) {
+        return 2 * PADDING + 2 * TITLE_EM + rows * ROW_HEIGHT;
+    }
+
     /** Returns the page's scale, at most 1: a low window shrinks the page, so that no key is left out. */
-    static double scale(Area area) {
-        return Math.min(1, area.height() / HEIGHT);
+    static double scale(Area area, int rows) {
+        return Math.min(1, area.height() / full(rows));
     }
 
-    static double height(Area area) {
-        return scale(area) * HEIGHT;
+    static double height(Area area, int rows) {
+        return scale(area, rows) * full(rows);
     }
 
-    static void draw(OverlayCanvas canvas, Area area, HudContent.Keys keys) {
-        double scale = scale(area);
+    /** @param rows see {@link #rows} */
+    static void draw(OverlayCanvas canvas, Area area, HudContent.Keys keys, int rows) {
+        double scale = scale(area, rows);
         double left = Math.rint(area.centreX() - scale * WIDTH / 2);
-        double top = Math.rint(area.centreY() - scale * HEIGHT / 2);
-        canvas.rectangle(left, top, scale * WIDTH, scale * HEIGHT, HudPalette.PANEL);
+        double top = Math.rint(area.centreY() - scale * full(rows) / 2);
+        canvas.rectangle(left, top, scale * WIDTH, scale * full(rows), HudPalette.PANEL);
         canvas.rectangle(left, top, scale * WIDTH, 3, HudPalette.ACCENT);
         double x = left + scale * PADDING;
         canvas.text(
@@ -48,6 +60,11 @@ final class HelpPanel {
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
             row(canvas, x, baseline, scale, names(control, keys), meaning(control, keys));
+        }
+        if (rows > ROWS) {
+            double below = scale * ROW_HEIGHT;
+            row(canvas, x, baseline + below, scale, "←, →", Phrase.MOVE_WIPE.in(keys.language()));
+            row(canvas, x, baseline + 2 * below, scale, "Home, End", Phrase.WHOLE_SIDE.in(keys.language()));
         }
     }
 

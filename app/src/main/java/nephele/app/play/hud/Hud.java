@@ -28,10 +28,13 @@ public final class Hud {
     }
 
     private void fill(HudContent content, Area area) {
+        if (content.comparison() != null && content.menu() == null && content.page() == HudContent.Page.NONE) {
+            new WipeLine(canvas, area, content.comparison()).draw(content.sight());
+        }
         if (content.menu() != null) {
             drawMenu(content, area);
         } else if (content.page() == HudContent.Page.HELP) {
-            HelpPanel.draw(canvas, area, content.keys());
+            HelpPanel.draw(canvas, area, content.keys(), HelpPanel.rows(content));
         } else if (content.sight() != null) {
             Crosshair.draw(canvas, area, content.sight());
             if (content.sight().prompt() != null) {

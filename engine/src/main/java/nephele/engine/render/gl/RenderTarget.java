@@ -319,14 +319,22 @@ public final class RenderTarget implements GlObject {
     /**
      * Copies the colours to a place in another target, without the scissor, and binds it.
      *
-     * @param x column of the target's pixels that receives the first column
-     * @param y row of the target's pixels, from the bottom, that receives the bottom row
+     * @param x column of the target that receives the first one, {@code y} its row, from the bottom, for the bottom one
      */
     public void copyInto(RenderTarget target, int x, int y) {
+        copyColours(target, new int[] {x, y, x + width, y + height}, GL_NEAREST);
+    }
+
+    /** Copies the colours over the whole of a target of another size, sampled bilinearly, without the scissor, and binds it. */
+    public void copyScaledTo(RenderTarget target) {
+        copyColours(target, new int[] {0, 0, target.width, target.height}, GL_LINEAR);
+    }
+
+    private void copyColours(RenderTarget target, int[] to, int filter) {
         target.bind();
         gl.state().noScissor();
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer == null ? 0 : framebuffer.id());
-        glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, CopiedPlanes.COLOUR.buffers, GL_NEAREST);
+        glBlitFramebuffer(0, 0, width, height, to[0], to[1], to[2], to[3], CopiedPlanes.COLOUR.buffers, filter);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer == null ? 0 : target.framebuffer.id());
     }
 
