@@ -18,13 +18,13 @@ import nephele.engine.sim.reach.EyeReach;
  * @param choices of the clouds in their order; {@code null} for a written technique
  */
 public record ChosenTechniques(List<Cloud> clouds, List<TechniqueChoice> choices) {
-    /** Returns the choices for a level, with the table that is shipped. */
+    /** Returns the choices for a level, with the table of its folder. */
     public static ChosenTechniques of(PlacedLevel placed) {
         Environment environment = placed.level().environment();
         boolean isChosen =
                 WeatherClouds.all(environment).stream().anyMatch(cloud -> cloud.technique() == CloudTechnique.AUTO);
         EyeReach reach = isChosen ? EyeReach.of(placed.level(), placed.statics()) : EyeReach.ANYWHERE;
-        return of(environment, CloudColumns.of(environment, placed.assets()), reach, ErrorTable.shipped());
+        return of(environment, CloudColumns.of(environment, placed.assets()), reach, ErrorTable.of(placed.assets()));
     }
 
     /**
@@ -49,7 +49,9 @@ public record ChosenTechniques(List<Cloud> clouds, List<TechniqueChoice> choices
             Cloud cloud, int index, CloudColumns columns, EyeReach reach, double sunDegrees, ErrorTable table) {
         Aabb bounds = columns.loaded().flat(index).bounds();
         double depth = columns.meanDepths().get(index);
-        return TechniqueChoice.of(cloud, CloudSituation.of(cloud, bounds, depth, reach, sunDegrees), table);
+        CloudSituation situation = CloudSituation.of(cloud, bounds, depth, reach, sunDegrees);
+        CloudForm only = CloudForm.only(cloud);
+        return TechniqueChoice.of(cloud, table.knows(only) ? situation.as(only) : situation, table);
     }
 
     /** Returns the technique of each cloud; none is auto. */

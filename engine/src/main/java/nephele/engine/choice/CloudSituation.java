@@ -68,4 +68,18 @@ public record CloudSituation(
     private static double extent(Aabb box) {
         return Math.min(box.maxY() - box.minY(), Math.min(box.maxX() - box.minX(), box.maxZ() - box.minZ()));
     }
+
+    /** Returns the situation of a cloud that the table knows under another form. */
+    CloudSituation as(CloudForm other) {
+        return new CloudSituation(
+                other.word(),
+                opticalDepth,
+                angularDegrees,
+                sunDegrees,
+                distanceMetres,
+                behindMetres,
+                travelMetres,
+                moves,
+                nearest);
+    }
 }

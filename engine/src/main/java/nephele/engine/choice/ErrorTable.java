@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.level.CloudTechnique;
 
 /**
@@ -21,7 +23,8 @@ import nephele.engine.level.CloudTechnique;
 public final class ErrorTable {
     public static final String HEADER = "form,technique,opticalDepth,angularDegrees,sunDegrees,errorPercent,cost";
 
-    private static final String FILE = "technique-errors.csv";
+    /** Name of the table, also of one in a folder of levels. */
+    public static final String FILE = "technique-errors.csv";
 
     private final List<Row> rows;
     private final Map<String, ErrorLattice> grids = new LinkedHashMap<>();
@@ -83,15 +86,14 @@ public final class ErrorTable {
      */
     public static ErrorTable read(List<String> lines, String file) {
         if (lines.isEmpty() || !lines.get(0).equals(HEADER)) {
-            throw new IllegalArgumentException(file + ": line 1: must be " + HEADER + "; make the file again");
+            throw new IllegalArgumentException(file + ": line 1: must be " + HEADER);
         }
         List<Row> rows = new ArrayList<>();
         for (int i = 1; i < lines.size(); i++) {
             try {
                 rows.add(row(lines.get(i).split(",", -1)));
             } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException failure) {
-                throw new IllegalArgumentException(
-                        file + ": line " + (i + 1) + ": is no row of the table; make the file again", failure);
+                throw new IllegalArgumentException(file + ": line " + (i + 1) + ": is no row of the table", failure);
             }
         }
         return new ErrorTable(rows);
@@ -118,6 +120,30 @@ public final class ErrorTable {
         lines.add(HEADER);
         rows.forEach(row -> lines.add(row.line()));
         return lines;
+    }
+
+    /**
+     * Returns the table for the levels of a folder: the shipped one, refined by the folder's own if there is one.
+     *
+     * @throws AssetException that names the file and the line of what is no row
+     */
+    public static ErrorTable of(AssetSource assets) {
+        ErrorTable shipped = shipped();
+        if (!assets.exists(FILE)) {
+            return shipped;
+        }
+        try {
+            String text = new String(assets.bytes(FILE), StandardCharsets.UTF_8);
+            return shipped.refined(read(text.lines().toList(), FILE));
+        } catch (IllegalArgumentException failure) {
+            throw new AssetException(
+                    FILE, failure.getMessage(), "delete it, or make it again with `trade clouds --level`", failure);
+        }
+    }
+
+    /** Returns true if it has rows of a form. */
+    boolean knows(CloudForm form) {
+        return rows.stream().anyMatch(row -> row.form().equals(form.word()));
     }
 
     /** Returns this table with other rows in the place of its own of the same form and technique. */

@@ -48,7 +48,8 @@ final class LevelTechniques {
                         scene.level().environment(),
                         columns,
                         isWritten ? EyeReach.ANYWHERE : reach(),
-                        shared.shareValue(ErrorTable.class, ErrorTable.class, ErrorTable::shipped))
+                        shared.shareValue(
+                                ErrorTable.class, new Same(scene.assets()), () -> ErrorTable.of(scene.assets())))
                 .techniques();
     }
 
