@@ -82,7 +82,7 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
      * Returns by how many pixels a technique displaces a cloud while the eye travels: a skybox by the whole parallax, a
      * sheet by that of the near side against the middle.
      */
-    static double errorPixels(CloudTechnique technique, CloudSituation at) {
+    public static double errorPixels(CloudTechnique technique, CloudSituation at) {
         double whole = Math.atan2(at.travelMetres(), at.distanceMetres());
         return PIXELS_PER_RADIAN
                 * switch (technique) {

@@ -1,6 +1,5 @@
 package nephele.lab.technique;
 
-import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
@@ -18,6 +17,9 @@ import nephele.engine.scene.light.BakedSky;
 
 /** A sky drawn by a technique. */
 final class DrawnSky implements AutoCloseable {
+    /** Pixels of a timed picture along each side for one of the traced. */
+    static final int TIMED = 16;
+
     private static final double STRIDE_METRES = 0.1;
 
     private final GlContext gl;
@@ -33,10 +35,10 @@ final class DrawnSky implements AutoCloseable {
         target = RenderTarget.picture(gl, "sky", PixelFormat.RGBA8, scale * SeenSky.WIDTH, scale * SeenSky.HEIGHT);
     }
 
-    /** Returns the radiance that a technique shows at its best, each pixel the mean of four by four. */
-    static LinearPicture picture(GlContext gl, SeenSky sky, CloudTechnique technique) {
+    /** Returns the radiance that a level with the sky's clouds shows at its best, each pixel the mean of four by four. */
+    static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed) {
         int scale = 4;
-        try (var drawn = new DrawnSky(gl, sky, sky.drawnBy(technique), Quality.ULTRA, scale)) {
+        try (var drawn = new DrawnSky(gl, sky, placed, Quality.ULTRA, scale)) {
             drawn.draw(1);
             float[] radiance = drawn.renderer.readRadiance();
             return new LinearPicture(drawn.target.width(), drawn.target.height(), radiance).reduced(scale);
@@ -45,7 +47,7 @@ final class DrawnSky implements AutoCloseable {
 
     /** A sky that is drawn again and again, at quality high, 640 pixels wide. */
     static DrawnSky timed(GlContext gl, SeenSky sky, PlacedLevel placed) {
-        return new DrawnSky(gl, sky, placed, Quality.HIGH, 16);
+        return new DrawnSky(gl, sky, placed, Quality.HIGH, TIMED);
     }
 
     /** Returns the CPU time of the process a frame, nanoseconds, while the eye moves a little. */

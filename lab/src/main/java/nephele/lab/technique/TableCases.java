@@ -11,9 +11,9 @@ import nephele.engine.named.OpenedLevel;
 
 /** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near, low sun to high. */
 final class TableCases {
-    private static final double[] DEPTHS = {0.3, 2, 12, 60};
-    private static final double[] ANGLES = {5, 25, 70};
-    private static final double[] SUNS = {6, 30, 70};
+    private static final double[] DEPTHS = {0.3, 4, 40};
+    private static final double[] ANGLES = {5, 30};
+    private static final double[] SUNS = {6, 45};
 
     private static final List<String> SAMPLES =
             List.of("ellipsoid", "puffs", "grid", "noise", "image", "cumulonimbus", "cumulus", "stratus", "image-grey");

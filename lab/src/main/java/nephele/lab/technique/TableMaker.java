@@ -12,18 +12,13 @@ import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.gl.GlContext;
-import nephele.lab.bench.CalibrationDrawing;
 
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
     private static final int SAMPLES = 96;
-    private static final int FRAMES = 6;
-    private static final int ROUNDS = 3;
-    private static final int CALIBRATION_FRAMES = 40;
 
     private final Path file;
     private final Stopwatch watch = new Stopwatch();
@@ -68,7 +63,7 @@ public final class TableMaker {
         SeenSky sky = at.sky();
         TracedSky exact = TracedSky.of(sky, SAMPLES);
         for (CloudTechnique technique : techniques(at.cloud())) {
-            LinearPicture drawn = DrawnSky.picture(gl, sky, technique);
+            LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
             rows.add(new Row(
                     at.form(),
@@ -77,7 +72,7 @@ public final class TableMaker {
                     at.angularDegrees(),
                     at.sunDegrees(),
                     exact.size() == 0 ? 0 : exact.errorPercent(drawn),
-                    Double.isNaN(cost) ? cost(gl, sky, technique) : cost));
+                    Double.isNaN(cost) ? FrameCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
         }
     }
 
@@ -104,31 +99,5 @@ public final class TableMaker {
                         CloudTechnique.BILLBOARD,
                         CloudTechnique.PARTICLES,
                         CloudTechnique.VOLUME);
-    }
-
-    /** Returns the CPU time that clouds add to a frame, in those of the calibration's quad; the least of some rounds. */
-    private double cost(GlContext gl, SeenSky sky, CloudTechnique technique) {
-        PlacedLevel clear =
-                PlacedLevel.of(sky.level().with(sky.level().environment().withoutClouds(), List.of()), sky.assets());
-        double least = Double.POSITIVE_INFINITY;
-        try (var with = DrawnSky.timed(gl, sky, sky.drawnBy(technique));
-                var without = DrawnSky.timed(gl, sky, clear);
-                var quad = new CalibrationDrawing(gl, 16 * SeenSky.WIDTH, 16 * SeenSky.HEIGHT)) {
-            for (int round = 0; round < ROUNDS; round++) {
-                double clouds = with.nanosAFrame(FRAMES, watch);
-                double none = without.nanosAFrame(FRAMES, watch);
-                least = Math.min(least, Math.max(0, clouds - none) / quadNanos(gl, quad));
-            }
-        }
-        return least;
-    }
-
-    private double quadNanos(GlContext gl, CalibrationDrawing quad) {
-        long before = watch.processCpuNanos();
-        for (int frame = 0; frame < CALIBRATION_FRAMES; frame++) {
-            quad.draw(frame);
-        }
-        gl.finish();
-        return (double) (watch.processCpuNanos() - before) / CALIBRATION_FRAMES;
     }
 }
