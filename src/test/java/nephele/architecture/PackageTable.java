@@ -29,6 +29,7 @@ final class PackageTable {
             "collision",
             "sim",
             "cloud",
+            "choice",
             "particle",
             "atmosphere");
 
@@ -46,6 +47,7 @@ final class PackageTable {
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
         USES.put("cloud", List.of("level", "asset"));
+        USES.put("choice", List.of("cloud", "sim"));
         USES.put("particle", List.of("collision"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());

@@ -67,11 +67,12 @@ class LevelCommandsTest {
                 .lines()
                 .skip(RenderFeatures.ALL.size())
                 .toList();
-        assertEquals("clouds: 2 drawn as volumes", lines.get(0));
-        assertEquals("environment.weather: overcast with weatherSeed 5 means these environment.clouds:", lines.get(1));
-        assertEquals(4, lines.size());
+        assertTrue(lines.get(0).startsWith("clouds: weather-scud by technique "), lines.get(0));
+        assertTrue(lines.get(1).startsWith("clouds: weather-stratus by technique "), lines.get(1));
+        assertEquals("environment.weather: overcast with weatherSeed 5 means these environment.clouds:", lines.get(2));
+        assertEquals(5, lines.size());
         var pasted = level("{" + HEAD + ", \"player\": {\"feet\": [0, 0, 0]}, \"environment\": {\"clouds\": ["
-                + lines.get(2) + "," + lines.get(3) + "]}}");
+                + lines.get(3) + "," + lines.get(4) + "]}}");
         var meant = LevelJson.read("pasted", Files.readAllBytes(Path.of(pasted)));
         assertEquals(WeatherClouds.of(Weather.OVERCAST, 5), meant.environment().clouds());
         var checked = Captured.run("check", pasted);

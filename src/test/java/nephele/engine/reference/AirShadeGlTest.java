@@ -56,7 +56,8 @@ class AirShadeGlTest {
                 0.85,
                 Cloud.BackLobe.NONE,
                 Cloud.Motion.STILL,
-                shafts);
+                shafts,
+                Cloud.Tolerance.USUAL);
     }
 
     /** A black wall, so that nothing is seen but air. */

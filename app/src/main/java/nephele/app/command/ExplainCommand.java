@@ -1,7 +1,7 @@
 package nephele.app.command;
 
+import nephele.engine.choice.CloudExplanation;
 import nephele.engine.draw.Outputs;
-import nephele.engine.level.appearance.CloudExplanation;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
@@ -21,7 +21,7 @@ final class ExplainCommand implements Command {
         FramePlan.of(FrameRequest.of(opened.placed(), Outputs.defaultFor(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
-        CloudExplanation.lines(opened.level().environment()).forEach(terminal.out()::println);
+        CloudExplanation.lines(opened.placed()).forEach(terminal.out()::println);
         return ExitCode.DONE;
     }
 }

@@ -81,6 +81,8 @@ public final class FieldWords {
             word("materials", "Materials", "Materiais", "Materiais"),
             word("members", "Members", "Membros", "Membros"),
             word("metallic", "Metallic", "Metálico", "Metálico"),
+            word("maxErrorPercent", "Allowed error of light", "Erro permitido da luz", "Erro permitido da luz"),
+            word("maxErrorPixels", "Allowed displacement", "Deslocamento permitido", "Deslocamento permitido"),
             word("mieG", "Haze forward (g)", "Névoa à frente (g)", "Névoa à frente (g)"),
             word("mieScale", "Haze", "Névoa", "Névoa"),
             word("mirror", "Mirror", "Espelho", "Espelho"),

@@ -22,7 +22,8 @@ public record Cloud(
         @Written(min = -0.999, max = 0.999) double phaseG,
         @Written(beside = true) BackLobe backLobe,
         @Written(beside = true) Motion motion,
-        @Written boolean shafts) {
+        @Written boolean shafts,
+        @Written(beside = true) Tolerance tolerance) {
 
     /** Creates a cloud whose phase function has one lobe and whose shadow is not seen in the air. */
     public Cloud(
@@ -34,22 +35,41 @@ public record Cloud(
             double albedo,
             double phaseG,
             Motion motion) {
-        this(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, BackLobe.NONE, motion, false);
+        this(
+                id,
+                extent,
+                technique,
+                density,
+                extinctionPerMetre,
+                albedo,
+                phaseG,
+                BackLobe.NONE,
+                motion,
+                false,
+                Tolerance.USUAL);
     }
 
     /** Returns the cloud with another extinction. */
     public Cloud withExtinction(double perMetre) {
-        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion, shafts);
+        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion, shafts, tolerance);
     }
 
     /** Returns the cloud with another motion. */
     public Cloud with(Motion other) {
-        return new Cloud(id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other, shafts);
+        return new Cloud(
+                id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other, shafts, tolerance);
     }
 
     /** Returns the cloud drawn by another technique. */
     public Cloud with(CloudTechnique other) {
-        return new Cloud(id, extent, other, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts);
+        return new Cloud(
+                id, extent, other, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts, tolerance);
+    }
+
+    /** Returns the cloud with another error that is allowed. */
+    public Cloud with(Tolerance other) {
+        return new Cloud(
+                id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts, other);
     }
 
     /** Creates a cloud that neither drifts nor changes. */
@@ -188,5 +208,18 @@ public record Cloud(
             @Written(absent = "[0, 0, 0]", min = -200, max = 200) Vec3 windMetresPerSecond,
             @Written(min = 0, max = 1e9) double evolutionSeconds) {
         public static final Motion STILL = new Motion(Vec3.ZERO, 0);
+    }
+
+    /**
+     * The error that technique auto may choose. The file has the members beside the cloud's own.
+     *
+     * @param maxErrorPixels by which what is seen may be displaced, of a picture 1,280 pixels wide
+     * @param maxErrorPercent root mean square of the radiance's error where the cloud is seen, over tenths of the
+     *     picture's width, in per cent of its mean
+     */
+    public record Tolerance(
+            @Written(absent = "1", min = 0, max = 1e4) double maxErrorPixels,
+            @Written(absent = "10", min = 0, max = 1e4) double maxErrorPercent) {
+        public static final Tolerance USUAL = new Tolerance(1, 10);
     }
 }

@@ -35,7 +35,7 @@ import nephele.engine.sim.state.WorldState;
  */
 public final class Simulation {
     /** A player this far below all static geometry starts again. */
-    private static final double FALL_METRES = 50;
+    public static final double FALL_METRES = 50;
 
     private final SimSettings settings;
     private final SimState start;

@@ -78,16 +78,19 @@ public final class CloudTimeline implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region, int lightDivisor) {
-        this(authored, assets, region, lightDivisor, ProceduralNoise.SMOOTH);
+        this(authored, LoadedClouds.of(authored, assets), region, lightDivisor, ProceduralNoise.SMOOTH);
     }
 
-    /** @param octaves of clouds that are drawn by technique {@code procedural} */
+    /**
+     * @param loaded those of the environment, each with the technique that draws it
+     * @param octaves of clouds that are drawn by technique {@code procedural}
+     */
     public CloudTimeline(
-            Environment authored, AssetSource assets, Aabb region, int lightDivisor, ProceduralNoise octaves) {
+            Environment authored, LoadedClouds loaded, Aabb region, int lightDivisor, ProceduralNoise octaves) {
         this.authored = causes(authored);
         this.lightDivisor = lightDivisor;
         this.region = region;
-        loaded = LoadedClouds.of(authored, assets);
+        this.loaded = loaded;
         LoadedClouds still = loaded.withoutWind();
         Map<CloudOptics, CloudLight> physics = new HashMap<>();
         List<CloudSource> all = new ArrayList<>();

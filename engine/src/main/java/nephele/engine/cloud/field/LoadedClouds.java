@@ -9,6 +9,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Weather;
@@ -73,6 +74,24 @@ public final class LoadedClouds {
 
     private static Cloud withoutWind(Cloud cloud) {
         return cloud.with(new Cloud.Motion(Vec3.ZERO, cloud.motion().evolutionSeconds()));
+    }
+
+    /**
+     * Returns the same clouds, each drawn by its technique of a list.
+     *
+     * @param techniques as many as clouds
+     */
+    public LoadedClouds drawnBy(List<CloudTechnique> techniques) {
+        List<Cloud> drawn = new ArrayList<>();
+        for (int i = 0; i < clouds.size(); i++) {
+            drawn.add(clouds.get(i).with(techniques.get(i)));
+        }
+        return new LoadedClouds(drawn, weathers, course, files, isRound);
+    }
+
+    /** Returns the field that a cloud has at the start in a world without curvature, if its weather has come wholly. */
+    public ExtinctionField flat(int index) {
+        return CloudFields.flat(clouds.get(index), files.get(index), 0, 0);
     }
 
     /** Returns the field that a cloud has at some time if its weather has come wholly. */

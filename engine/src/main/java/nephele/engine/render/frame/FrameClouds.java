@@ -5,9 +5,10 @@ import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.ShaftClouds;
+import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.octave.ProceduralNoise;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
-import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlObject;
@@ -25,24 +26,31 @@ public final class FrameClouds implements GlObject {
     private Vec3 focus = Vec3.ZERO;
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    record Source(Same assets, Environment causes, Aabb region, int lightDivisor, ProceduralNoise noise) {
-        static Source of(Scene scene, Quality quality) {
+    record Source(
+            Same assets,
+            Environment causes,
+            Aabb region,
+            int lightDivisor,
+            ProceduralNoise noise,
+            List<CloudTechnique> techniques) {
+        static Source of(Scene scene, Quality quality, List<CloudTechnique> techniques) {
             return new Source(
                     new Same(scene.assets()),
                     CloudTimeline.causes(scene.level().environment()),
                     CloudShadeRegion.of(scene.statics()),
                     quality.cloudLightCell(),
-                    quality.proceduralNoise());
+                    quality.proceduralNoise(),
+                    techniques);
         }
     }
 
-    FrameClouds(Scene scene, Quality quality) {
-        Environment environment = scene.level().environment();
-        timeline = WeatherClouds.all(environment).isEmpty()
+    /** @param loaded the level's clouds, each with the technique that draws it */
+    FrameClouds(Scene scene, LoadedClouds loaded, Quality quality) {
+        timeline = loaded.clouds().isEmpty()
                 ? null
                 : new CloudTimeline(
-                        environment,
-                        scene.assets(),
+                        scene.level().environment(),
+                        loaded,
                         CloudShadeRegion.of(scene.statics()),
                         quality.cloudLightCell(),
                         quality.proceduralNoise());

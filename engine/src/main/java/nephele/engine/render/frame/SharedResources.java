@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.choice.CloudColumns;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.ShaftLight;
 import nephele.engine.level.placed.StaticShapes;
@@ -194,10 +196,13 @@ public final class SharedResources implements GlObject {
     /** Returns the level's clouds; all techniques draw these. */
     public FrameClouds clouds() {
         if (clouds == null) {
+            var found = new LevelTechniques(this, scene);
+            CloudColumns columns = found.columns();
+            List<CloudTechnique> techniques = found.chosen(columns);
             clouds = share(
                     FrameClouds.class,
-                    FrameClouds.Source.of(scene, request.quality()),
-                    () -> new FrameClouds(scene, request.quality()));
+                    FrameClouds.Source.of(scene, request.quality(), techniques),
+                    () -> new FrameClouds(scene, columns.loaded().drawnBy(techniques), request.quality()));
         }
         return clouds;
     }

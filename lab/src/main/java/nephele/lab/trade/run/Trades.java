@@ -1,5 +1,6 @@
 package nephele.lab.trade.run;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
@@ -53,17 +54,31 @@ public final class Trades {
             SceneSubjects.CONE_NORMALS,
             CullingSphereSubject.TRADE);
 
+    /** Name of the group of subjects that compare techniques of clouds. */
+    public static final String CLOUDS = "clouds";
+
     private Trades() {}
 
     /**
-     * Returns the subjects with these names, in the report's order; all if no name is given. A name that is unknown is
+     * Returns the subjects with these names, in the report's order; all of {@link #ALL} if no name is given. {@value #CLOUDS} names
+     * the skies of the samples. A name that is unknown is
      * a usage error.
      */
     public static List<Trade> named(List<String> subjects) {
+        if (subjects.contains(CLOUDS)) {
+            List<String> others = new ArrayList<>(subjects);
+            others.removeIf(CLOUDS::equals);
+            List<Trade> all = new ArrayList<>(CloudSubjects.SKIES);
+            if (!others.isEmpty()) {
+                all.addAll(named(others));
+            }
+            return all;
+        }
         for (String subject : subjects) {
             if (ALL.stream().noneMatch(trade -> trade.subject().equals(subject))) {
                 var known = ALL.stream().map(Trade::subject).collect(Collectors.joining(", "));
-                throw CommandFailure.usage("there is no subject `" + subject + "`; there are: " + known);
+                throw CommandFailure.usage(
+                        "there is no subject `" + subject + "`; there are: " + CLOUDS + ", " + known);
             }
         }
         return subjects.isEmpty()

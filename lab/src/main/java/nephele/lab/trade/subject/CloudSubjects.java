@@ -1,6 +1,10 @@
 package nephele.lab.trade.subject;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
@@ -123,7 +127,56 @@ public final class CloudSubjects {
             HISTORIES,
             Judged.TURNING);
 
+    /** The skies of the samples, each drawn by every technique that can show it, beside the truth. */
+    public static final List<Trade> SKIES = List.of(
+            sky("weather-few", "Fair-weather cumulus", false),
+            sky("weather-scattered", "Cumulus under thin cirrus", false),
+            sky("weather-broken", "A broken sheet", false),
+            sky("weather-overcast", "A closed sky", false),
+            sky("weather-cirrus", "Streaks of ice", false),
+            sky("weather-storm", "Towers of a storm", false),
+            sky("clouds-cumulus", "Cumulus", false),
+            sky("clouds-stratus", "A low sheet", false),
+            sky("clouds-cumulonimbus", "One tower", true),
+            sky("clouds-puffs", "A heap of puffs", true),
+            sky("clouds-grid", "A heap of voxels", true),
+            sky("clouds-ellipsoid", "A lens", true));
+
+    /** Techniques compared in the level of the request. */
+    public static final Trade LEVEL = skySubject("clouds", "The level's clouds", true);
+
     private CloudSubjects() {}
+
+    private static Trade sky(String level, String title, boolean isFinite) {
+        Trade trade = skySubject("sky-" + level, title, isFinite);
+        return trade.in("levels/samples/" + level + ".json", trade.subject(), trade.text());
+    }
+
+    /** @param isFinite whether balls can show its clouds */
+    private static Trade skySubject(String subject, String title, boolean isFinite) {
+        List<PictureSetting> settings = new ArrayList<>();
+        settings.add(technique(CloudTechnique.SKYBOX, "baked"));
+        settings.add(technique(CloudTechnique.SKYPLANE, "a sheet of its columns"));
+        settings.add(technique(CloudTechnique.PROCEDURAL, "a sheet of noise: other clouds of the same cover"));
+        if (isFinite) {
+            settings.add(technique(CloudTechnique.BILLBOARD, "flat pictures of balls"));
+            settings.add(technique(CloudTechnique.PARTICLES, "soft balls"));
+        }
+        settings.add(technique(CloudTechnique.VOLUME, "rays marched"));
+        settings.add(technique(CloudTechnique.AUTO, "what is chosen here"));
+        var words = new Trade.Text(title, "The same clouds by each technique that can show them.", ORACLE);
+        return PictureSubjects.of(subject, words, List.of(), "auto", settings);
+    }
+
+    private static PictureSetting technique(CloudTechnique technique, String note) {
+        String word = technique.name().toLowerCase(Locale.ROOT);
+        return new PictureSetting(
+                new Setting(word, note),
+                shot -> shot.with(shot.level()
+                        .with(
+                                WeatherClouds.drawnBy(shot.level().environment(), technique),
+                                shot.level().lights())));
+    }
 
     /** The first setting is the usual one, and the exact one. */
     private static Trade sheet(String field, Trade.Text words, String level, List<PictureSetting> settings) {

@@ -1,0 +1,64 @@
+package nephele.engine.render.frame;
+
+import java.util.List;
+import nephele.engine.choice.ChosenTechniques;
+import nephele.engine.choice.CloudColumns;
+import nephele.engine.choice.ErrorTable;
+import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.level.Camera;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalSpec;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.scene.Scene;
+import nephele.engine.sim.reach.EyeReach;
+
+/** Finds the technique of each cloud of a scene; what an edit leaves as it was is not computed again. */
+final class LevelTechniques {
+    private final SharedResources shared;
+    private final Scene scene;
+
+    /** What the clouds and their columns follow from. */
+    private record Causes(Same assets, Environment environment) {}
+
+    /** What the places of an eye follow from. */
+    private record Places(
+            Same statics, PlayerStart player, List<PortalSpec> portals, PortalGun gun, List<Camera> cameras) {}
+
+    LevelTechniques(SharedResources shared, Scene scene) {
+        this.shared = shared;
+        this.scene = scene;
+    }
+
+    CloudColumns columns() {
+        Environment environment = scene.level().environment();
+        return shared.shareValue(
+                CloudColumns.class,
+                new Causes(new Same(scene.assets()), CloudTimeline.causes(environment)),
+                () -> CloudColumns.of(environment, scene.assets()));
+    }
+
+    List<CloudTechnique> chosen(CloudColumns columns) {
+        boolean isWritten =
+                columns.loaded().clouds().stream().noneMatch(cloud -> cloud.technique() == CloudTechnique.AUTO);
+        return ChosenTechniques.of(
+                        scene.level().environment(),
+                        columns,
+                        isWritten ? EyeReach.ANYWHERE : reach(),
+                        shared.shareValue(
+                                ErrorTable.class, new Same(scene.assets()), () -> ErrorTable.of(scene.assets())))
+                .techniques();
+    }
+
+    private EyeReach reach() {
+        Level level = scene.level();
+        return shared.shareValue(
+                EyeReach.class,
+                new Places(
+                        new Same(scene.statics()), level.player(), level.portals(), level.portalGun(), level.cameras()),
+                () -> EyeReach.of(level, scene.statics()));
+    }
+}

@@ -1,0 +1,289 @@
+package nephele.engine.sim.reach;
+
+import static nephele.engine.sim.state.PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED;
+import static nephele.engine.sim.state.PlayerDimensions.JUMP_METRES;
+import static nephele.engine.sim.state.PlayerDimensions.RUN_METRES_PER_SECOND;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RayCast;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.reach.EyeReach.Means;
+import nephele.engine.sim.state.PlayerDimensions.Stance;
+
+/**
+ * Floods the free space around a level's solids from the player's eye. An eye passes between the centres of neighbouring
+ * cells unless a face is between them, falls anywhere, and rises as high as its energy allows: a jump above the ground on
+ * which it stands. A portal keeps the energy: the height that is left above one end is left above the other.
+ */
+final class ReachFlood {
+    private static final double EYE_METRES = Stance.STANDING.eyeMetres();
+    /** Solids farther from the player and all portals than this are walked over as if they were flat. */
+    private static final double NEAR_METRES = 150;
+
+    private static final double LEAST_GAIN_METRES = 0.05;
+    private static final double CLEAR_METRES = 0.05;
+
+    private final CollisionWorld world;
+    private final Aabb domain;
+    private final ReachGrid grid;
+    private final RayCast cast = new RayCast();
+    private final Ray ray = Ray.reusable();
+    private final CellQueue queue;
+    /** Height of an eye that stands on the ground below a cell; NaN before it is known. */
+    private final double[] standing;
+
+    private Means means = Means.WALKING;
+    private List<Passage> passages = List.of();
+
+    /** A way through a portal from the space before one end to that before the other. */
+    private record Passage(Vec3 from, Vec3 to, double radiusMetres) {}
+
+    private ReachFlood(StaticShapes statics, Aabb domain) {
+        this.domain = domain;
+        world = CollisionWorld.of(statics);
+        grid = new ReachGrid(domain);
+        queue = new CellQueue(grid.cells());
+        standing = new double[grid.cells()];
+        Arrays.fill(standing, Double.NaN);
+    }
+
+    /** Returns the boxes that the player's eye reaches. */
+    static List<EyeReach.Part> of(Level level, StaticShapes statics) {
+        Vec3 eye = level.player().feet().plus(new Vec3(0, EYE_METRES, 0));
+        Portals portals = Portals.of(level);
+        Aabb solids = statics.bounds();
+        Aabb domain = domain(level, solids, portals, eye);
+        var flood = new ReachFlood(statics, domain);
+        flood.start(eye);
+        if (portals.size() > 0) {
+            flood.open(Means.PORTALS, passages(portals));
+        }
+        if (level.portalGun() != null) {
+            flood.open(Means.SHOTS, shots(statics, flood.grid.cellMetres()));
+        }
+        List<EyeReach.Part> parts = flood.grid.parts();
+        parts.addAll(flood.outside(solids.isEmpty() ? domain : solids.union(domain)));
+        return parts;
+    }
+
+    private static Aabb domain(Level level, Aabb solids, Portals portals, Vec3 eye) {
+        Aabb near = new Aabb(eye.x(), eye.y(), eye.z(), eye.x(), eye.y(), eye.z());
+        for (int i = 0; i < portals.size(); i++) {
+            near = near.union(Aabb.of(portals.portal(i).corners()));
+        }
+        Aabb wide = near.grown(NEAR_METRES);
+        Aabb box = solids.isEmpty() ? near : near.union(cut(solids, wide));
+        boolean canFly = portals.size() > 0 || level.portalGun() != null;
+        double rise = EYE_METRES + JUMP_METRES + (canFly ? box.maxY() - box.minY() : 0);
+        Aabb grown = box.grown(1);
+        return new Aabb(
+                grown.minX(),
+                grown.minY(),
+                grown.minZ(),
+                grown.maxX(),
+                Math.max(grown.maxY(), box.maxY() + rise),
+                grown.maxZ());
+    }
+
+    private static Aabb cut(Aabb a, Aabb b) {
+        return new Aabb(
+                Math.max(a.minX(), b.minX()),
+                Math.max(a.minY(), b.minY()),
+                Math.max(a.minZ(), b.minZ()),
+                Math.min(a.maxX(), b.maxX()),
+                Math.min(a.maxY(), b.maxY()),
+                Math.min(a.maxZ(), b.maxZ()));
+    }
+
+    private static List<Passage> passages(Portals portals) {
+        List<Passage> passages = new ArrayList<>();
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i)) {
+                Portal from = portals.portal(i);
+                Portal to = portals.portal(portals.partner(i));
+                double radius =
+                        Math.max(from.aperture().widthMetres(), from.aperture().heightMetres()) / 2;
+                passages.add(new Passage(before(from), before(to), radius));
+            }
+        }
+        return passages;
+    }
+
+    private static Vec3 before(Portal portal) {
+        return portal.world(0, 0, CLEAR_METRES);
+    }
+
+    /** Returns ways from any portalable face to any other: through one place from which each of them can be reached. */
+    private static List<Passage> shots(StaticShapes statics, double cellMetres) {
+        List<Vec3> places = new ArrayList<>();
+        for (Brush solid : statics.solids()) {
+            for (int i = 0; i < solid.faces().size(); i++) {
+                if (solid.faces().get(i).portalable()) {
+                    ConvexPolyhedron.Face face = solid.shape().faces().get(i);
+                    places.add(middle(face.polygon()).plus(face.plane().normal().scaled(CLEAR_METRES)));
+                }
+            }
+        }
+        List<Passage> passages = new ArrayList<>();
+        for (Vec3 to : places) {
+            passages.add(new Passage(null, to, cellMetres));
+        }
+        return passages;
+    }
+
+    private static Vec3 middle(List<Vec3> polygon) {
+        Vec3 sum = Vec3.ZERO;
+        for (Vec3 corner : polygon) {
+            sum = sum.plus(corner);
+        }
+        return sum.scaled(1.0 / polygon.size());
+    }
+
+    private void start(Vec3 eye) {
+        enter(eye, eye.y() + JUMP_METRES);
+        run();
+    }
+
+    /** Opens ways and goes on from every cell that is reached. */
+    private void open(Means by, List<Passage> ways) {
+        means = by;
+        if (by == Means.SHOTS) {
+            double head = greatestHead();
+            for (Passage way : ways) {
+                enter(way.to(), Math.max(head, way.to().y() + JUMP_METRES));
+            }
+            run();
+            return;
+        }
+        passages = ways;
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            if (grid.isReached(cell)) {
+                queue.add(cell);
+            }
+        }
+        run();
+    }
+
+    private double greatestHead() {
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int cell = 0; cell < grid.cells(); cell++) {
+            greatest = Math.max(greatest, grid.head(cell));
+        }
+        return greatest;
+    }
+
+    /** Reaches the cells around a point from which it is seen. */
+    private void enter(Vec3 at, double head) {
+        double half = grid.cellMetres() / 2;
+        for (int corner = 0; corner < 8; corner++) {
+            int cell = grid.cell(at.plus(new Vec3(
+                    (corner & 1) == 0 ? -half : half,
+                    (corner & 2) == 0 ? -half : half,
+                    (corner & 4) == 0 ? -half : half)));
+            if (cell >= 0 && isFree(at, grid.centre(cell))) {
+                raise(cell, head);
+            }
+        }
+    }
+
+    private void raise(int cell, double head) {
+        double most = Math.min(head, ceiling());
+        boolean isHigher = !grid.isReached(cell) || most > grid.head(cell) + LEAST_GAIN_METRES;
+        if (isHigher && grid.centre(cell).y() <= most + grid.cellMetres() / 2) {
+            grid.reach(cell, most, means);
+            queue.add(cell);
+        }
+    }
+
+    private double ceiling() {
+        return grid.centre(grid.cells() - 1).y();
+    }
+
+    private void run() {
+        for (int cell = queue.next(); cell >= 0; cell = queue.next()) {
+            Vec3 at = grid.centre(cell);
+            double head = Math.max(grid.head(cell), standing(cell, at) + JUMP_METRES);
+            grid.reach(cell, head, means);
+            for (int side = 0; side < 6; side++) {
+                int next = grid.neighbour(cell, side);
+                if (next >= 0 && mayRaise(next, head) && isFree(at, grid.centre(next))) {
+                    raise(next, head);
+                }
+            }
+            for (Passage way : passages) {
+                pass(way, at, head);
+            }
+        }
+    }
+
+    private boolean mayRaise(int cell, double head) {
+        return !grid.isReached(cell) || head > grid.head(cell) + LEAST_GAIN_METRES;
+    }
+
+    private void pass(Passage way, Vec3 at, double head) {
+        double nearMetres = way.radiusMetres() + grid.cellMetres();
+        if (at.minus(way.from()).length() <= nearMetres && isFree(at, way.from())) {
+            enter(way.to(), head - way.from().y() + way.to().y());
+        }
+    }
+
+    /** Returns the height of an eye that stands below a point; negative infinity without ground near. */
+    private double standing(int cell, Vec3 at) {
+        if (Double.isNaN(standing[cell])) {
+            double reach = EYE_METRES + grid.cellMetres();
+            ray.aim(at.x(), at.y(), at.z(), 0, -1, 0);
+            standing[cell] =
+                    cast.cast(world, ray, reach) ? at.y() - cast.distance() + EYE_METRES : Double.NEGATIVE_INFINITY;
+        }
+        return standing[cell];
+    }
+
+    private boolean isFree(Vec3 from, Vec3 to) {
+        ray.aim(from.x(), from.y(), from.z(), to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+        return !cast.cast(world, ray, 1);
+    }
+
+    /** Returns the air beside and below the domain if its edge is reached: all of it that a fall or a flight comes to. */
+    private List<EyeReach.Part> outside(Aabb all) {
+        List<EyeReach.Part> parts = new ArrayList<>();
+        for (Means by : Means.values()) {
+            double head = Double.NEGATIVE_INFINITY;
+            for (int cell = 0; cell < grid.cells(); cell++) {
+                if (grid.isReached(cell) && grid.means(cell) == by && grid.isAtEdge(cell)) {
+                    head = Math.max(head, grid.head(cell));
+                }
+            }
+            if (head != Double.NEGATIVE_INFINITY) {
+                around(all, head, by, parts);
+            }
+        }
+        return parts;
+    }
+
+    /** Adds the air beside the domain on each side, and below it. */
+    private void around(Aabb all, double head, Means by, List<EyeReach.Part> parts) {
+        double lowest = all.minY() - Simulation.FALL_METRES;
+        double side = RUN_METRES_PER_SECOND * Math.sqrt(2 * (head - lowest) / GRAVITY_METRES_PER_SECOND_SQUARED)
+                + (by == Means.WALKING ? 0 : 2 * (head - all.minY()));
+        Aabb wide = new Aabb(all.minX() - side, lowest, all.minZ() - side, all.maxX() + side, head, all.maxZ() + side);
+        Aabb in = domain;
+        double low = lowest;
+        parts.add(new EyeReach.Part(new Aabb(wide.minX(), low, wide.minZ(), in.minX(), head, wide.maxZ()), by));
+        parts.add(new EyeReach.Part(new Aabb(in.maxX(), low, wide.minZ(), wide.maxX(), head, wide.maxZ()), by));
+        parts.add(new EyeReach.Part(new Aabb(in.minX(), low, wide.minZ(), in.maxX(), head, in.minZ()), by));
+        parts.add(new EyeReach.Part(new Aabb(in.minX(), low, in.maxZ(), in.maxX(), head, wide.maxZ()), by));
+        parts.add(new EyeReach.Part(new Aabb(in.minX(), low, in.minZ(), in.maxX(), in.minY(), in.maxZ()), by));
+    }
+}

@@ -1,0 +1,76 @@
+package nephele.lab.technique;
+
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Vec3;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.measure.Stopwatch;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.scene.light.BakedSky;
+
+/** A sky drawn by a technique. */
+final class DrawnSky implements AutoCloseable {
+    /** Pixels of a timed picture along each side for one of the traced. */
+    static final int TIMED = 16;
+
+    private static final double STRIDE_METRES = 0.1;
+
+    private final GlContext gl;
+    private final SeenSky sky;
+    private final RenderTarget target;
+    private final Renderer renderer;
+
+    private DrawnSky(GlContext gl, SeenSky sky, PlacedLevel placed, Quality quality, int scale) {
+        this.gl = gl;
+        this.sky = sky;
+        Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+        renderer = Renderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
+        target = RenderTarget.picture(gl, "sky", PixelFormat.RGBA8, scale * SeenSky.WIDTH, scale * SeenSky.HEIGHT);
+    }
+
+    /** Returns the radiance that a level with the sky's clouds shows at its best, each pixel the mean of four by four. */
+    static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed) {
+        int scale = 4;
+        try (var drawn = new DrawnSky(gl, sky, placed, Quality.ULTRA, scale)) {
+            drawn.draw(1);
+            float[] radiance = drawn.renderer.readRadiance();
+            return new LinearPicture(drawn.target.width(), drawn.target.height(), radiance).reduced(scale);
+        }
+    }
+
+    /** A sky that is drawn again and again, at quality high, 640 pixels wide. */
+    static DrawnSky timed(GlContext gl, SeenSky sky, PlacedLevel placed) {
+        return new DrawnSky(gl, sky, placed, Quality.HIGH, TIMED);
+    }
+
+    /** Returns the CPU time of the process a frame, nanoseconds, while the eye moves a little. */
+    double nanosAFrame(int frames, Stopwatch watch) {
+        draw(1);
+        long before = watch.processCpuNanos();
+        draw(frames);
+        return (double) (watch.processCpuNanos() - before) / frames;
+    }
+
+    private void draw(int frames) {
+        View view = sky.view();
+        for (int frame = 0; frame < frames; frame++) {
+            Vec3 eye = view.eye().addScaled(STRIDE_METRES * frame, view.right());
+            renderer.draw(new View(eye, view.right(), view.up(), view.back(), view.projection()), target);
+        }
+        gl.finish();
+        gl.requireNoError("sky");
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+        target.close();
+    }
+}

@@ -1,0 +1,169 @@
+package nephele.lab.technique;
+
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.choice.CloudColumns;
+import nephele.engine.choice.CloudForm;
+import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density.Noise;
+import nephele.engine.level.Cloud.Extent;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.named.Viewpoints;
+
+/**
+ * One node of the table of errors: a cloud of a form with a mean optical depth, at a distance, in the light of a sun.
+ *
+ * @param cloud as a sample level has it, with other random numbers
+ * @param angularDegrees its least extent seen from the eye
+ */
+record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
+    private static final double EYE_METRES = 2;
+    /** The sun's azimuth from where the eye looks. */
+    private static final double AZIMUTH_DEGREES = 60;
+
+    private static final double LIFT_DEGREES = 25;
+    private static final double LAYER_FOV_DEGREES = 75;
+    private static final double LEAST_BASE_METRES = 30;
+    private static final double GREATEST_BASE_METRES = 13_000;
+    private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
+    private static final long OTHER_SEEDS = 100;
+
+    String form() {
+        return CloudForm.of(cloud).word();
+    }
+
+    /** Returns false for a layer higher than clouds are. */
+    boolean exists() {
+        return !(cloud.extent() instanceof Extent.Layer) || distanceMetres() <= GREATEST_BASE_METRES;
+    }
+
+    private double leastExtent() {
+        if (cloud.extent() instanceof Extent.Layer layer) {
+            return layer.thicknessMetres();
+        }
+        Vec3 size = ((Extent.Volume) cloud.extent()).size();
+        return Math.min(size.x(), Math.min(size.y(), size.z()));
+    }
+
+    private double distanceMetres() {
+        double half = leastExtent() / 2;
+        return half / Math.tan(Math.toRadians(angularDegrees) / 2) - half;
+    }
+
+    SeenSky sky() {
+        Cloud other = otherSeed(cloud);
+        Cloud placed = with(other, extent());
+        double depth = CloudColumns.meanDepth(
+                LoadedClouds.of(environment(placed), assets).flat(0));
+        Cloud scaled = placed.withExtinction(placed.extinctionPerMetre() * opticalDepth / depth);
+        Level level = Level.of("case", "", environment(scaled), List.of());
+        double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
+        Vec3 eye = new Vec3(0, EYE_METRES, 0);
+        return new SeenSky(level, assets, Viewpoints.between(eye, eye.plus(ahead()), fovDegrees(), aspect));
+    }
+
+    private static Cloud otherSeed(Cloud cloud) {
+        return cloud.density() instanceof Noise noise
+                ? withDensity(
+                        cloud,
+                        new Noise(
+                                noise.seed() + OTHER_SEEDS,
+                                noise.featureMetres(),
+                                noise.coverage(),
+                                noise.erosion(),
+                                noise.profile(),
+                                noise.coverageMap(),
+                                noise.anvil()))
+                : cloud;
+    }
+
+    private static Cloud withDensity(Cloud cloud, Cloud.Density density) {
+        return new Cloud(
+                cloud.id(),
+                cloud.extent(),
+                CloudTechnique.VOLUME,
+                density,
+                cloud.extinctionPerMetre(),
+                cloud.albedo(),
+                cloud.phaseG(),
+                Cloud.Motion.STILL);
+    }
+
+    private static Cloud with(Cloud cloud, Extent extent) {
+        return new Cloud(
+                cloud.id(),
+                extent,
+                CloudTechnique.VOLUME,
+                cloud.density(),
+                cloud.extinctionPerMetre(),
+                cloud.albedo(),
+                cloud.phaseG(),
+                Cloud.Motion.STILL);
+    }
+
+    private Environment environment(Cloud only) {
+        double up = Math.toRadians(sunDegrees);
+        double aside = Math.toRadians(AZIMUTH_DEGREES);
+        var towards = new Vec3(Math.cos(up) * Math.sin(aside), Math.sin(up), -Math.cos(up) * Math.cos(aside));
+        return new Environment(
+                new Sun(towards, SOLAR_IRRADIANCE, true),
+                Sky.Atmosphere.CLEAR,
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of(only));
+    }
+
+    private static Vec3 ahead() {
+        double lift = Math.toRadians(LIFT_DEGREES);
+        return new Vec3(0, Math.sin(lift), -Math.cos(lift));
+    }
+
+    private Extent extent() {
+        if (cloud.extent() instanceof Extent.Layer layer) {
+            return new Extent.Layer(
+                    Math.max(LEAST_BASE_METRES, distanceMetres() + EYE_METRES), layer.thicknessMetres());
+        }
+        Vec3 size = ((Extent.Volume) cloud.extent()).size();
+        return new Extent.Volume(new Vec3(0, EYE_METRES, 0).plus(ahead().scaled(middleMetres(size))), size);
+    }
+
+    /** Returns the distance of the cloud's middle at which its box is as far away as it should be. */
+    private double middleMetres(Vec3 size) {
+        double near = 0;
+        double far = distanceMetres() + size.length();
+        for (int i = 0; i < 60; i++) {
+            double middle = (near + far) / 2;
+            Aabb box = Aabb.around(ahead().scaled(middle), size);
+            double x = Math.max(0, Math.max(box.minX(), -box.maxX()));
+            double y = Math.max(0, Math.max(box.minY(), -box.maxY()));
+            double z = Math.max(0, Math.max(box.minZ(), -box.maxZ()));
+            if (Math.sqrt(x * x + y * y + z * z) < distanceMetres()) {
+                near = middle;
+            } else {
+                far = middle;
+            }
+        }
+        return far;
+    }
+
+    private double fovDegrees() {
+        if (cloud.extent() instanceof Extent.Layer) {
+            return LAYER_FOV_DEGREES;
+        }
+        Vec3 size = ((Extent.Volume) cloud.extent()).size();
+        double radius = size.length() / 2;
+        double middle = Math.max(middleMetres(size), radius * 0.7);
+        return Math.min(100, Math.toDegrees(2 * Math.atan(radius / middle)));
+    }
+}

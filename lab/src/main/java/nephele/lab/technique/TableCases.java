@@ -1,0 +1,66 @@
+package nephele.lab.technique;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.WeatherClouds;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
+
+/** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near, low sun to high. */
+final class TableCases {
+    private static final double[] DEPTHS = {0.3, 4, 40};
+    private static final double[] ANGLES = {5, 30};
+    private static final double[] SUNS = {6, 45};
+
+    private static final List<String> SAMPLES =
+            List.of("ellipsoid", "puffs", "grid", "noise", "image", "cumulonimbus", "cumulus", "stratus", "image-grey");
+
+    private TableCases() {}
+
+    static List<TableCase> all() {
+        List<TableCase> nodes = new ArrayList<>();
+        OpenedLevel first = sample(SAMPLES.get(0));
+        for (String name : SAMPLES) {
+            OpenedLevel opened = sample(name);
+            add(nodes, opened.level().environment().clouds().get(0), opened.assets());
+        }
+        Cloud lens = first.level().environment().clouds().get(0);
+        add(nodes, layer(lens), first.assets());
+        for (Weather weather : List.of(Weather.CIRRUS, Weather.STORM)) {
+            List<Cloud> clouds = WeatherClouds.of(weather, 1);
+            add(nodes, clouds.get(clouds.size() - 1), first.assets());
+        }
+        return nodes;
+    }
+
+    private static OpenedLevel sample(String name) {
+        return new LevelName("levels/samples/clouds-" + name + ".json").open();
+    }
+
+    private static Cloud layer(Cloud lens) {
+        return new Cloud(
+                lens.id(),
+                new Cloud.Extent.Layer(1000, 400),
+                lens.technique(),
+                lens.density(),
+                lens.extinctionPerMetre(),
+                lens.albedo(),
+                lens.phaseG());
+    }
+
+    private static void add(List<TableCase> nodes, Cloud cloud, AssetSource assets) {
+        for (double depth : DEPTHS) {
+            for (double angle : ANGLES) {
+                for (double sun : SUNS) {
+                    var at = new TableCase(cloud, assets, depth, angle, sun);
+                    if (at.exists()) {
+                        nodes.add(at);
+                    }
+                }
+            }
+        }
+    }
+}

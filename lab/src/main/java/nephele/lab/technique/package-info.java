@@ -1,0 +1,5 @@
+/**
+ * Techniques of clouds against the path tracer: {@link nephele.lab.technique.SeenSky} is a sky seen from a place, {@link
+ * nephele.lab.technique.TableMaker} makes the table from which technique auto chooses.
+ */
+package nephele.lab.technique;
