@@ -38,8 +38,12 @@ public final class TableMaker {
         List<TableCase> nodes = TableCases.all();
         try (GlContext gl = GlContext.offscreen()) {
             for (int i = 0; i < nodes.size(); i++) {
-                if (!isKnown(nodes.get(i))) {
-                    measure(gl, nodes.get(i));
+                TableCase at = nodes.get(i);
+                List<CloudTechnique> missing = techniques(at.cloud()).stream()
+                        .filter(technique -> !isKnown(at, technique))
+                        .toList();
+                if (!missing.isEmpty()) {
+                    measure(gl, at, missing);
                     var lines = String.join("\n", new ErrorTable(rows).lines()) + "\n";
                     AtomicFile.write(file, lines.getBytes(StandardCharsets.UTF_8));
                 }
@@ -49,8 +53,9 @@ public final class TableMaker {
         return new ErrorTable(rows);
     }
 
-    private boolean isKnown(TableCase at) {
-        return rows.stream().anyMatch(row -> isOf(row, at) && row.sunDegrees() == at.sunDegrees());
+    private boolean isKnown(TableCase at, CloudTechnique technique) {
+        return rows.stream()
+                .anyMatch(row -> isOf(row, at) && row.technique() == technique && row.sunDegrees() == at.sunDegrees());
     }
 
     private static boolean isOf(Row row, TableCase at) {
@@ -59,10 +64,10 @@ public final class TableMaker {
                 && row.angularDegrees() == at.angularDegrees();
     }
 
-    private void measure(GlContext gl, TableCase at) {
+    private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
         SeenSky sky = at.sky();
         TracedSky exact = TracedSky.of(sky, SAMPLES);
-        for (CloudTechnique technique : techniques(at.cloud())) {
+        for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
             rows.add(new Row(
