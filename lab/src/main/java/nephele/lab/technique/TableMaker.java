@@ -18,7 +18,7 @@ import nephele.engine.render.gl.GlContext;
 
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
-    private static final int SAMPLES = 96;
+    private static final int SAMPLES = 768;
 
     private final Path file;
     private final Stopwatch watch = new Stopwatch();
@@ -81,10 +81,12 @@ public final class TableMaker {
         }
     }
 
-    /** Returns the cost under another sun; NaN if it was not measured. */
+    /** Returns the cost in another light, or of another depth; NaN if it was not measured. */
     private double known(TableCase at, CloudTechnique technique) {
         return rows.stream()
-                .filter(row -> isOf(row, at) && row.technique() == technique)
+                .filter(row -> row.form().equals(at.form())
+                        && row.angularDegrees() == at.angularDegrees()
+                        && row.technique() == technique)
                 .mapToDouble(Row::cost)
                 .findFirst()
                 .orElse(Double.NaN);
