@@ -100,7 +100,7 @@ public final class CloudAutoProof implements Proof {
 
     private Measured measured(GlContext gl, AutoCases.Case one, TracedSky exact, PlacedLevel placed, double pixels) {
         double percent = exact.size() == 0 ? 0 : exact.errorPercent(DrawnSky.picture(gl, one.sky(), placed));
-        double cost = isTimed ? FrameCost.of(gl, one.sky(), placed, new Stopwatch()) : 1;
+        double cost = isTimed ? CloudCost.of(gl, one.sky(), placed, new Stopwatch()) : 1;
         return new Measured(percent, pixels, cost);
     }
 

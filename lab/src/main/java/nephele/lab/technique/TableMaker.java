@@ -77,7 +77,7 @@ public final class TableMaker {
                     at.angularDegrees(),
                     at.sunDegrees(),
                     exact.size() == 0 ? 0 : exact.errorPercent(drawn),
-                    Double.isNaN(cost) ? FrameCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
+                    Double.isNaN(cost) ? CloudCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
         }
     }
 

@@ -50,7 +50,7 @@ PuffLight puffLight(vec3 place, vec3 ray, float toEye) {
     float slope = angles.cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + angles.axisCosine * light.b;
     return PuffLight(
         smallAngleLight(angles.column, light.r + toEye),
-        light.r + toEye + 1.0,
+        2.0 * (light.r + toEye + 1.0),
         medium.w * (angles.once * beam + kept * max(0.0, light.g + phase.x * slope)),
         medium.z * (light.a * skyAbove + max(0.0, left - light.a) * skyBelow));
 }
