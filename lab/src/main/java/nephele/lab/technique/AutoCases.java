@@ -15,7 +15,7 @@ import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
 import nephele.engine.sim.reach.EyeReach;
 
-/** Twelve sample skies in the light of three suns, each from three places: none of them is in the table of errors. */
+/** Twelve sample skies in the light of three suns, each from three places: none of them is in the table of errors. The sky is the table's. */
 final class AutoCases {
     static final List<String> SKIES = List.of(
             "weather-few",
@@ -34,7 +34,6 @@ final class AutoCases {
     static final int PLACES = 3;
     private static final double[] SUNS = {12, 30, 60};
     private static final double SUN_AZIMUTH_DEGREES = 110;
-    private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
     /** Half the width of where the eye can be. */
     private static final double STRIDE_METRES = 6;
 
@@ -75,7 +74,7 @@ final class AutoCases {
         double up = Math.toRadians(sunDegrees);
         double aside = Math.toRadians(SUN_AZIMUTH_DEGREES);
         var towards = new Vec3(Math.cos(up) * Math.sin(aside), Math.sin(up), -Math.cos(up) * Math.cos(aside));
-        return environment.with(new Sun(towards, SOLAR_IRRADIANCE, true));
+        return environment.with(TableCase.SKY).with(new Sun(towards, TableCase.SUN_IRRADIANCE, true));
     }
 
     /** Returns the view of a layer from below, farther away and from a hill, of a finite cloud from three distances. */

@@ -24,7 +24,7 @@ import nephele.lab.prove.proof.ProofResult;
 /** Compares what technique auto chooses with each technique for all clouds, against traced pictures. */
 public final class CloudAutoProof implements Proof {
     private static final Cloud.Tolerance TOLERANCE = new Cloud.Tolerance(1, 20);
-    private static final int SAMPLES = 96;
+    private static final int SAMPLES = 512;
     private static final int MOST_OUTSIDE = 3;
     private static final double MOST_EXCESS = 1.5;
     private static final double MOST_COST = 1.1;
@@ -100,7 +100,7 @@ public final class CloudAutoProof implements Proof {
 
     private Measured measured(GlContext gl, AutoCases.Case one, TracedSky exact, PlacedLevel placed, double pixels) {
         double percent = exact.size() == 0 ? 0 : exact.errorPercent(DrawnSky.picture(gl, one.sky(), placed));
-        double cost = isTimed ? FrameCost.of(gl, one.sky(), placed, new Stopwatch()) : 1;
+        double cost = isTimed ? CloudCost.of(gl, one.sky(), placed, new Stopwatch()) : 1;
         return new Measured(percent, pixels, cost);
     }
 

@@ -34,7 +34,10 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
     private static final double LAYER_FOV_DEGREES = 75;
     private static final double LEAST_BASE_METRES = 30;
     private static final double GREATEST_BASE_METRES = 13_000;
-    private static final Vec3 SOLAR_IRRADIANCE = new Vec3(4, 4, 4);
+    static final Vec3 SUN_IRRADIANCE = new Vec3(3.2, 3, 2.7);
+    /** The sky is one colour: air would hide the errors of clouds that are far away, and take long to trace. */
+    static final Sky SKY = new Sky.Constant(new Vec3(0.12, 0.2, 0.35));
+
     private static final long OTHER_SEEDS = 100;
 
     String form() {
@@ -115,8 +118,8 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         double aside = Math.toRadians(AZIMUTH_DEGREES);
         var towards = new Vec3(Math.cos(up) * Math.sin(aside), Math.sin(up), -Math.cos(up) * Math.cos(aside));
         return new Environment(
-                new Sun(towards, SOLAR_IRRADIANCE, true),
-                Sky.Atmosphere.CLEAR,
+                new Sun(towards, SUN_IRRADIANCE, true),
+                SKY,
                 null,
                 Exposure.NEUTRAL,
                 ToneCurve.CLIP,

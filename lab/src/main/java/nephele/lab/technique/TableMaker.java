@@ -18,7 +18,7 @@ import nephele.engine.render.gl.GlContext;
 
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
-    private static final int SAMPLES = 96;
+    private static final int SAMPLES = 768;
 
     private final Path file;
     private final Stopwatch watch = new Stopwatch();
@@ -38,8 +38,12 @@ public final class TableMaker {
         List<TableCase> nodes = TableCases.all();
         try (GlContext gl = GlContext.offscreen()) {
             for (int i = 0; i < nodes.size(); i++) {
-                if (!isKnown(nodes.get(i))) {
-                    measure(gl, nodes.get(i));
+                TableCase at = nodes.get(i);
+                List<CloudTechnique> missing = techniques(at.cloud()).stream()
+                        .filter(technique -> !isKnown(at, technique))
+                        .toList();
+                if (!missing.isEmpty()) {
+                    measure(gl, at, missing);
                     var lines = String.join("\n", new ErrorTable(rows).lines()) + "\n";
                     AtomicFile.write(file, lines.getBytes(StandardCharsets.UTF_8));
                 }
@@ -49,8 +53,9 @@ public final class TableMaker {
         return new ErrorTable(rows);
     }
 
-    private boolean isKnown(TableCase at) {
-        return rows.stream().anyMatch(row -> isOf(row, at) && row.sunDegrees() == at.sunDegrees());
+    private boolean isKnown(TableCase at, CloudTechnique technique) {
+        return rows.stream()
+                .anyMatch(row -> isOf(row, at) && row.technique() == technique && row.sunDegrees() == at.sunDegrees());
     }
 
     private static boolean isOf(Row row, TableCase at) {
@@ -59,10 +64,10 @@ public final class TableMaker {
                 && row.angularDegrees() == at.angularDegrees();
     }
 
-    private void measure(GlContext gl, TableCase at) {
+    private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
         SeenSky sky = at.sky();
         TracedSky exact = TracedSky.of(sky, SAMPLES);
-        for (CloudTechnique technique : techniques(at.cloud())) {
+        for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
             rows.add(new Row(
@@ -72,14 +77,16 @@ public final class TableMaker {
                     at.angularDegrees(),
                     at.sunDegrees(),
                     exact.size() == 0 ? 0 : exact.errorPercent(drawn),
-                    Double.isNaN(cost) ? FrameCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
+                    Double.isNaN(cost) ? CloudCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
         }
     }
 
-    /** Returns the cost under another sun; NaN if it was not measured. */
+    /** Returns the cost in another light, or of another depth; NaN if it was not measured. */
     private double known(TableCase at, CloudTechnique technique) {
         return rows.stream()
-                .filter(row -> isOf(row, at) && row.technique() == technique)
+                .filter(row -> row.form().equals(at.form())
+                        && row.angularDegrees() == at.angularDegrees()
+                        && row.technique() == technique)
                 .mapToDouble(Row::cost)
                 .findFirst()
                 .orElse(Double.NaN);

@@ -27,6 +27,7 @@ vec2 depthsBeside(vec3 ray, vec2 span) {
 // Light that a ball at a place sends per optical depth.
 struct PuffLight {
     float narrow; // sunlight that keeps near its direction, per unit irradiance
+    float straight; // optical depth of the ray on which that light can lie
     float diffuse; // other sunlight, if the ball is opaque
     vec3 sky; // light of the sky, if the ball is opaque
 };
@@ -49,6 +50,7 @@ PuffLight puffLight(vec3 place, vec3 ray, float toEye) {
     float slope = angles.cosine * clamp(diffuseAxis.w * beam, -light.g, light.g) + angles.axisCosine * light.b;
     return PuffLight(
         smallAngleLight(angles.column, light.r + toEye),
+        2.0 * (light.r + toEye + 1.0),
         medium.w * (angles.once * beam + kept * max(0.0, light.g + phase.x * slope)),
         medium.z * (light.a * skyAbove + max(0.0, left - light.a) * skyBelow));
 }

@@ -8,6 +8,7 @@ flat in vec3 across;
 flat in vec3 upwards;
 flat in float flatness;
 flat in vec2 depths;
+in float straight;
 in vec2 sun;
 in vec3 sky;
 
@@ -51,6 +52,6 @@ void main() {
         discard;
     }
     float covered = takenBy(picture.x);
-    vec3 radiance = puffRadiance(sun, sky, irradiance, depths.x + picture.x, depths.y, medium.y);
+    vec3 radiance = puffRadiance(sun, sky, irradiance, depths.x + picture.x, vec2(depths.y, straight), medium.y);
     writeCloud(at, covered * radiance, covered, picture.y);
 }

@@ -8,6 +8,7 @@ flat out vec3 across; // axes of the picture
 flat out vec3 upwards;
 flat out float flatness; // 0 where the eye is too near for a picture and sees the ball itself
 flat out vec2 depths; // of the cloud besides, and how fast narrow light fades
+out float straight; // depth on which that light can lie
 out vec2 sun; // narrow and diffuse sunlight
 out vec3 sky;
 
@@ -67,5 +68,6 @@ void main() {
     PuffLight light = puffLight(place, towards, beside.x + min(0.5 * own, 0.5));
     depths = vec2(beside.x + beside.y, narrowFading(towards));
     sun = vec2(light.narrow, light.diffuse);
+    straight = light.straight;
     sky = light.sky;
 }

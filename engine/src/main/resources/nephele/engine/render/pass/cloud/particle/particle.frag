@@ -44,7 +44,8 @@ void main() {
     float through = depths.x + max(seen.through, part.depth) + depths.y;
     PuffLight light = puffLight(seen.metres * at.ray, at.ray, depths.x + seen.toFront);
     vec3 radiance = puffRadiance(
-        vec2(light.narrow, light.diffuse), light.sky, irradiance, through, narrowFading(at.ray), medium.y);
+        vec2(light.narrow, light.diffuse), light.sky, irradiance, through,
+        vec2(narrowFading(at.ray), light.straight), medium.y);
     float covered = takenBy(part.depth);
     writeCloud(at, covered * radiance, covered, seen.metres);
 }

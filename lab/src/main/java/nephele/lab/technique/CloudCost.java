@@ -6,12 +6,12 @@ import nephele.engine.render.gl.GlContext;
 import nephele.lab.bench.CalibrationDrawing;
 
 /** The CPU time that the clouds of a sky add to a frame. */
-final class FrameCost {
-    private static final int FRAMES = 6;
-    private static final int ROUNDS = 3;
+final class CloudCost {
+    private static final int FRAMES = 3;
+    private static final int ROUNDS = 2;
     private static final int CALIBRATION_FRAMES = 40;
 
-    private FrameCost() {}
+    private CloudCost() {}
 
     /**
      * Returns it in those of the quad of {@code bench --calibrate}, the least of some rounds.
