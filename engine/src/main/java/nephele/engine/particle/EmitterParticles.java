@@ -2,6 +2,7 @@ package nephele.engine.particle;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /**
  * The particles of one emitter at any time. Particle n is born at the time (n + a random number) / rate after the start,

@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /** Rain and snow: drops fall straight with their final speed, flakes drift about their way. */
 record FallLaw(Emitter emitter, double speed, double halfWidth) implements ParticleLaw {
