@@ -12,6 +12,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 
@@ -22,6 +23,9 @@ import org.joml.Vector3d;
 final class ParticleLight {
     /** Radiance for an irradiance of 1: twice that of light scattered once, 1 / (4 π). */
     private static final double OF_IRRADIANCE = 1 / (2 * Math.PI);
+
+    /** Radiance for the irradiance of lit clouds, the bolt's own light included. */
+    private static final double FLASH_SHARE = 2 / Math.PI;
 
     /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
     private static final double RELIEF = 0.7;
@@ -36,6 +40,12 @@ final class ParticleLight {
 
     private final float[] relief;
 
+    /** {@code null} without lightning. */
+    private final FrameLightning lightning;
+
+    /** Radiance that a flash scatters from particles, by emitter, RGB. */
+    private final float[] ofFlash;
+
     private Vec3 towardsSun = Vec3.ZERO;
     private Environment followed;
 
@@ -48,6 +58,8 @@ final class ParticleLight {
         ofLamps = new Vector3d[emitters.size()];
         radiance = new float[3 * emitters.size()];
         relief = new float[3 * emitters.size()];
+        ofFlash = new float[3 * emitters.size()];
+        lightning = shared.lightning();
         for (int i = 0; i < emitters.size(); i++) {
             skyShare[i] = particles.surroundings().skyShare(emitters.get(i));
             ofLamps[i] = ofLamps(emitters.get(i));
@@ -64,6 +76,9 @@ final class ParticleLight {
 
     /** Updates the light to an environment, if it is another one. */
     void follow(Environment now) {
+        if (lightning != null) {
+            followFlash();
+        }
         if (now == followed) {
             return;
         }
@@ -82,6 +97,18 @@ final class ParticleLight {
                     around.add(ofLamps[i]),
                     direct,
                     sky == null ? new Vector3d() : skew(sky).mul(skyShare[i]));
+        }
+    }
+
+    private void followFlash() {
+        for (int i = 0; i < skyShare.length; i++) {
+            Vec3 glow = lightning.isLit()
+                    ? lightning.glow(particles.emitters().get(i).centre())
+                    : Vec3.ZERO;
+            double share = FLASH_SHARE * skyShare[i];
+            ofFlash[3 * i] = (float) (share * glow.x());
+            ofFlash[3 * i + 1] = (float) (share * glow.y());
+            ofFlash[3 * i + 2] = (float) (share * glow.z());
         }
     }
 
@@ -118,7 +145,7 @@ final class ParticleLight {
 
     /** Returns the light on particles of an emitter, in one of red, green and blue. */
     float radiance(int emitter, int channel) {
-        return radiance[3 * emitter + channel];
+        return radiance[3 * emitter + channel] + ofFlash[3 * emitter + channel];
     }
 
     /**
