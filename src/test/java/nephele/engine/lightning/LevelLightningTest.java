@@ -46,7 +46,7 @@ class LevelLightningTest {
             double begin = lightning.beginSeconds(strike);
             assertTrue(begin + StrokeCurve.LONGEST_SECONDS <= lightning.beginSeconds(strike + 1) + 1e-9);
             assertEquals(0, brightness(begin, FlashStyle.NATURAL));
-            assertEquals(0, brightness(begin + StrokeCurve.LONGEST_SECONDS, FlashStyle.NATURAL));
+            assertEquals(0, brightness(begin + StrokeCurve.LONGEST_SECONDS, FlashStyle.NATURAL), 1e-12);
         }
         assertEquals(0, brightness(-1, FlashStyle.NATURAL));
     }

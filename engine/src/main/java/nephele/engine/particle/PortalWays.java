@@ -130,27 +130,53 @@ final class PortalWays {
      */
     double after(double x, double y, double z, double seconds, Vector3d out, Vector3d speed) {
         Portal portal = portals.portal(entry);
-        int cell = cell(portal.across(x, y, z) / halfAcross) + CELLS * cell(portal.upward(x, y, z) / halfUp);
+        double across = column(portal.across(x, y, z) / halfAcross);
+        double up = column(portal.upward(x, y, z) / halfUp);
         place.set(x, y, z);
         velocity.set(0, -Emitter.RAIN_METRES_PER_SECOND, 0);
         double left = seconds;
         int through = entry;
-        for (int at = MOST_LEGS * cell; ; at++) {
+        int nearest = (int) (across + 0.5) + CELLS * (int) (up + 0.5);
+        for (int i = 0; ; i++) {
             enter(through);
-            boolean isLast = next[at] == Portals.CLOSED || at == MOST_LEGS * cell + MOST_LEGS - 1;
-            if (left < ends[at] || isLast) {
-                leg.place(Math.min(left, ends[at]), out);
-                leg.velocity(Math.min(left, ends[at]), speed);
-                return left - ends[at];
+            int onward = next[MOST_LEGS * nearest + i];
+            double end = end(across, up, nearest, i);
+            if (left < end || onward == Portals.CLOSED || i == MOST_LEGS - 1) {
+                leg.place(Math.min(left, end), out);
+                leg.velocity(Math.min(left, end), speed);
+                return left - end;
             }
-            left -= ends[at];
-            leg.place(ends[at], place);
-            leg.velocity(ends[at], velocity);
-            through = next[at];
+            left -= end;
+            leg.place(end, place);
+            leg.velocity(end, velocity);
+            through = onward;
         }
     }
 
-    private static int cell(double share) {
-        return Math.min(CELLS - 1, Math.max(0, (int) ((share + 1) / 2 * CELLS)));
+    /** Returns a place among the middles of cells, 0 for the first and CELLS − 1 for the last. */
+    private static double column(double share) {
+        return Math.min(CELLS - 1.001, Math.max(0, (share + 1) / 2 * CELLS - 0.5));
+    }
+
+    /** Returns when a leg ends: interpolated between cells whose ways end alike, else that of the nearest one. */
+    private double end(double across, double up, int nearest, int number) {
+        int low = MOST_LEGS * ((int) across + CELLS * (int) up) + number;
+        int right = low + MOST_LEGS;
+        int above = low + MOST_LEGS * CELLS;
+        int both = above + MOST_LEGS;
+        double least = Math.min(Math.min(ends[low], ends[right]), Math.min(ends[above], ends[both]));
+        double most = Math.max(Math.max(ends[low], ends[right]), Math.max(ends[above], ends[both]));
+        boolean isAlike = next[low] == next[right]
+                && next[low] == next[above]
+                && next[low] == next[both]
+                && most - least < 2 * PIECE_SECONDS;
+        if (!isAlike) {
+            return ends[MOST_LEGS * nearest + number];
+        }
+        double x = across - (int) across;
+        double y = up - (int) up;
+        double first = ends[low] + x * (ends[right] - ends[low]);
+        double second = ends[above] + x * (ends[both] - ends[above]);
+        return first + y * (second - first);
     }
 }
