@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.particle;
 
 import java.util.List;
+import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -48,6 +49,8 @@ final class ParticleLight {
 
     private Vec3 towardsSun = Vec3.ZERO;
     private Environment followed;
+    /** {@code null} without clouds. */
+    private CloudInterval.Sample cloudsFollowed;
 
     ParticleLight(Level level, LevelParticles particles, SharedResources shared) {
         this.level = level;
@@ -79,10 +82,13 @@ final class ParticleLight {
         if (lightning != null) {
             followFlash();
         }
-        if (now == followed) {
+        CloudInterval interval = shared.clouds().now();
+        CloudInterval.Sample sample = interval == null ? null : interval.from();
+        if (now == followed && sample == cloudsFollowed) {
             return;
         }
         followed = now;
+        cloudsFollowed = sample;
         Sun sun = Daylight.onGround(now);
         towardsSun = sun == null ? Vec3.ZERO : Directions.unit(sun.directionTowardsSun());
         SkyIrradiance sky = now.ambient() == null ? shared.surfaceLight().irradiance(now) : null;
@@ -90,7 +96,7 @@ final class ParticleLight {
             Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyShare[i]);
             Vector3d direct = new Vector3d();
             if (sun != null && sees(sun, i)) {
-                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE);
+                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudShare(i));
             }
             put(
                     i,
@@ -110,6 +116,15 @@ final class ParticleLight {
             ofFlash[3 * i + 1] = (float) (share * glow.y());
             ofFlash[3 * i + 2] = (float) (share * glow.z());
         }
+    }
+
+    /** Returns the share of the sun's light that clouds leave. */
+    private double cloudShare(int emitter) {
+        return cloudsFollowed == null
+                ? 1
+                : cloudsFollowed
+                        .clouds()
+                        .sunShare(particles.emitters().get(emitter).centre());
     }
 
     private static Vector3d mean(SkyIrradiance sky) {
