@@ -22,7 +22,7 @@ import nephele.engine.render.resource.FrameLightning;
  */
 final class CloudFlash {
     /** Least number of pixels of the view along each side of one of the layer: scattered light is smooth. */
-    private static final int LEAST_DIVISOR = 4;
+    private static final int LEAST_DIVISOR = 6;
 
     private final LoadContext context;
     private final GlContext gl;
