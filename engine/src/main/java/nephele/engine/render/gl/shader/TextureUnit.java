@@ -41,8 +41,8 @@ public enum TextureUnit {
     SHAFTS(14),
     /** The points of a bolt of lightning. */
     BOLT_POINTS(8),
-    /** What clouds leave of the light of each point of a bolt. */
-    BOLT_TRANSMITTANCE(10),
+    /** What clouds leave of the light of each point of a bolt; no other target of a pass has this unit. */
+    BOLT_TRANSMITTANCE(9),
     /** The shade of clouds that {@code shaft.frag} reads. */
     SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),
