@@ -31,6 +31,7 @@ final class PackageTable {
             "cloud",
             "choice",
             "particle",
+            "lightning",
             "atmosphere");
 
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
@@ -49,6 +50,7 @@ final class PackageTable {
         USES.put("cloud", List.of("level", "asset"));
         USES.put("choice", List.of("cloud", "sim"));
         USES.put("particle", List.of("collision"));
+        USES.put("lightning", List.of("level"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of());

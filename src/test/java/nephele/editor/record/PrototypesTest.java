@@ -53,6 +53,7 @@ class PrototypesTest {
                         "environment.sun",
                         "environment.sky",
                         "environment.fog",
+                        "environment.lightning",
                         "player",
                         "portalGun"),
                 LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());

@@ -33,6 +33,11 @@ final class BadRelations {
                     "emitters[0].repeatSeconds",
                     "an explosion lasts 4.5 s: repeat it later, or give 0",
                     "\"emitters\": [" + emitter("explosion", "[1, 1, 1]", "9, \"repeatSeconds\": 2") + "]"),
+            level(
+                    "environment.lightning.groundAltitudeMetres",
+                    "lower it, raise centre, or give groundShare 0",
+                    "\"environment\": {\"lightning\": {\"strikesPerMinute\": 6, \"centre\": [0, 100, 0], \"size\":"
+                            + " [9, 90, 9], \"groundAltitudeMetres\": 60}}"),
             level("materials[1].id", "already the id", "\"materials\": [{\"id\": \"m\"}, {\"id\": \"m\"}]"),
             level(
                     "solids[0].material",

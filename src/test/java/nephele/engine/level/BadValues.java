@@ -81,6 +81,11 @@ final class BadValues {
                     "seed",
                     "\"kind\": \"fire\", \"size\": [1, 1, 1], \"ratePerSecond\": 1, \"seed\": 0.5",
                     "whole number"),
+            level(
+                    "environment.lightning.strikesPerMinute",
+                    "must be from 0 to 30",
+                    "\"environment\": {\"lightning\": {\"strikesPerMinute\": 31, \"centre\": [0, 900, 0], \"size\":"
+                            + " [9, 9, 9]}}"),
             level("solids[0].kind", "is missing", "\"solids\": [{\"id\": \"a\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": \"sphere\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": 1}]"),

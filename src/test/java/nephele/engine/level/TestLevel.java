@@ -23,6 +23,7 @@ public final class TestLevel {
     private final List<Exit> exits = new ArrayList<>();
     private final List<Emitter> emitters = new ArrayList<>();
     private final List<Cloud> clouds = new ArrayList<>();
+    private Environment.Lightning lightning;
 
     /** Adds a sun without shadows. */
     public TestLevel sun(Vec3 towards, double irradiance) {
@@ -141,6 +142,11 @@ public final class TestLevel {
         return this;
     }
 
+    public TestLevel lightning(Environment.Lightning description) {
+        lightning = description;
+        return this;
+    }
+
     public TestLevel cloud(Cloud cloud) {
         clouds.add(cloud);
         return this;
@@ -168,7 +174,8 @@ public final class TestLevel {
     }
 
     public Level level() {
-        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.copyOf(clouds));
+        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.copyOf(clouds))
+                .withLightning(lightning);
         return Level.of("test", "", environment, List.of())
                 .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
                 .with(environment, List.copyOf(lights))

@@ -133,6 +133,7 @@ final class RenderCommand implements Command {
     private static boolean follows(Level level) {
         Environment environment = level.environment();
         return !level.emitters().isEmpty()
+                || environment.hasLightning()
                 || Daylight.moves(environment)
                 || WeatherCourse.of(environment).changes()
                 || WeatherClouds.all(environment).stream()

@@ -7,6 +7,7 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
 import nephele.engine.draw.QualityChoice;
+import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
 
@@ -51,5 +52,10 @@ final class ChosenSettings {
             case FAST -> 2 * SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
             case INSTANT -> SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND;
         };
+    }
+
+    /** Returns how flashes of lightning come and go. */
+    static FlashStyle flashStyle(GameSettings settings) {
+        return settings.get(Settings.REDUCED_FLASHES) == Switch.ON ? FlashStyle.SOFTENED : FlashStyle.NATURAL;
     }
 }

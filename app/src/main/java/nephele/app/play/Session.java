@@ -86,6 +86,7 @@ final class Session implements AutoCloseable {
         GameSettings settings = request.player().files().settings();
         playthrough.verticalFovDegrees(ChosenSettings.verticalFovDegrees(settings));
         playthrough.shotPalette(settings.get(Settings.PORTAL_COLOURS));
+        playthrough.flashStyle(ChosenSettings.flashStyle(settings));
     }
 
     /** Replaces the renderer by one of the chosen quality. */

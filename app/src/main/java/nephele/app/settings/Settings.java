@@ -100,6 +100,8 @@ public final class Settings {
     public static final GameSetting<ShotPalette> PORTAL_COLOURS =
             GameSetting.word("portalColours", ShotPalette.BLUE_ORANGE);
     public static final GameSetting<Switch> REDUCED_MOTION = GameSetting.word("reducedMotion", Switch.OFF);
+    /** Lightning dimmer and slower, see {@link nephele.engine.level.appearance.FlashStyle#SOFTENED}. */
+    public static final GameSetting<Switch> REDUCED_FLASHES = GameSetting.word("reducedFlashes", Switch.OFF);
 
     /** The keys of each control. */
     public static final Map<Control, GameSetting<List<String>>> KEYS = keys();
@@ -121,6 +123,7 @@ public final class Settings {
             ASSISTS,
             UPRIGHT,
             REDUCED_MOTION,
+            REDUCED_FLASHES,
             PORTAL_COLOURS);
 
     /** All settings of the file. */

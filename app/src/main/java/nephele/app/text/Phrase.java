@@ -81,6 +81,7 @@ public enum Phrase {
     SETTING_ASSISTS("Aids at portals", "Ajudas nos portais", "Ajudas nos portais"),
     SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
     SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
+    SETTING_REDUCED_FLASHES("Soft lightning", "Relâmpagos suaves", "Relâmpagos suaves"),
     SETTING_PORTAL_COLOURS("Portal colours", "Cores dos portais", "Cores dos portais"),
     WORD_BLUE_ORANGE("blue, orange", "azul, laranja", "azul, laranja"),
     WORD_BLUE_YELLOW("blue, yellow", "azul, amarelo", "azul, amarelo"),

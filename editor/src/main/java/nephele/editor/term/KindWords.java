@@ -18,6 +18,7 @@ public final class KindWords {
             word("emitter", "Particles", "Partículas", "Partículas"),
             word("exit", "Exit", "Saída", "Saída"),
             word("fog", "Fog", "Neblina", "Nevoeiro"),
+            word("lightning", "Lightning", "Relâmpagos", "Relâmpagos"),
             word("gradient", "Gradient", "Gradiente", "Gradiente"),
             word("material", "Material", "Material", "Material"),
             word("modelplacement", "Model", "Modelo", "Modelo"),

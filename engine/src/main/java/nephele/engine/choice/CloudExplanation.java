@@ -10,6 +10,7 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Environment.WeatherKeyframe;
+import nephele.engine.level.Weather;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.WordFormats;
@@ -94,6 +95,9 @@ public final class CloudExplanation {
                     + environment.weatherSeed() + " means "
                     + (meant.isEmpty() ? "no clouds" : "these environment.clouds:"));
             meant.forEach(cloud -> lines.add(LevelJson.line(cloud)));
+        }
+        if (environment.weather() == Weather.STORM && environment.lightning() == null) {
+            lines.add("environment.weather: storm may also have environment.lightning and emitters of kind rain");
         }
     }
 

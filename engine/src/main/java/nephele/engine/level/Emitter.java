@@ -10,6 +10,7 @@ import nephele.engine.math.Vec3;
  * @param startSeconds time of the first particle; before 0 for what has been going on when the level starts
  * @param repeatSeconds time between two explosions; 0 for a single one
  * @param widthMetres width of a particle; 0 for that of its kind
+ * @param splashes whether drops of rain are seen to splash where they end
  */
 public record Emitter(
         @Written(required = true, text = TextKind.ID) String id,
@@ -20,7 +21,8 @@ public record Emitter(
         @Written(min = 0, max = 1e9) int seed,
         @Written double startSeconds,
         @Written(min = 0, max = 1e6) double repeatSeconds,
-        @Written(min = 0, max = 100, spatial = Spatial.LENGTH) double widthMetres) {
+        @Written(min = 0, max = 100, spatial = Spatial.LENGTH) double widthMetres,
+        @Written boolean splashes) {
     /** What an emitter makes; its word in a level file is the name in lower case. */
     public enum Kind {
         /** Flames over the base of the box, up to its top. */
@@ -51,6 +53,20 @@ public record Emitter(
     /** The most particles that a level shows at once. */
     public static final int MOST_PARTICLES = 200_000;
 
+    /** Makes an emitter whose drops do not splash. */
+    public Emitter(
+            String id,
+            Kind kind,
+            Vec3 centre,
+            Vec3 size,
+            double ratePerSecond,
+            int seed,
+            double startSeconds,
+            double repeatSeconds,
+            double widthMetres) {
+        this(id, kind, centre, size, ratePerSecond, seed, startSeconds, repeatSeconds, widthMetres, false);
+    }
+
     /** Makes an emitter that starts at once, repeats nothing and has particles of the usual width. */
     public Emitter(String id, Kind kind, Vec3 centre, Vec3 size, double ratePerSecond) {
         this(id, kind, centre, size, ratePerSecond, 0, 0, 0, 0);
@@ -80,11 +96,12 @@ public record Emitter(
 
     /** Returns this emitter with another start. */
     public Emitter startingAt(double seconds) {
-        return new Emitter(id, kind, centre, size, ratePerSecond, seed, seconds, repeatSeconds, widthMetres);
+        return new Emitter(id, kind, centre, size, ratePerSecond, seed, seconds, repeatSeconds, widthMetres, splashes);
     }
 
     /** Returns this emitter with another centre. */
     public Emitter at(Vec3 place) {
-        return new Emitter(id, kind, place, size, ratePerSecond, seed, startSeconds, repeatSeconds, widthMetres);
+        return new Emitter(
+                id, kind, place, size, ratePerSecond, seed, startSeconds, repeatSeconds, widthMetres, splashes);
     }
 }

@@ -14,6 +14,7 @@ import nephele.engine.math.Vec3;
  * @param fog {@code null} for none
  * @param weather clouds that the engine adds to the written ones; {@code null} for none
  * @param weatherKeyframes weathers at times, in the place of one weather; between two, one fades into the other
+ * @param lightning {@code null} for none
  */
 public record Environment(
         @Written Sun sun,
@@ -25,7 +26,8 @@ public record Environment(
         @Written(most = 1000) List<Cloud> clouds,
         @Written Weather weather,
         @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
-        @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes) {
+        @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes,
+        @Written Lightning lightning) {
 
     /**
      * A weather at a time.
@@ -35,6 +37,51 @@ public record Environment(
     public record WeatherKeyframe(
             @Written(required = true, min = 0, max = 1e9) double timeSeconds,
             @Written(required = true, prototype = "\"few\"") Weather weather) {}
+
+    /**
+     * Strikes of lightning, which are a function of the time alone; nothing that is simulated depends on them.
+     *
+     * @param strikesPerMinute 0 for none; a strike is seen for little more than a second, and no two at once
+     * @param centre of the box of cloud in which bolts start, in metres
+     * @param size edges of that box, in metres
+     * @param groundAltitudeMetres height at which bolts end that leave the box downwards
+     * @param groundShare share of the bolts that strike the ground, 0 to 1; the others end in the box
+     * @param radiantIntensity of a whole bolt when its first stroke is brightest, linear RGB, in watts per steradian
+     */
+    public record Lightning(
+            @Written(required = true, min = 0, max = 30, prototype = "6") double strikesPerMinute,
+            @Written(min = 0, max = 1e9) int seed,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1, max = 1e5, spatial = Spatial.EXTENT, prototype = "[4000, 400, 4000]")
+                    Vec3 size,
+            @Written double groundAltitudeMetres,
+            @Written(absent = "0.6", min = 0, max = 1) double groundShare,
+            @Written(absent = "[4000000, 4300000, 5200000]", min = 0, max = 1e9) Vec3 radiantIntensity) {
+        /** Returns true if anything of it is ever seen. */
+        public boolean strikes() {
+            return strikesPerMinute > 0 && !radiantIntensity.equals(Vec3.ZERO);
+        }
+    }
+
+    /** Creates an environment without lightning. */
+    public Environment(
+            Sun sun,
+            Sky sky,
+            Vec3 ambient,
+            Exposure exposureStops,
+            ToneCurve toneCurve,
+            Fog fog,
+            List<Cloud> clouds,
+            Weather weather,
+            long weatherSeed,
+            List<WeatherKeyframe> weatherKeyframes) {
+        this(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes, null);
+    }
+
+    /** Returns true if lightning is seen in it. */
+    public boolean hasLightning() {
+        return lightning != null && lightning.strikes();
+    }
 
     /** Creates an environment without weather. */
     public Environment(
@@ -58,41 +105,109 @@ public record Environment(
 
     public Environment with(Sun newSun) {
         return new Environment(
-                newSun, sky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
+                newSun,
+                sky,
+                ambient,
+                exposureStops,
+                toneCurve,
+                fog,
+                clouds,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                lightning);
     }
 
     public Environment with(Sky newSky) {
         return new Environment(
-                sun, newSky, ambient, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
+                sun,
+                newSky,
+                ambient,
+                exposureStops,
+                toneCurve,
+                fog,
+                clouds,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                lightning);
     }
 
     public Environment with(Exposure exposure) {
         return new Environment(
-                sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
+                sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes, lightning);
     }
 
     public Environment withClouds(List<Cloud> written) {
         return new Environment(
-                sun, sky, ambient, exposureStops, toneCurve, fog, written, weather, weatherSeed, weatherKeyframes);
+                sun,
+                sky,
+                ambient,
+                exposureStops,
+                toneCurve,
+                fog,
+                written,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                lightning);
     }
 
     public Environment withAmbient(Vec3 radiance) {
         return new Environment(
-                sun, sky, radiance, exposureStops, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes);
+                sun,
+                sky,
+                radiance,
+                exposureStops,
+                toneCurve,
+                fog,
+                clouds,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                lightning);
     }
 
     public Environment withFog(Fog newFog) {
         return new Environment(
-                sun, sky, ambient, exposureStops, toneCurve, newFog, clouds, weather, weatherSeed, weatherKeyframes);
+                sun,
+                sky,
+                ambient,
+                exposureStops,
+                toneCurve,
+                newFog,
+                clouds,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                lightning);
     }
 
     /** Returns this environment with a weather that stays; {@code null} for none. */
     public Environment with(Weather newWeather, long seed) {
-        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, clouds, newWeather, seed);
+        return new Environment(
+                sun, sky, ambient, exposureStops, toneCurve, fog, clouds, newWeather, seed, List.of(), lightning);
+    }
+
+    /** Returns this environment with other lightning; {@code null} for none. */
+    public Environment withLightning(Lightning newLightning) {
+        return new Environment(
+                sun,
+                sky,
+                ambient,
+                exposureStops,
+                toneCurve,
+                fog,
+                clouds,
+                weather,
+                weatherSeed,
+                weatherKeyframes,
+                newLightning);
     }
 
     /** Returns this environment without clouds, those of its weather included. */
     public Environment withoutClouds() {
-        return new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of(), null, 0);
+        return new Environment(
+                sun, sky, ambient, exposureStops, toneCurve, fog, List.of(), null, 0, List.of(), lightning);
     }
 }

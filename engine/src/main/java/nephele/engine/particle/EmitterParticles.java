@@ -2,6 +2,9 @@ package nephele.engine.particle;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Chance;
+import nephele.engine.portal.Portals;
 
 /**
  * The particles of one emitter at any time. Particle n is born at the time (n + a random number) / rate after the start,
@@ -17,6 +20,8 @@ final class EmitterParticles {
     private final ParticleLaw law;
     /** {@code null} if nothing falls. */
     private final ColumnHeights ends;
+    /** {@code null} unless it rains. */
+    private final Rainfall rain;
 
     private final ParticleState state = new ParticleState();
 
@@ -25,6 +30,17 @@ final class EmitterParticles {
         this.emitter = emitter;
         law = ParticleLaw.of(emitter);
         ends = world != null && falls(emitter) ? ColumnHeights.of(emitter, world) : null;
+        rain = ends != null && emitter.kind() == Emitter.Kind.RAIN ? new Rainfall(emitter, world, ends) : null;
+    }
+
+    /** Takes the portals of a frame; returns true if particles may be elsewhere because of them. */
+    boolean follow(Portals portals) {
+        return rain != null && rain.follow(portals);
+    }
+
+    /** Returns a box around where portals lead particles; empty for nowhere. */
+    Aabb behindPortals() {
+        return rain == null ? Aabb.EMPTY : rain.bounds();
     }
 
     static boolean falls(Emitter emitter) {
@@ -46,15 +62,26 @@ final class EmitterParticles {
 
     private void window(ParticleArrays out, int number, double clock) {
         double rate = emitter.ratePerSecond();
-        double longest = emitter.longestLifeSeconds();
+        double longest = emitter.longestLifeSeconds() + (rain == null ? 0 : rain.mostSecondsBeyond());
         long first = Math.max(0, (long) Math.ceil((clock - longest) * rate - 1));
         long last = (long) Math.floor(clock * rate);
         for (long index = first; index <= last; index++) {
             double age = clock - (index + Chance.unit(Chance.dice(emitter.seed(), index), BIRTH)) / rate;
-            if (age >= 0 && age < longest && law.at(index, age, clock, state) && isAbove(state)) {
+            if (age >= 0 && age < longest && isSeen(index, age, clock)) {
                 out.add(number, state);
             }
         }
+    }
+
+    private boolean isSeen(long index, double age, double clock) {
+        boolean inBox = law.at(index, age, clock, state);
+        if (rain == null) {
+            return inBox && isAbove(state);
+        }
+        if (!inBox) {
+            FallLaw.column(emitter, index, state);
+        }
+        return rain.at(index, age, inBox, state);
     }
 
     private boolean isAbove(ParticleState particle) {

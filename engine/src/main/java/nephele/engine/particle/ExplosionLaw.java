@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /**
  * An explosion: two thirds of the particles are billows that drag stops within the box, glow, darken to smoke and rise;

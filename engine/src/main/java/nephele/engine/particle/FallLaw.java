@@ -1,11 +1,15 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /** Rain and snow: drops fall straight with their final speed, flakes drift about their way. */
 record FallLaw(Emitter emitter, double speed, double halfWidth) implements ParticleLaw {
     /** The time of which a drop shows its way, as in a picture of a film. */
-    private static final double EXPOSED_SECONDS = 1.0 / 40;
+    static final double EXPOSED_SECONDS = 1.0 / 40;
+
+    /** Half the length of a drop's picture. */
+    static final double RAIN_HALF_LENGTH = 0.5 * EXPOSED_SECONDS * Emitter.RAIN_METRES_PER_SECOND;
 
     private static final double RAIN_WIDTH = 0.007;
     private static final double SNOW_WIDTH = 0.035;
@@ -22,6 +26,26 @@ record FallLaw(Emitter emitter, double speed, double halfWidth) implements Parti
         return emitter.kind() == Emitter.Kind.RAIN;
     }
 
+    /** Writes the column in which a drop falls. */
+    static void column(Emitter emitter, long index, ParticleState out) {
+        long dice = Chance.dice(emitter.seed(), index);
+        out.place(
+                0.5 * emitter.size().x() * Chance.signed(dice, 1),
+                0,
+                0.5 * emitter.size().z() * Chance.signed(dice, 2));
+    }
+
+    /** Writes what a drop of rain looks like, but for its place and its way. */
+    static void drop(Emitter emitter, long index, ParticleState out) {
+        long dice = Chance.dice(emitter.seed(), index);
+        out.emission(0, 0, 0, 0);
+        out.albedo = 1;
+        out.turns = 0;
+        out.halfWidth = ParticleLaw.halfWidth(emitter, RAIN_WIDTH) * (0.7 + 0.6 * Chance.unit(dice, 3));
+        out.opacity = 0.27;
+        out.picture = ParticlePicture.STREAK.number(index);
+    }
+
     @Override
     public boolean at(long index, double age, double clock, ParticleState out) {
         double fallen = speed * age;
@@ -32,16 +56,14 @@ record FallLaw(Emitter emitter, double speed, double halfWidth) implements Parti
         double x = 0.5 * emitter.size().x() * Chance.signed(dice, 1);
         double z = 0.5 * emitter.size().z() * Chance.signed(dice, 2);
         double y = 0.5 * emitter.size().y() - fallen;
-        out.emission(0, 0, 0, 0);
-        out.albedo = 1;
-        out.turns = 0;
         if (isRain(emitter)) {
+            drop(emitter, index, out);
             out.place(x, y, z);
-            out.halfWidth = halfWidth * (0.7 + 0.6 * Chance.unit(dice, 3));
             out.stretch(0, 0.5 * EXPOSED_SECONDS * speed, 0);
-            out.opacity = 0.27;
-            out.picture = ParticlePicture.STREAK.number(index);
         } else {
+            out.emission(0, 0, 0, 0);
+            out.albedo = 1;
+            out.turns = 0;
             drift(index, age, clock, out, x, y, z);
         }
         return true;

@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /**
  * Flames: tongues that rise faster and faster from an elliptical base and draw together. Those of the middle live

@@ -7,6 +7,7 @@ import nephele.engine.level.Emitter;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
 
 /** The particles of a level's emitters. Evaluated once for all views of a frame. */
 public final class LevelParticles {
@@ -19,6 +20,7 @@ public final class LevelParticles {
     private final EmitterSurroundings surroundings;
     private final ParticleArrays arrays;
     private double evaluated = Double.NaN;
+    private Portals portals = Portals.NONE;
 
     /**
      * Prepares emitters.
@@ -64,6 +66,22 @@ public final class LevelParticles {
     /** Returns what the level hides from emitters. */
     public EmitterSurroundings surroundings() {
         return surroundings;
+    }
+
+    /** Takes the portals that exist from now on: rain falls into open ones. */
+    public void follow(Portals now) {
+        if (now == portals) {
+            return;
+        }
+        portals = now;
+        for (int i = 0; i < particles.size(); i++) {
+            if (particles.get(i).follow(now)) {
+                Aabb behind = particles.get(i).behindPortals();
+                Aabb box = bounds(emitters.get(i));
+                bounds.set(i, behind.isEmpty() ? box : box.union(behind.grown(1)));
+                evaluated = Double.NaN;
+            }
+        }
     }
 
     /** Returns a box of the world that no particle of an emitter leaves. */

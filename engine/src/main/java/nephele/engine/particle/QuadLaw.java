@@ -2,6 +2,7 @@ package nephele.engine.particle;
 
 import java.util.Arrays;
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /**
  * The report's particles. In each of 60 frames a second a place's life falls by its share of 0.005 to 0.015; below 0.05

@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /** Smoke: billows that rise with a speed that drag brings to a limit, grow, turn, sway together and thin out. */
 record SmokeLaw(Emitter emitter, double breadth, double longest) implements ParticleLaw {

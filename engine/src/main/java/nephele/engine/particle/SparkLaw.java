@@ -1,6 +1,7 @@
 package nephele.engine.particle;
 
 import nephele.engine.level.Emitter;
+import nephele.engine.math.Chance;
 
 /**
  * Sparks: thrown up in a cone, under gravity and drag in proportion to speed, which has a closed form. They glow along

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.portal.CrossingWord;
@@ -109,6 +110,11 @@ public final class Playthrough {
     /** Sets the colours of the shots' portals. */
     public void shotPalette(ShotPalette palette) {
         live.frameState().shotPalette(palette);
+    }
+
+    /** Sets how flashes of lightning come and go. */
+    public void flashStyle(FlashStyle style) {
+        live.frameState().flashStyle(style);
     }
 
     /** Sets the vertical field of view of {@link #view}. */

@@ -15,6 +15,7 @@ import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.exposure.ExposurePass;
+import nephele.engine.render.pass.lightning.LightningPass;
 import nephele.engine.render.pass.particle.ParticlePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
@@ -60,6 +61,7 @@ public final class RenderFeatures {
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
             CloudPass.feature(CLOUD_TECHNIQUES),
+            LightningPass.FEATURE,
             ParticlePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,

@@ -6,6 +6,7 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -40,6 +41,7 @@ public final class FrameState {
     private Vec3 heldFromEye = Vec3.ZERO;
     private double heldClarity;
     private ShotPalette shotPalette = ShotPalette.BLUE_ORANGE;
+    private FlashStyle flashStyle = FlashStyle.NATURAL;
 
     private FrameState(Environment environment, int bodyCount) {
         authored = environment;
@@ -99,6 +101,16 @@ public final class FrameState {
     /** Sets the colours of the shots' portals. */
     public void shotPalette(ShotPalette now) {
         shotPalette = now;
+    }
+
+    /** Returns how flashes of lightning come and go. */
+    public FlashStyle flashStyle() {
+        return flashStyle;
+    }
+
+    /** Sets how flashes of lightning come and go. */
+    public void flashStyle(FlashStyle now) {
+        flashStyle = now;
     }
 
     public Portals portals() {

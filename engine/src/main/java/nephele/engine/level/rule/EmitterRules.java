@@ -33,6 +33,9 @@ final class EmitterRules {
                     report.accept(
                             Problem.warning(path + ".repeatSeconds", "only an explosion is repeated: leave it out"));
                 }
+                if (emitter.splashes() && emitter.kind() != Emitter.Kind.RAIN) {
+                    report.accept(Problem.warning(path + ".splashes", "only rain splashes: leave it out"));
+                }
                 if (emitter.ratePerSecond() == 0) {
                     report.accept(Problem.warning(
                             path + ".ratePerSecond", "with a rate of 0 nothing is shown: give it a rate"));

@@ -4,11 +4,13 @@ import java.util.EnumSet;
 import java.util.Set;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
 
-/** Rules for skies that cannot be shown. */
+/** Rules for skies and lightning that cannot be shown. */
 final class EnvironmentRules {
     /** A skybox names as many files as its layout needs, in its order. */
     static final LevelRule SKY_FILES = (level, assets, report) -> {
@@ -19,6 +21,30 @@ final class EnvironmentRules {
 
     private static final Set<CloudTechnique> DRAWN = EnumSet.complementOf(EnumSet.of(CloudTechnique.SKYBOX));
     private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
+
+    /** Lightning can be seen, and strikes below where it starts. */
+    static final LevelRule LIGHTNING = (level, assets, report) -> {
+        Environment.Lightning lightning = level.environment().lightning();
+        if (lightning == null) {
+            return;
+        }
+        String path = "environment.lightning";
+        if (lightning.strikesPerMinute() == 0) {
+            report.accept(Problem.warning(
+                    path + ".strikesPerMinute", "with 0 nothing is ever seen: give some 6, or leave lightning out"));
+        }
+        if (lightning.radiantIntensity().equals(Vec3.ZERO)) {
+            report.accept(Problem.warning(
+                    path + ".radiantIntensity", "black lightning is never seen: give it light, or leave this out"));
+        }
+        double base = lightning.centre().y() - lightning.size().y() / 2;
+        if (lightning.groundShare() > 0 && lightning.groundAltitudeMetres() >= base) {
+            report.accept(Problem.error(
+                    path + ".groundAltitudeMetres",
+                    "is not below the box, which begins at " + base
+                            + " m: lower it, raise centre, or give groundShare 0"));
+        }
+    };
 
     /** Warns of techniques of clouds that are not built yet, or that cannot show a cloud. */
     static final LevelRule TECHNIQUES = (level, assets, report) ->

@@ -33,6 +33,7 @@ public final class LevelRules {
             ExitRules.REACHABLE,
             EmitterRules.COUNT,
             EmitterRules.USED,
+            EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 
     /** All rules; the last ones read every picture and every mesh. */

@@ -21,6 +21,9 @@ public final class LinearLight {
         if (!WeatherClouds.all(level.environment()).isEmpty()) {
             return Optional.of("environment.clouds: they are blended with what is behind them");
         }
+        if (level.environment().hasLightning()) {
+            return Optional.of("environment.lightning: it adds light to what is behind");
+        }
         if (level.emitters().stream().anyMatch(emitter -> emitter.ratePerSecond() > 0)) {
             return Optional.of("emitters: particles are blended with what is behind them");
         }

@@ -22,6 +22,7 @@ import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.render.resource.ShaftTables;
@@ -62,6 +63,7 @@ public final class SharedResources implements GlObject {
     private DynamicMeshes dynamicObjects;
     private BackgroundWork background;
     private FrameClouds clouds;
+    private FrameLightning lightning;
     private int cuts;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
@@ -127,6 +129,9 @@ public final class SharedResources implements GlObject {
         surroundings.follow(frameState.environment());
         if (clouds != null) {
             clouds.follow(frameState, view.eye());
+        }
+        if (lightning != null) {
+            lightning.follow(frameState);
         }
         if (surfaceLight != null) {
             surfaceLight.follow(frameState.environment());
@@ -205,6 +210,15 @@ public final class SharedResources implements GlObject {
                     () -> new FrameClouds(scene, columns.loaded().drawnBy(techniques), request.quality()));
         }
         return clouds;
+    }
+
+    /** Returns the level's lightning; {@code null} if there is none. */
+    public FrameLightning lightning() {
+        Environment environment = scene.level().environment();
+        if (lightning == null && environment.hasLightning()) {
+            lightning = own(new FrameLightning(gl, environment.lightning()));
+        }
+        return lightning;
     }
 
     /** Returns the shadows of clouds in the air of the frame's views; {@code null} without. */

@@ -21,6 +21,7 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
@@ -46,9 +47,15 @@ public final class SurfaceLight implements GlObject {
     private final SunLight sun;
     private final PunctualLighting lights;
     private final DynamicShadows dynamicShadows;
+    /** {@code null} without lightning. */
+    private final FrameLightning flash;
+
     private Environment followed;
     /** {@code null} before the first frame, and without clouds. */
     private CloudInterval cloudsFollowed;
+    /** Whether the last frame was lit by a flash. */
+    private boolean wasLit;
+
     /** The atmosphere's tables; {@code null} for another sky. */
     private AirTables airTables;
 
@@ -57,7 +64,8 @@ public final class SurfaceLight implements GlObject {
         this.shared = shared;
         level = scene.level();
         maps = request.lightMaps();
-        block = shared.own(new LightBlock(gl));
+        flash = request.level().environment().hasLightning() ? shared.lightning() : null;
+        block = shared.own(new LightBlock(gl, flash != null));
         sampling = request.quality().shadowFilter();
         sun = new SunLight(request, scene.statics(), anchor());
         lights = new PunctualLighting(gl, request, scene.lights(), anchor());
@@ -76,8 +84,10 @@ public final class SurfaceLight implements GlObject {
                         && clouds.from() == cloudsFollowed.from()
                         && clouds.share() == cloudsFollowed.share();
         if (now == followed && isSame) {
+            followFlash();
             return;
         }
+        putFlash();
         sun.put(Daylight.onGround(now), block);
         lights.put(block);
         if (now.ambient() != null) {
@@ -92,6 +102,20 @@ public final class SurfaceLight implements GlObject {
         block.upload();
         followed = now;
         cloudsFollowed = clouds;
+    }
+
+    private void followFlash() {
+        if (flash != null && (wasLit || flash.isLit())) {
+            putFlash();
+            block.upload();
+        }
+    }
+
+    private void putFlash() {
+        if (flash != null) {
+            block.flash(flash, anchor());
+            wasLit = flash.isLit();
+        }
     }
 
     /** @param sun {@code null} if the sky does not depend on it */
@@ -174,7 +198,11 @@ public final class SurfaceLight implements GlObject {
 
     /** Returns true if shaders need positions in the level. */
     public boolean needsPositions() {
-        return sun.hasShadow() || sun.hasCloudShade() || lights.table() != null || dynamicShadows.sun();
+        return sun.hasShadow()
+                || sun.hasCloudShade()
+                || lights.table() != null
+                || dynamicShadows.sun()
+                || flash != null;
     }
 
     public Defines addTo(Defines defines) {
@@ -196,6 +224,7 @@ public final class SurfaceLight implements GlObject {
 
     private Defines addLights(Defines defines) {
         return lights.addTo(sun.addTo(dynamicShadows.addTo(defines)))
+                .withIf(flash != null, "FLASH")
                 .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
@@ -222,7 +251,7 @@ public final class SurfaceLight implements GlObject {
         dynamicShadows.tie(uniforms);
         sun.tie(uniforms);
         lights.tie(uniforms);
-        if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky) {
+        if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky || flash != null) {
             uniforms.block("Light", LightBlock.BINDING);
         }
     }

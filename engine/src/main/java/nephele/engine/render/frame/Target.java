@@ -19,6 +19,8 @@ public enum Target {
     SKY_VISIBILITY(TextureUnit.SKY_VISIBILITY),
     /** The share of the sun's light that clouds leave, in a region around the level. */
     CLOUD_SHADE(TextureUnit.CLOUD_SHADE),
+    /** The share of the light of each point of a bolt of lightning that clouds let through to the eye of the current view. */
+    BOLT_TRANSMITTANCE(TextureUnit.BOLT_TRANSMITTANCE),
     /**
      * Window depth 0–1 of the current view after its opaque surfaces, at the same pixels; only for passes of {@link
      * Stage#IN_VIEWS_AFTER_OPAQUE}.

@@ -21,12 +21,18 @@ public final class LightBlock implements GlObject {
     private static final int CLOUD_SHADE = 48;
     private static final int SKY = 56;
     private static final int FLOATS = SKY + 4 * SkyIrradiance.TERMS;
+    /** Only in levels with lightning. */
+    private static final int FLASH = FLOATS;
+
+    private static final int FLASH_FLOATS = 12;
 
     private final UniformBuffer buffer;
-    private final float[] values = new float[FLOATS];
+    private final float[] values;
 
-    public LightBlock(GlContext gl) {
-        buffer = new UniformBuffer(gl, "light", FLOATS);
+    /** @param hasFlash whether there is lightning */
+    public LightBlock(GlContext gl, boolean hasFlash) {
+        values = new float[hasFlash ? FLOATS + FLASH_FLOATS : FLOATS];
+        buffer = new UniformBuffer(gl, "light", values.length);
     }
 
     public void sun(Sun sun) {
@@ -69,6 +75,15 @@ public final class LightBlock implements GlObject {
         for (int i = 0; i < SkyIrradiance.TERMS; i++) {
             new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]).put(values, SKY + 4 * i, 0);
         }
+    }
+
+    /** @param anchor the origin of positions in shaders */
+    public void flash(FrameLightning lightning, Vec3 anchor) {
+        boolean isLit = lightning.isLit();
+        Vec3 place = isLit ? lightning.middle().minus(anchor) : Vec3.ZERO;
+        place.put(values, FLASH, isLit ? (float) lightning.softeningSquare() : 1);
+        (isLit ? lightning.radiantIntensity() : Vec3.ZERO).put(values, FLASH + 4, 0);
+        (isLit ? lightning.glow(anchor) : Vec3.ZERO).put(values, FLASH + 8, 0);
     }
 
     /** Uploads the values that were set. */

@@ -25,10 +25,16 @@ float cellDensity(vec4 cell) {
     return mix(cell.r, cell.a, cells.w);
 }
 
+#ifdef BY_FLASH
+#include "cloud-flash.glsl"
+#endif
+
 // direction: of unit length; visible: the part of the ray in the cloud that no surface hides
 CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     CloudRay ray = emptyRay();
+#if !defined(BY_FLASH) && !defined(OF_BOLT)
     RayAngles angles = rayAngles(direction, stepping.w);
+#endif
     vec2 planet = vec2(phase.z, stepping.z);
     float at = visible.x;
     float share = offset;
@@ -64,11 +70,22 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
             continue;
         }
         float depth = density * medium.x * (to - from);
+#if defined(BY_FLASH)
+        addFlashed(ray, middle * direction, density, depth, middle);
+#elif defined(OF_BOLT)
+        ray.transmittance *= exp(-depth);
+        ray.scaled = ray.transmittance;
+#else
         float mean = meanDepth(depth);
         float lit = from + mean / max(depth, 1e-20) * (to - from);
         vec4 light = lightAt(lit * direction, heightAbove(direction, lit, planet));
         addPart(ray, angles, depth, mean, light, cell.b, middle);
+#endif
     }
+#if defined(BY_FLASH)
+    ray.metres /= max(1.0 - ray.scaled, 1e-6);
+#elif !defined(OF_BOLT)
     endRay(ray);
+#endif
     return ray;
 }

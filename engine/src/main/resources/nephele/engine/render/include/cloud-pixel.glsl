@@ -1,5 +1,6 @@
 // The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution; MIXED:
-// only pixels whose surface is among the clouds.
+// only pixels whose surface is among the clouds. BY_FLASH: a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of
+// a bolt, whose ray ends there.
 #include "output.glsl"
 #ifdef MIXED
 #include "cloud-ranges.glsl"
@@ -9,9 +10,15 @@
 
 #ifdef WHOLE
 #include "layer-ray.glsl"
-layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
 uniform vec3 marchedSquare; // x: side of the square of rays of which one is drawn; y, z: that one's place from the middle
+#ifndef BY_FLASH
+layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
 uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
+#endif
+#elif defined(OF_BOLT)
+#include "frame.glsl"
+uniform samplerBuffer boltPoints; // xyz: from the bolt's origin, metres
+uniform vec3 boltFromEye;
 #else
 #include "view-distance.glsl"
 #ifdef QUADS
@@ -30,7 +37,9 @@ struct CloudPixel {
 // The part of the ray in front of the pixel's surface and, in a view through an opening, behind that.
 vec2 visiblePart(vec3 ray, float unit) {
     vec2 visible = vec2(0.0, NEVER);
-#ifndef WHOLE
+#ifdef OF_BOLT
+    visible.y = unit;
+#elif !defined(WHOLE)
     float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
     if (windowDepth < 1.0) {
         visible.y = axisMetres(windowDepth) * unit;
@@ -51,7 +60,7 @@ float stepOffset(vec2 pixelPlace) {
     return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
 }
 
-#ifdef WHOLE
+#if defined(WHOLE) && !defined(BY_FLASH)
 // The wind's motion along the view's right and upper axes; what it has along the ray cannot be seen and takes the rest.
 vec2 motionAcross(vec3 ray) {
     vec3 across = blown - ray * (dot(blown, viewForward.xyz) / dot(ray, viewForward.xyz));
@@ -64,6 +73,12 @@ CloudPixel cloudPixel() {
 #ifdef WHOLE
     vec2 rayPlace = gl_FragCoord.xy * marchedSquare.x + marchedSquare.yz;
     vec3 direction = layerRay(rayPlace);
+#elif defined(OF_BOLT)
+    vec2 rayPlace = gl_FragCoord.xy;
+    vec3 direction = boltFromEye + texelFetch(boltPoints, int(gl_FragCoord.x)).xyz;
+    if (dot(direction, viewForward.xyz) <= 0.0) {
+        discard;
+    }
 #else
     vec2 rayPlace = gl_FragCoord.xy;
 #endif
@@ -81,6 +96,15 @@ CloudPixel cloudPixel() {
 
 // Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
 void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
+#ifdef BY_FLASH
+    // Air and fog are lit without the flash.
+#ifdef AIR
+    radiance *= airAlong(at.ray * metres).transmittance;
+#endif
+#ifdef FOG
+    radiance *= exp(-fog.a * metres);
+#endif
+#else
 #ifdef AIR
     Air air = airAlong(at.ray * metres);
     radiance = radiance * air.transmittance + covered * air.inScatter;
@@ -89,10 +113,13 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
     float clear = exp(-fog.a * metres);
     radiance = radiance * clear + fog.rgb * covered * (1.0 - clear);
 #endif
+#endif
 #ifdef MIRRORS
     radiance *= mirrorTint.rgb;
 #endif
-#ifdef WHOLE
+#if defined(BY_FLASH) || defined(OF_BOLT)
+    pixel = vec4(min(radiance, 65504.0), covered);
+#elif defined(WHOLE)
     pixel = vec4(min(radiance, 65504.0), covered);
     place = vec4(covered * vec3(0.001 * metres, motionAcross(at.ray)), covered);
 #else

@@ -1,8 +1,8 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
-// DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static
+// DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
 // faces. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
-// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
+// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 struct Surface {
     vec3 baseColour;
@@ -32,7 +32,7 @@ struct Surface {
 const float PI = 3.14159265;
 #endif
 
-#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(FLASH)
 #include "light.glsl"
 #endif
 #if defined(SUN_SHADOW) || defined(LIGHT_SHADOW) || defined(DYNAMIC_SUN_SHADOW)
@@ -182,6 +182,10 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 }
 #endif
 
+#ifdef FLASH
+#include "flash-light.glsl"
+#endif
+
 vec3 surfaceRadiance(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
@@ -193,6 +197,9 @@ vec3 surfaceRadiance(Surface s) {
 #endif
 #if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
     sum += ambientLight(r, s);
+#endif
+#ifdef FLASH
+    sum += flashLight(r, s);
 #endif
     return min(sum, vec3(MAX_RADIANCE));
 }

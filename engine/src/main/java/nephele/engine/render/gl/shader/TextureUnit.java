@@ -39,6 +39,10 @@ public enum TextureUnit {
     AIR(7),
     /** The shadows of clouds in the air; bound and assigned as {@link #AIR} is. */
     SHAFTS(14),
+    /** The points of a bolt of lightning. */
+    BOLT_POINTS(8),
+    /** What clouds leave of the light of each point of a bolt; no other target of a pass has this unit. */
+    BOLT_TRANSMITTANCE(9),
     /** The shade of clouds that {@code shaft.frag} reads. */
     SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),

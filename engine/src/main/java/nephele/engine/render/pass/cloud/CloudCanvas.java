@@ -1,19 +1,23 @@
 package nephele.engine.render.pass.cloud;
 
 import nephele.engine.math.Vec3;
+import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.View;
 
 /** What clouds are drawn on: a view, or a layer of it. */
 public final class CloudCanvas {
     private final CloudRanges ranges;
+    private final FrameLightning lightning;
     private CloudPixels pixels;
     private View view;
     private Vec3 focus;
     /** {@code null} unless the pixels are those of a layer. */
     private CloudLayer layer;
 
-    CloudCanvas(CloudRanges ranges) {
+    /** @param lightning {@code null} for none */
+    CloudCanvas(CloudRanges ranges, FrameLightning lightning) {
         this.ranges = ranges;
+        this.lightning = lightning;
     }
 
     /** @param focusOfFrame around which layers are sampled finely */
@@ -46,8 +50,17 @@ public final class CloudCanvas {
     public void put(PixelUniforms uniforms, PlacedCloud cloud) {
         if (layer != null) {
             layer.put(uniforms.rays());
+        }
+        if (layer != null && uniforms.rays().blown() != null) {
             Vec3 blown = cloud.blown(layer.secondsBefore());
             uniforms.rays().blown().set((float) blown.x(), (float) blown.y(), (float) blown.z());
+        }
+        if (uniforms.flash() != null) {
+            uniforms.flash().put(lightning, view);
+        }
+        if (uniforms.boltFromEye() != null) {
+            Vec3 from = lightning.lightning().bolt().origin().minus(view.eye());
+            uniforms.boltFromEye().set((float) from.x(), (float) from.y(), (float) from.z());
         }
         if (uniforms.ranges() != null) {
             ranges.put(uniforms.ranges(), view);

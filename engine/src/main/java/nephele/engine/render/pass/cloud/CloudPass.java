@@ -58,7 +58,15 @@ public final class CloudPass implements Pass {
     private CompositeProgram composite;
     private CompositeProgram compositeBehindSurfaces;
 
-    private record Entry(PlacedCloud cloud, CloudDrawing drawing) {}
+    /** {@code null} without lightning. */
+    private final CloudFlash flash;
+
+    /** @param flashed draws the light of a flash in the cloud; {@code null} without lightning */
+    private record Entry(PlacedCloud cloud, CloudDrawing drawing, CloudDrawing flashed) {
+        CloudDrawing drawing(CloudPixels pixels) {
+            return pixels.isLook() ? drawing : flashed;
+        }
+    }
 
     private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
         this.context = context;
@@ -70,7 +78,7 @@ public final class CloudPass implements Pass {
             clouds.add(new PlacedCloud(sources.get(i), i));
         }
         ranges = new CloudRanges(clouds);
-        canvas = new CloudCanvas(ranges);
+        canvas = new CloudCanvas(ranges, shared.lightning());
         build(techniques);
         surfaces = context.scene().statics().bounds();
         Quality quality = context.quality();
@@ -79,6 +87,7 @@ public final class CloudPass implements Pass {
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
+        flash = shared.lightning() == null ? null : new CloudFlash(context, divisor, ranges.count());
     }
 
     private void build(List<CloudTechniqueDrawer.Registered> techniques) {
@@ -86,10 +95,24 @@ public final class CloudPass implements Pass {
         Map<CloudTechnique, CloudTechniqueDrawer> built = new EnumMap<>(CloudTechnique.class);
         for (PlacedCloud cloud : clouds) {
             CloudTechniqueDrawer.Registered technique = drawn(techniques, cloud.source());
-            CloudTechniqueDrawer drawer = built.computeIfAbsent(
-                    technique.technique(), known -> technique.build().apply(cloudContext));
-            entries.add(new Entry(cloud, drawer.of(cloud)));
+            CloudDrawing drawing = drawer(technique, built, cloudContext).of(cloud);
+            // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
+            CloudTechniqueDrawer.Registered marched = techniques.get(0);
+            CloudDrawing flashed = shared.lightning() == null
+                    ? null
+                    : technique == marched
+                            ? drawing
+                            : drawer(marched, built, cloudContext).of(cloud);
+            entries.add(new Entry(cloud, drawing, flashed));
         }
+    }
+
+    private static CloudTechniqueDrawer drawer(
+            CloudTechniqueDrawer.Registered technique,
+            Map<CloudTechnique, CloudTechniqueDrawer> built,
+            CloudContext cloudContext) {
+        return built.computeIfAbsent(
+                technique.technique(), known -> technique.build().apply(cloudContext));
     }
 
     /** Returns the technique of a cloud; the first one for {@code auto} and where the written one cannot show it. */
@@ -122,6 +145,11 @@ public final class CloudPass implements Pass {
     }
 
     @Override
+    public Set<Target> writes() {
+        return flash == null ? Set.of() : Set.of(Target.BOLT_TRANSMITTANCE);
+    }
+
+    @Override
     public boolean needsCopies(FrameContext frame) {
         return !clouds.isEmpty() && (mainLayer == null || isMixed(frame.view().eye()));
     }
@@ -143,32 +171,54 @@ public final class CloudPass implements Pass {
         }
         View view = frame.view();
         CloudInterval now = shared.clouds().now();
+        boolean isFlash = flash != null && flash.isLit();
         for (int i = 0; i < entries.size(); i++) {
             entries.get(i).cloud.follow(now);
             entries.get(i).drawing.follow(frame.frameState().environment(), now);
+            if (isFlash && entries.get(i).flashed != entries.get(i).drawing) {
+                entries.get(i).flashed.follow(frame.frameState().environment(), now);
+            }
         }
         sort(view.eye());
         ranges.follow(clouds);
-        if (mainLayer == null) {
+        boolean mixed = isMixed(view.eye());
+        if (mainLayer == null || mixed) {
             reads.bind(shared);
+        }
+        if (mainLayer == null) {
             frame.surface().bind();
             draw(CloudPixels.ALL, view, null);
-            return;
+        } else {
+            drawLayered(frame, now, mixed);
         }
+        if (isFlash) {
+            drawFlash(frame, now, mainLayer == null || mixed);
+        }
+    }
+
+    private void drawLayered(FrameContext frame, CloudInterval now, boolean mixed) {
+        View view = frame.view();
         boolean isMain = frame.node() == null || frame.node().parent() == null;
         CloudLayer layer = isMain ? mainLayer : nestedLayer;
         layer.begin(frame.surface(), shared.cuts(), now.seconds());
         draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, triangle);
         frame.surface().bind();
-        boolean mixed = isMixed(view.eye());
-        if (mixed) {
-            reads.bind(shared);
-        }
         drawLayer(layer, view, mixed);
         if (mixed) {
             draw(CloudPixels.MIXED, view, null);
         }
+    }
+
+    private void drawFlash(FrameContext frame, CloudInterval now, boolean mixed) {
+        View view = frame.view();
+        flash.beginBolt();
+        draw(CloudPixels.BOLT, view, null);
+        flash.endBolt();
+        flash.layer().begin(frame.surface(), shared.cuts(), now.seconds());
+        draw(CloudPixels.FLASH, view, flash.layer());
+        flash.layer().end(view, triangle);
+        flash.add(frame, mixed ? ranges : null, triangle);
     }
 
     private void sort(Vec3 eye) {
@@ -183,7 +233,7 @@ public final class CloudPass implements Pass {
         for (int i = 0; i < entries.size(); i++) {
             if (entries.get(i).cloud.presence() > 0) {
                 gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-                entries.get(i).drawing.draw(canvas);
+                entries.get(i).drawing(pixels).draw(canvas);
             }
         }
     }

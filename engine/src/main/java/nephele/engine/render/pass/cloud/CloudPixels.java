@@ -1,11 +1,25 @@
 package nephele.engine.render.pass.cloud;
 
-/** Which pixels a program for clouds draws. */
+/** Which pixels a program for clouds draws, and what of a cloud. */
 public enum CloudPixels {
     /** All, as far as surfaces let them see. */
     ALL,
     /** All of a layer, as if there were no surfaces. */
     WHOLE,
     /** Those whose surface is among the clouds. */
-    MIXED
+    MIXED,
+    /** All of a layer, as {@link #WHOLE}: the light of a flash of lightning in the cloud. */
+    FLASH,
+    /** One for each point of a bolt: what the cloud hides of it. */
+    BOLT;
+
+    /** Returns true if the pixels are those of a layer. */
+    boolean isLayer() {
+        return this == WHOLE || this == FLASH;
+    }
+
+    /** Returns true if the cloud is drawn as it looks without a flash. */
+    public boolean isLook() {
+        return this == ALL || this == WHOLE || this == MIXED;
+    }
 }

@@ -89,6 +89,20 @@ public final class LitCloud {
      * @param focus of the boxes of layers
      */
     public void put(CellUniforms uniforms, View view, Vec3 focus) {
+        put(uniforms.density(), view, focus);
+        set(uniforms.cloudSun(), towardsSun);
+        if (uniforms.diffuseAxis() != null) {
+            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
+            uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
+                    cloud.physics().slopeOfBeam());
+        }
+        set(uniforms.irradiance(), irradiance);
+        set(uniforms.skyAbove(), above);
+        set(uniforms.skyBelow(), below.scaled(groundShare));
+    }
+
+    /** Does the same for a program that needs no light of the cells. */
+    public void put(DensityUniforms uniforms, View view, Vec3 focus) {
         textures.bind();
         putBoxes(uniforms.boxes(), view.eye().minus(placed.drift()), focus.minus(view.eye()));
         CloudOptics optics = cloud.physics().optics();
@@ -102,15 +116,6 @@ public final class LitCloud {
                         (float) (1 / cloud.physics().smallAngles().deepest()),
                         (float) cloud.halfCurvature(),
                         (float) optics.meanCosine());
-        set(uniforms.cloudSun(), towardsSun);
-        if (uniforms.diffuseAxis() != null) {
-            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
-            uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
-                    cloud.physics().slopeOfBeam());
-        }
-        set(uniforms.irradiance(), irradiance);
-        set(uniforms.skyAbove(), above);
-        set(uniforms.skyBelow(), below.scaled(groundShare));
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */

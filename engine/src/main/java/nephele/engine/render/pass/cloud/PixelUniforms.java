@@ -9,21 +9,32 @@ import nephele.engine.render.resource.FrameUniforms;
  * The uniforms of {@code cloud-pixel.glsl}, which the programs of all techniques have.
  *
  * @param ranges {@code null} unless for {@link CloudPixels#MIXED}
- * @param rays {@code null} unless for {@link CloudPixels#WHOLE}
+ * @param rays {@code null} unless the pixels are those of a layer
+ * @param flash {@code null} unless for {@link CloudPixels#FLASH}
+ * @param boltFromEye {@code null} unless for {@link CloudPixels#BOLT}
  */
-public record PixelUniforms(CloudRanges.Places ranges, Rays rays) {
-    /** The rays of a layer that are drawn, and how far the wind has carried the cloud since the layer before. */
+public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms flash, Uniforms.Vector3 boltFromEye) {
+    /**
+     * The rays of a layer that are drawn.
+     *
+     * @param blown how far the wind has carried the cloud since the layer before; {@code null} without one
+     */
     record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square, Uniforms.Vector3 blown) {
-        static Rays of(Uniforms uniforms) {
+        static Rays of(Uniforms uniforms, boolean hasLayerBefore) {
             return new Rays(
-                    uniforms.vector2("layerStep"), uniforms.vector3("marchedSquare"), uniforms.vector3("blown"));
+                    uniforms.vector2("layerStep"),
+                    uniforms.vector3("marchedSquare"),
+                    hasLayerBefore ? uniforms.vector3("blown") : null);
         }
     }
 
     /** Returns the definitions of a program. */
     public static Defines defines(CloudContext context, CloudPixels pixels) {
         return Defines.of(context.load())
-                .withIf(pixels == CloudPixels.WHOLE, "WHOLE")
+                .withIf(pixels.isLayer(), "WHOLE")
+                .withIf(pixels == CloudPixels.FLASH, "BY_FLASH")
+                .withIf(pixels == CloudPixels.BOLT, "OF_BOLT")
+                .with("FLASH_LIGHTS", FlashUniforms.LIGHTS)
                 .withIf(pixels == CloudPixels.MIXED, "MIXED")
                 .with("CLOUDS", context.ranges());
     }
@@ -31,11 +42,17 @@ public record PixelUniforms(CloudRanges.Places ranges, Rays rays) {
     /** Finds the uniforms of a program and assigns its samplers. */
     public static PixelUniforms of(Uniforms uniforms, CloudContext context, CloudPixels pixels) {
         uniforms.block("Frame", FrameUniforms.BINDING);
-        if (pixels != CloudPixels.WHOLE) {
+        if (pixels == CloudPixels.ALL || pixels == CloudPixels.MIXED) {
             uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+        }
+        boolean isBolt = pixels == CloudPixels.BOLT;
+        if (isBolt) {
+            uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
         }
         return new PixelUniforms(
                 pixels == CloudPixels.MIXED ? CloudRanges.Places.of(uniforms, context.ranges()) : null,
-                pixels == CloudPixels.WHOLE ? Rays.of(uniforms) : null);
+                pixels.isLayer() ? Rays.of(uniforms, pixels == CloudPixels.WHOLE) : null,
+                pixels == CloudPixels.FLASH ? FlashUniforms.of(uniforms) : null,
+                isBolt ? uniforms.vector3("boltFromEye") : null);
     }
 }

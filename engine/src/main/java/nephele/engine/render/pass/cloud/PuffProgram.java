@@ -19,7 +19,7 @@ public final class PuffProgram {
      */
     public PuffProgram(CloudContext context, CloudPixels pixels, String shaders, Defines choices) {
         var defines = choices.with("QUADS")
-                .with("MOST_BOXES", CellUniforms.MOST_BOXES)
+                .with("MOST_BOXES", DensityUniforms.MOST_BOXES)
                 .values();
         program = new GlProgram<>(
                 context.load().gl(),

@@ -40,7 +40,7 @@ public final class SheetProgram<P> {
         var defines = ownDefines
                 .apply(PixelUniforms.defines(context, pixels)
                         .withIf(scattering == CloudScattering.OCTAVES, "OCTAVES")
-                        .with("MOST_BOXES", CellUniforms.MOST_BOXES))
+                        .with("MOST_BOXES", DensityUniforms.MOST_BOXES))
                 .values();
         program = new GlProgram<>(
                 context.load().gl(),

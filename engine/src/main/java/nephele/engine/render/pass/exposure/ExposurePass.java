@@ -28,6 +28,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameLightning;
 
 /**
  * Meters the exposure of the finished linear picture, views through portals included; exists only for exposure auto.
@@ -43,6 +44,9 @@ public final class ExposurePass implements Pass {
 
     private final GlContext gl;
     private final MeteredExposure exposure;
+    /** {@code null} without lightning. */
+    private final FrameLightning lightning;
+
     private final RenderTarget cells;
     private final FullScreenDrawing findCells;
     private final RenderTarget histogram;
@@ -56,6 +60,7 @@ public final class ExposurePass implements Pass {
     private ExposurePass(LoadContext context) {
         gl = context.gl();
         exposure = context.shared().exposure();
+        lightning = context.shared().lightning();
         cells = context.own(RenderTarget.picture(
                 gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
         findCells = new FullScreenDrawing(
@@ -119,7 +124,9 @@ public final class ExposurePass implements Pass {
 
     /** @param wanted a number of stops, where the frame's environment has one, holds at once */
     private void adapt(Exposure wanted) {
-        double seconds = exposure.elapsedSeconds();
+        // A flash is over before an eye adapts to it.
+        boolean isFlash = lightning != null && lightning.isLit();
+        double seconds = isFlash ? 0 : exposure.elapsedSeconds();
         adapt.uniforms()
                 .stopsAndShares()
                 .set(

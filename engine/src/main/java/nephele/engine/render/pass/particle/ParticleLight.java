@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.particle;
 
 import java.util.List;
+import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -12,6 +13,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 
@@ -22,6 +24,9 @@ import org.joml.Vector3d;
 final class ParticleLight {
     /** Radiance for an irradiance of 1: twice that of light scattered once, 1 / (4 π). */
     private static final double OF_IRRADIANCE = 1 / (2 * Math.PI);
+
+    /** Radiance for the irradiance of lit clouds, the bolt's own light included. */
+    private static final double FLASH_SHARE = 2 / Math.PI;
 
     /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
     private static final double RELIEF = 0.7;
@@ -36,8 +41,16 @@ final class ParticleLight {
 
     private final float[] relief;
 
+    /** {@code null} without lightning. */
+    private final FrameLightning lightning;
+
+    /** Radiance that a flash scatters from particles, by emitter, RGB. */
+    private final float[] ofFlash;
+
     private Vec3 towardsSun = Vec3.ZERO;
     private Environment followed;
+    /** {@code null} without clouds. */
+    private CloudInterval.Sample cloudsFollowed;
 
     ParticleLight(Level level, LevelParticles particles, SharedResources shared) {
         this.level = level;
@@ -48,6 +61,8 @@ final class ParticleLight {
         ofLamps = new Vector3d[emitters.size()];
         radiance = new float[3 * emitters.size()];
         relief = new float[3 * emitters.size()];
+        ofFlash = new float[3 * emitters.size()];
+        lightning = shared.lightning();
         for (int i = 0; i < emitters.size(); i++) {
             skyShare[i] = particles.surroundings().skyShare(emitters.get(i));
             ofLamps[i] = ofLamps(emitters.get(i));
@@ -64,10 +79,16 @@ final class ParticleLight {
 
     /** Updates the light to an environment, if it is another one. */
     void follow(Environment now) {
-        if (now == followed) {
+        if (lightning != null) {
+            followFlash();
+        }
+        CloudInterval interval = shared.clouds().now();
+        CloudInterval.Sample sample = interval == null ? null : interval.from();
+        if (now == followed && sample == cloudsFollowed) {
             return;
         }
         followed = now;
+        cloudsFollowed = sample;
         Sun sun = Daylight.onGround(now);
         towardsSun = sun == null ? Vec3.ZERO : Directions.unit(sun.directionTowardsSun());
         SkyIrradiance sky = now.ambient() == null ? shared.surfaceLight().irradiance(now) : null;
@@ -75,7 +96,7 @@ final class ParticleLight {
             Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyShare[i]);
             Vector3d direct = new Vector3d();
             if (sun != null && sees(sun, i)) {
-                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE);
+                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudShare(i));
             }
             put(
                     i,
@@ -83,6 +104,27 @@ final class ParticleLight {
                     direct,
                     sky == null ? new Vector3d() : skew(sky).mul(skyShare[i]));
         }
+    }
+
+    private void followFlash() {
+        for (int i = 0; i < skyShare.length; i++) {
+            Vec3 glow = lightning.isLit()
+                    ? lightning.glow(particles.emitters().get(i).centre())
+                    : Vec3.ZERO;
+            double share = FLASH_SHARE * skyShare[i];
+            ofFlash[3 * i] = (float) (share * glow.x());
+            ofFlash[3 * i + 1] = (float) (share * glow.y());
+            ofFlash[3 * i + 2] = (float) (share * glow.z());
+        }
+    }
+
+    /** Returns the share of the sun's light that clouds leave. */
+    private double cloudShare(int emitter) {
+        return cloudsFollowed == null
+                ? 1
+                : cloudsFollowed
+                        .clouds()
+                        .sunShare(particles.emitters().get(emitter).centre());
     }
 
     private static Vector3d mean(SkyIrradiance sky) {
@@ -118,7 +160,7 @@ final class ParticleLight {
 
     /** Returns the light on particles of an emitter, in one of red, green and blue. */
     float radiance(int emitter, int channel) {
-        return radiance[3 * emitter + channel];
+        return radiance[3 * emitter + channel] + ofFlash[3 * emitter + channel];
     }
 
     /**

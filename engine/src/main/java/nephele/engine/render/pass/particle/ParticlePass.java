@@ -89,6 +89,7 @@ public final class ParticlePass implements Pass {
     /** Finds the emitters that a view may see; returns true if there is one. */
     private boolean findSeen(FrameContext frame) {
         boolean any = false;
+        particles.follow(frame.frameState().portals());
         for (int i = 0; i < isSeen.length; i++) {
             isSeen[i] = frame.seen().mayIntersect(particles.bounds(i));
             any |= isSeen[i];

@@ -68,7 +68,12 @@ final class MarchedCloud implements CloudDrawing {
 
     /** @param focus of the boxes of layers */
     private void bind(MarchProgram program, View view, Vec3 focus) {
-        lit.put(program.cells(), view, focus);
+        boolean isLook = program.cells() != null;
+        if (isLook) {
+            lit.put(program.cells(), view, focus);
+        } else {
+            lit.put(program.density(), view, focus);
+        }
         if (noiseTextures != null) {
             noiseTextures.bind(program.noisePlaces(), noise, view.eye().minus(placed.drift()));
         }
@@ -76,6 +81,7 @@ final class MarchedCloud implements CloudDrawing {
         CellBox narrowest = lit.shown().cells().narrowest();
         places.cellEdges().set((float) narrowest.sizeX(), (float) narrowest.sizeY(), (float) narrowest.sizeZ(), (float)
                 narrowest.shortest());
-        places.stepping().set((float) stepCells, 0.5f, (float) view.eyeY(), (float) lit.depthAround(view));
+        places.stepping()
+                .set((float) stepCells, 0.5f, (float) view.eyeY(), (float) (isLook ? lit.depthAround(view) : 0));
     }
 }

@@ -1,27 +1,27 @@
-package nephele.engine.particle;
+package nephele.engine.math;
 
 /**
  * Random numbers by index: the same seed, index and purpose always give the same number (the finaliser of Steele, Lea
  * and Flood 2014, "Fast Splittable Pseudorandom Number Generators").
  */
-final class Chance {
+public final class Chance {
     private static final long GOLDEN = 0x9e3779b97f4a7c15L;
     private static final double UNIT = 0x1p-53;
 
     private Chance() {}
 
     /** Returns the dice of an index: its numbers for different purposes are independent. */
-    static long dice(long seed, long index) {
+    public static long dice(long seed, long index) {
         return mixed(seed * GOLDEN + index);
     }
 
     /** Returns a number from 0 (included) to 1. */
-    static double unit(long dice, int purpose) {
+    public static double unit(long dice, int purpose) {
         return (mixed(dice + purpose * GOLDEN) >>> 11) * UNIT;
     }
 
     /** Returns a number from −1 (included) to 1. */
-    static double signed(long dice, int purpose) {
+    public static double signed(long dice, int purpose) {
         return 2 * unit(dice, purpose) - 1;
     }
 
