@@ -145,6 +145,7 @@ public final class FieldWords {
             word("thicknessMetres", "Thickness", "Espessura", "Espessura"),
             word("timeOfDayHours", "Time of day", "Hora do dia", "Hora do dia"),
             word("timeSeconds", "Time", "Instante", "Instante"),
+            word("tolerance", "Allowed error", "Erro permitido", "Erro permitido"),
             word("toneCurve", "Tone curve", "Curva de tons", "Curva de tons"),
             word("transform", "Transform", "Transformação", "Transformação"),
             word("up", "Up", "Para cima", "Para cima"),
