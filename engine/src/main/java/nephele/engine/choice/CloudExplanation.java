@@ -54,6 +54,10 @@ public final class CloudExplanation {
         String verdict = choice.inside()
                 ? "the cheapest within the allowed " + allowed
                 : "the least of all, none is within the allowed " + allowed;
+        if (choice.situation().nearest() == null) {
+            return "clouds: " + cloud.id() + " by technique " + word(chosen.technique())
+                    + ": because without a player the eye can be anywhere";
+        }
         return "clouds: " + cloud.id() + " by technique " + word(chosen.technique()) + ": because "
                 + place(choice.situation()) + "; error " + error(chosen) + ", " + verdict
                 + (choice.runnerUp() == null
@@ -65,9 +69,6 @@ public final class CloudExplanation {
         String seen = text(
                 "optical depth %s, %s degrees high, sun at %s degrees",
                 number(at.opticalDepth()), number(at.angularDegrees()), number(at.sunDegrees()));
-        if (at.nearest() == null) {
-            return "without a player the eye can be anywhere (" + seen + ")";
-        }
         String how = at.nearest().means().words();
         return at.distanceMetres() <= 0
                 ? "the eye can be inside of it " + how + " (" + seen + ")"

@@ -9,7 +9,8 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 
 /**
- * The choice of the technique of a cloud: the cheapest one whose error is allowed, or the least wrong one.
+ * The choice of the technique of a cloud: the cheapest one whose error is allowed, or the least wrong one. Where the eye can be anywhere it is the
+ * volume, which shows every cloud from everywhere.
  *
  * @param inside whether its error is allowed
  * @param chosen the technique with its error and cost
@@ -74,8 +75,14 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
     private static boolean canShow(CloudTechnique technique, Cloud cloud, CloudSituation situation) {
         boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
         boolean isCrossed = situation.distanceMetres() <= 0;
-        boolean isStill = technique == CloudTechnique.SKYBOX && situation.moves();
-        return !(isLayer && OF_BALLS.contains(technique)) && !(isCrossed && !CROSSABLE.contains(technique)) && !isStill;
+        boolean isPastBaking = technique == CloudTechnique.SKYBOX && situation.moves();
+        boolean isAnywhere = Double.isInfinite(situation.travelMetres());
+        if (isAnywhere) {
+            return technique == CloudTechnique.VOLUME;
+        }
+        return !(isLayer && OF_BALLS.contains(technique))
+                && !(isCrossed && !CROSSABLE.contains(technique))
+                && !isPastBaking;
     }
 
     /**
