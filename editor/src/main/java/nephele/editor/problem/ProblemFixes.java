@@ -71,7 +71,6 @@ final class ProblemFixes {
                 return moveOut(place);
             case GENERAL:
             case NO_VIEWPOINT:
-            case NOT_DRAWN_YET:
             case LEAK:
                 return List.of();
         }

@@ -134,10 +134,9 @@ public final class ProblemSearch {
         return ProblemKey.numbered(shown);
     }
 
-    /** Leaves out what the program lacks, and the missing start, which is a hint here. */
+    /** Leaves out the missing start, which is a hint here. */
     private static boolean isShown(Problem problem) {
-        Topic topic = problem.subject().topic();
-        return topic != Topic.NOT_DRAWN_YET && topic != Topic.NO_VIEWPOINT;
+        return problem.subject().topic() != Topic.NO_VIEWPOINT;
     }
 
     private static LevelProblem shown(Level level, Problem problem, ProblemFixes fixes) {

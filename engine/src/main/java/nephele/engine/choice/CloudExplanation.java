@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import nephele.engine.choice.TechniqueChoice.Candidate;
+import nephele.engine.cloud.SkyboxParallax;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -15,6 +16,9 @@ import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Aabb;
+import nephele.engine.sim.reach.CloudReachRules;
+import nephele.engine.sim.reach.EyeReach;
 
 /** The lines of {@code explain} about clouds: how each is drawn, and why, and which ones a weather adds. */
 public final class CloudExplanation {
@@ -31,7 +35,7 @@ public final class CloudExplanation {
             for (int i = 0; i < chosen.clouds().size(); i++) {
                 Cloud cloud = chosen.clouds().get(i);
                 TechniqueChoice choice = chosen.choices().get(i);
-                lines.add(choice == null ? written(cloud) : chosen(cloud, choice));
+                lines.add(choice == null ? written(cloud) + limits(placed, cloud) : chosen(cloud, choice));
             }
         }
         weather(environment, lines);
@@ -44,6 +48,28 @@ public final class CloudExplanation {
                 + (isShown ? "" : " as a volume, not")
                 + " by technique " + word(cloud.technique())
                 + (isShown ? ": because technique is written" : ": because an endless layer is not divided into balls");
+    }
+
+    /** Returns what is wrong with a skybox. */
+    private static String limits(PlacedLevel placed, Cloud cloud) {
+        if (cloud.technique() != CloudTechnique.SKYBOX) {
+            return "";
+        }
+        EyeReach reach = EyeReach.of(placed.level(), placed.statics());
+        Aabb bounds = CloudReachRules.bounds(cloud.extent());
+        EyeReach.Part nearest = reach.nearest(bounds);
+        if (nearest == null) {
+            return "; without a player the eye can be anywhere";
+        }
+        var parallax = new SkyboxParallax(
+                reach.farthestMetres(reach.bounds().centre()), EyeReach.metresBetween(nearest.box(), bounds));
+        return parallax.isInside()
+                ? "; wrong, since an eye can be in it " + nearest.means().words()
+                : text(
+                        "; %s pixels of parallax for an eye that moves %s m (%d pixels wide); no surface can be in it",
+                        number(parallax.pixels(SkyboxParallax.focalPixels(placed.level()))),
+                        number(parallax.travelMetres()),
+                        SkyboxParallax.PICTURE_PIXELS);
     }
 
     private static String chosen(Cloud cloud, TechniqueChoice choice) {

@@ -109,6 +109,11 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "proceduralNoise",
                     ProceduralNoise.class,
                     (all, value) -> all.with(all.quality().withProceduralNoise(value))),
+            SettingKey.whole(
+                    "cloudSkyboxTexels",
+                    16,
+                    4096,
+                    (all, value) -> all.with(all.quality().withCloudSkyboxTexels(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

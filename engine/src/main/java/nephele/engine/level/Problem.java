@@ -29,7 +29,6 @@ public record Problem(Severity severity, String path, String message, Subject su
         MISSING_MATERIAL,
         MISSING_ASSET,
         NO_VIEWPOINT,
-        NOT_DRAWN_YET,
         NO_VOLUME,
         TOO_THIN,
         INSIDE_ANOTHER,

@@ -9,6 +9,7 @@ import nephele.engine.render.pass.cloud.particle.ParticleTechnique;
 import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
 import nephele.engine.render.pass.cloud.shade.CloudShadePass;
 import nephele.engine.render.pass.cloud.shaft.ShaftPass;
+import nephele.engine.render.pass.cloud.skybox.SkyboxTechnique;
 import nephele.engine.render.pass.cloud.skyplane.SkyplaneTechnique;
 import nephele.engine.render.pass.cloud.volume.VolumeTechnique;
 import nephele.engine.render.pass.dynamic.DynamicPass;
@@ -39,7 +40,8 @@ public final class RenderFeatures {
             SkyplaneTechnique.REGISTERED,
             ProceduralTechnique.REGISTERED,
             BillboardTechnique.REGISTERED,
-            ParticleTechnique.REGISTERED);
+            ParticleTechnique.REGISTERED,
+            SkyboxTechnique.registered(VolumeTechnique.REGISTERED));
 
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.

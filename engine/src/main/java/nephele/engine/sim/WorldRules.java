@@ -12,6 +12,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.rule.LevelRules;
 import nephele.engine.portal.placement.FixedPortalRules;
 import nephele.engine.portal.placement.RoomRules;
+import nephele.engine.sim.reach.CloudReachRules;
 
 /**
  * All rules that {@code check} applies to a level: the rules of its records, then those of the world built from them.
@@ -26,6 +27,7 @@ public final class WorldRules {
         List<PlacedRule> placed = new ArrayList<>(List.of(StartRules.FREE, FixedPortalRules.SEEN));
         placed.add(RoomRules.LARGE_ENOUGH);
         placed.addAll(LayoutRules.ALL);
+        placed.add(CloudReachRules.FAR);
         return List.copyOf(placed);
     }
 

@@ -10,6 +10,7 @@ import nephele.lab.prove.cloud.CloudFlightProof;
 import nephele.lab.prove.cloud.CloudLawsProof;
 import nephele.lab.prove.cloud.CloudReferenceProof;
 import nephele.lab.prove.cloud.CloudSlabsProof;
+import nephele.lab.prove.cloud.CloudStackProof;
 import nephele.lab.prove.cloud.CloudVolumeProof;
 import nephele.lab.prove.edits.EditedTown;
 import nephele.lab.prove.edits.EditsProof;
@@ -74,6 +75,7 @@ public final class Proofs {
             new CloudReferenceProof(),
             new CloudVolumeProof(),
             new CloudFlightProof(),
+            new CloudStackProof(),
             new AirFieldsProof(),
             new SkyTableProof(),
             new SkySweepProof(),

@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
-import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJsonTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,7 +20,6 @@ class CloudRulesTest {
     private static List<String> lines(String environment) {
         Level level = LevelJsonTest.sections("\"environment\": {" + environment + "}");
         return LevelRules.check(level, LevelAssets.beside(Path.of("x.json"))).stream()
-                .filter(problem -> problem.subject().topic() != Problem.Topic.NOT_DRAWN_YET)
                 .filter(problem -> problem.path().startsWith("environment"))
                 .map(problem -> problem.line("f").replace("f: environment.", ""))
                 .toList();
@@ -165,7 +163,6 @@ class CloudRulesTest {
                         + " volume"),
                 LevelRules.check(level, LevelAssets.beside(folder.resolve("x.json"))).stream()
                         .filter(problem -> problem.path().startsWith("environment"))
-                        .filter(problem -> problem.subject().topic() != Problem.Topic.NOT_DRAWN_YET)
                         .map(problem -> problem.line("f"))
                         .toList());
     }

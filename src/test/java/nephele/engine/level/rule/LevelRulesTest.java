@@ -70,14 +70,16 @@ class LevelRulesTest {
     }
 
     @Test
-    void whatHasNoEffectYetIsSaid() {
+    void aTechniqueThatCannotShowACloudIsSaid() {
         List<Problem> problems = LevelRules.check(
                 LevelRules.STRUCTURE,
-                LevelJsonTest.read(LevelJsonTest.PUFF.replace("\"auto\"", "\"skybox\"")),
+                LevelJsonTest.sections("\"player\": {\"feet\": [9, 0, 9]}, \"environment\": {\"clouds\": [{\"id\":"
+                        + " \"c\", \"kind\": \"layer\", \"baseAltitudeMetres\": 900, \"thicknessMetres\": 300,"
+                        + " \"technique\": \"particles\"}]}"),
                 LevelAssets.beside(Path.of("x.json")));
         assertEquals(
-                List.of("f: environment.clouds[0].technique: warning: is not drawn by this version yet; the cloud is"
-                        + " drawn as a volume"),
+                List.of("f: environment.clouds[0].technique: warning: an endless layer is not divided into balls and is"
+                        + " drawn as a volume: choose the kind volume, or the technique auto"),
                 problems.stream().map(problem -> problem.line("f")).toList());
     }
 

@@ -6,7 +6,6 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
-import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 
@@ -19,7 +18,6 @@ final class EnvironmentRules {
         }
     };
 
-    private static final Set<CloudTechnique> DRAWN = EnumSet.complementOf(EnumSet.of(CloudTechnique.SKYBOX));
     private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
 
     /** Lightning can be seen, and strikes below where it starts. */
@@ -46,16 +44,10 @@ final class EnvironmentRules {
         }
     };
 
-    /** Warns of techniques of clouds that are not built yet, or that cannot show a cloud. */
+    /** Warns of techniques of clouds that cannot show a cloud. */
     static final LevelRule TECHNIQUES = (level, assets, report) ->
             LevelRule.each("environment.clouds", level.environment().clouds(), (path, cloud) -> {
-                boolean isDrawn = DRAWN.contains(cloud.technique());
-                if (!isDrawn) {
-                    report.accept(Problem.warning(
-                                    path + ".technique",
-                                    "is not drawn by this version yet; the cloud is drawn as a volume")
-                            .about(Topic.NOT_DRAWN_YET));
-                } else if (OF_BALLS.contains(cloud.technique()) && cloud.extent() instanceof Cloud.Extent.Layer) {
+                if (OF_BALLS.contains(cloud.technique()) && cloud.extent() instanceof Cloud.Extent.Layer) {
                     report.accept(Problem.warning(
                             path + ".technique",
                             "an endless layer is not divided into balls and is drawn as a volume: choose the kind"

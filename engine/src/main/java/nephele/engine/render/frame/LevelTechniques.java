@@ -53,7 +53,7 @@ final class LevelTechniques {
                 .techniques();
     }
 
-    private EyeReach reach() {
+    EyeReach reach() {
         Level level = scene.level();
         return shared.shareValue(
                 EyeReach.class,

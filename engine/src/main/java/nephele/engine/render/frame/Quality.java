@@ -23,6 +23,7 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudScattering model of light that clouds scatter more than once
  * @param skyplaneShape shape of the sheets of technique {@code skyplane}
  * @param proceduralNoise noise of technique {@code procedural}
+ * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -46,6 +47,7 @@ public record Quality(
         BillboardFacing billboardFacing,
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
+        int cloudSkyboxTexels,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -71,6 +73,7 @@ public record Quality(
             BillboardFacing.VIEWER,
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
+            512,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -269,6 +272,10 @@ public record Quality(
         return with(draft -> draft.proceduralNoise = noise);
     }
 
+    public Quality withCloudSkyboxTexels(int texels) {
+        return with(draft -> draft.cloudSkyboxTexels = texels);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -306,6 +313,7 @@ public record Quality(
         private BillboardFacing billboardFacing;
         private SkyplaneShape skyplaneShape;
         private ProceduralNoise proceduralNoise;
+        private int cloudSkyboxTexels;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -329,6 +337,7 @@ public record Quality(
             billboardFacing = from.billboardFacing;
             skyplaneShape = from.skyplaneShape;
             proceduralNoise = from.proceduralNoise;
+            cloudSkyboxTexels = from.cloudSkyboxTexels;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -354,6 +363,7 @@ public record Quality(
                     billboardFacing,
                     skyplaneShape,
                     proceduralNoise,
+                    cloudSkyboxTexels,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

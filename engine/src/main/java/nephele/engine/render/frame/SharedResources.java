@@ -34,6 +34,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.sim.reach.EyeReach;
 
 /**
  * Resources that the passes of one renderer share, created on first use. Owned objects are closed with the renderer,
@@ -219,6 +220,11 @@ public final class SharedResources implements GlObject {
             lightning = own(new FrameLightning(gl, environment.lightning()));
         }
         return lightning;
+    }
+
+    /** Returns where the eyes of the level can be. */
+    public EyeReach eyeReach() {
+        return new LevelTechniques(this, scene).reach();
     }
 
     /** Returns the shadows of clouds in the air of the frame's views; {@code null} without. */

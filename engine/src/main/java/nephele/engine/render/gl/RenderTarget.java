@@ -157,14 +157,13 @@ public final class RenderTarget implements GlObject {
         return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());
     }
 
-    /** Creates a target of all layers of an array, which stays the caller's: shaders write location n to layer n. */
-    public static RenderTarget allLayers(GlContext gl, String name, Texture layers) {
-        int count = layers.extent().layers();
-        GlHandle framebuffer = bindLayer(gl, name, layers, GL_COLOR_ATTACHMENT0, 0);
+    /** Creates a target of some layers of an array, which stays the caller's: shaders write location n to the n-th of them. */
+    public static RenderTarget colourLayers(GlContext gl, String name, Texture layers, int first, int count) {
+        GlHandle framebuffer = bindLayer(gl, name, layers, GL_COLOR_ATTACHMENT0, first);
         int[] attachments = new int[count];
-        for (int layer = 0; layer < count; layer++) {
-            attachments[layer] = GL_COLOR_ATTACHMENT0 + layer;
-            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[layer], layers.id(), 0, layer);
+        for (int i = 0; i < count; i++) {
+            attachments[i] = GL_COLOR_ATTACHMENT0 + i;
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[i], layers.id(), 0, first + i);
         }
         glDrawBuffers(attachments);
         return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());

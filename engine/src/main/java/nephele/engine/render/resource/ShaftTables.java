@@ -100,7 +100,10 @@ public final class ShaftTables implements GlObject {
             tables.remove(used);
         }
         Texture texture = layers("shafts", width, height);
-        Table made = new Table(texture, RenderTarget.allLayers(gl, "shafts", texture));
+        Table made = new Table(
+                texture,
+                RenderTarget.colourLayers(
+                        gl, "shafts", texture, 0, texture.extent().layers()));
         tables.add(used++, made);
         return made;
     }

@@ -1,6 +1,6 @@
 // The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution; MIXED:
 // only pixels whose surface is among the clouds. BY_FLASH: a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of
-// a bolt, whose ray ends there.
+// a bolt, whose ray ends there; BAKED: all pixels of a picture that is kept, without surfaces, air and fog.
 #include "output.glsl"
 #ifdef MIXED
 #include "cloud-ranges.glsl"
@@ -8,11 +8,14 @@
 #include "cloud-span.glsl"
 #endif
 
+#if defined(BAKED) || defined(WHOLE) && !defined(BY_FLASH)
+layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
+#endif
+
 #ifdef WHOLE
 #include "layer-ray.glsl"
 uniform vec3 marchedSquare; // x: side of the square of rays of which one is drawn; y, z: that one's place from the middle
 #ifndef BY_FLASH
-layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
 uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
 #endif
 #elif defined(OF_BOLT)
@@ -20,12 +23,14 @@ uniform vec3 blown; // how far the wind has carried the cloud since the layer be
 uniform samplerBuffer boltPoints; // xyz: from the bolt's origin, metres
 uniform vec3 boltFromEye;
 #else
-#include "view-distance.glsl"
 #ifdef QUADS
 noperspective
 #endif
 in vec3 direction; // not of unit length; its part along the view's axis is 1
+#ifndef BAKED
+#include "view-distance.glsl"
 uniform sampler2D viewDepth;
+#endif
 #endif
 
 struct CloudPixel {
@@ -39,7 +44,7 @@ vec2 visiblePart(vec3 ray, float unit) {
     vec2 visible = vec2(0.0, NEVER);
 #ifdef OF_BOLT
     visible.y = unit;
-#elif !defined(WHOLE)
+#elif !defined(WHOLE) && !defined(BAKED)
     float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
     if (windowDepth < 1.0) {
         visible.y = axisMetres(windowDepth) * unit;
@@ -96,6 +101,7 @@ CloudPixel cloudPixel() {
 
 // Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
 void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
+#ifndef BAKED
 #ifdef BY_FLASH
     // Air and fog are lit without the flash.
 #ifdef AIR
@@ -117,8 +123,12 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
 #ifdef MIRRORS
     radiance *= mirrorTint.rgb;
 #endif
+#endif
 #if defined(BY_FLASH) || defined(OF_BOLT)
     pixel = vec4(min(radiance, 65504.0), covered);
+#elif defined(BAKED)
+    pixel = vec4(min(radiance, 65504.0), covered);
+    place = covered * vec4(0.001 * metres, 0.0, 0.0, 1.0);
 #elif defined(WHOLE)
     pixel = vec4(min(radiance, 65504.0), covered);
     place = vec4(covered * vec3(0.001 * metres, motionAcross(at.ray)), covered);

@@ -41,6 +41,7 @@ public final class Trades {
             CloudSubjects.HISTORY,
             CloudSubjects.SHEET,
             CloudSubjects.NOISE,
+            CloudSubjects.SKYBOX,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

@@ -110,6 +110,22 @@ public final class CloudSubjects {
                     PictureSetting.of("proceduralNoise", "source", "weights ½, ¼, ⅛"),
                     PictureSetting.of("proceduralNoise", "source_code", "weights .328, .219, .125")));
 
+    public static final Trade SKYBOX = picture(
+            "cloudSkyboxTexels",
+            new Trade.Text(
+                    "Texels of clouds as skyboxes",
+                    "A cloud of technique skybox is drawn into pictures around one point when a level is loaded, and"
+                            + " looked up afterwards. Fewer texels along a face of 90° make it soft; a frame costs the"
+                            + " same.",
+                    "the engine's own skybox of most texels"),
+            "levels/samples/clouds-skybox.json",
+            "512",
+            List.of(
+                    PictureSetting.of("cloudSkyboxTexels", 2048, ""),
+                    PictureSetting.of("cloudSkyboxTexels", 1024, ""),
+                    PictureSetting.of("cloudSkyboxTexels", 512, "all presets"),
+                    PictureSetting.of("cloudSkyboxTexels", 256, "")));
+
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),
             PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
@@ -180,7 +196,12 @@ public final class CloudSubjects {
 
     /** The first setting is the usual one, and the exact one. */
     private static Trade sheet(String field, Trade.Text words, String level, List<PictureSetting> settings) {
-        String usual = settings.get(0).setting().name();
+        return picture(field, words, level, settings.get(0).setting().name(), settings);
+    }
+
+    /** The first setting is the exact one. */
+    private static Trade picture(
+            String field, Trade.Text words, String level, String usual, List<PictureSetting> settings) {
         return PictureSubjects.of(field, words, List.of(field), usual, settings, Compared.DISPLAY)
                 .in(level, field, words);
     }

@@ -4,9 +4,11 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.View;
 
-/** What clouds are drawn on: a view, or a layer of it. */
+/** What clouds are drawn on: a view, a layer of it, or a picture that is kept. */
 public final class CloudCanvas {
+    /** {@code null} for a picture that is kept. */
     private final CloudRanges ranges;
+
     private final FrameLightning lightning;
     private CloudPixels pixels;
     private View view;
@@ -18,6 +20,17 @@ public final class CloudCanvas {
     CloudCanvas(CloudRanges ranges, FrameLightning lightning) {
         this.ranges = ranges;
         this.lightning = lightning;
+    }
+
+    /**
+     * Returns the canvas of a picture that is kept: its programs are those for {@link CloudPixels#BAKED}.
+     *
+     * @param focus around which layers are sampled finely
+     */
+    public static CloudCanvas baked(View view, Vec3 focus) {
+        var canvas = new CloudCanvas(null, null);
+        canvas.begin(CloudPixels.BAKED, view, focus, null);
+        return canvas;
     }
 
     /** @param focusOfFrame around which layers are sampled finely */

@@ -2,11 +2,18 @@ package nephele.engine.render.pass.cloud;
 
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
+import nephele.engine.scene.View;
 
 /** The drawing of one cloud by some technique. */
 public interface CloudDrawing {
     /** Takes the cloud and the light around it at the time of the frame. */
     void follow(Environment environment, CloudInterval now);
+
+    /**
+     * Draws what it keeps besides the view's pixels, before any cloud of the view is drawn. Target, limits and view of the
+     * following draws are as before afterwards, but for the bound target.
+     */
+    default void prepare(View view) {}
 
     /** Draws it over what is behind, premultiplied. */
     void draw(CloudCanvas canvas);

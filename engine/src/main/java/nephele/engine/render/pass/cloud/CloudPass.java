@@ -179,6 +179,9 @@ public final class CloudPass implements Pass {
                 entries.get(i).flashed.follow(frame.frameState().environment(), now);
             }
         }
+        for (int i = 0; i < entries.size(); i++) {
+            entries.get(i).drawing.prepare(view);
+        }
         sort(view.eye());
         ranges.follow(clouds);
         boolean mixed = isMixed(view.eye());
@@ -223,7 +226,7 @@ public final class CloudPass implements Pass {
 
     private void sort(Vec3 eye) {
         if (entries.size() > 1) {
-            entries.sort(Comparator.comparingDouble(entry -> -CloudRanges.distance(entry.cloud.bounds(), eye)));
+            entries.sort(Comparator.comparingDouble(entry -> -entry.cloud.distance(eye)));
         }
     }
 

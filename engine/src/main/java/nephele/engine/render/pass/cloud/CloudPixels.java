@@ -11,7 +11,9 @@ public enum CloudPixels {
     /** All of a layer, as {@link #WHOLE}: the light of a flash of lightning in the cloud. */
     FLASH,
     /** One for each point of a bolt: what the cloud hides of it. */
-    BOLT;
+    BOLT,
+    /** All of a picture that is kept: as if there were no surfaces, air, fog and mirrors. */
+    BAKED;
 
     /** Returns true if the pixels are those of a layer. */
     boolean isLayer() {
@@ -20,6 +22,6 @@ public enum CloudPixels {
 
     /** Returns true if the cloud is drawn as it looks without a flash. */
     public boolean isLook() {
-        return this == ALL || this == WHOLE || this == MIXED;
+        return this != FLASH && this != BOLT;
     }
 }

@@ -36,6 +36,7 @@ public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms 
                 .withIf(pixels == CloudPixels.BOLT, "OF_BOLT")
                 .with("FLASH_LIGHTS", FlashUniforms.LIGHTS)
                 .withIf(pixels == CloudPixels.MIXED, "MIXED")
+                .withIf(pixels == CloudPixels.BAKED, "BAKED")
                 .with("CLOUDS", context.ranges());
     }
 

@@ -5,7 +5,7 @@ import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
-/** A cloud of the level where it is at the time of the frame. */
+/** A cloud of the level where it is at a time, usually that of the frame. */
 public final class PlacedCloud {
     private final CloudSource source;
     private final int index;
@@ -19,7 +19,12 @@ public final class PlacedCloud {
         this.index = index;
     }
 
-    void follow(CloudInterval now) {
+    /** Returns the same cloud, to be placed at other times. */
+    public PlacedCloud again() {
+        return new PlacedCloud(source, index);
+    }
+
+    public void follow(CloudInterval now) {
         seconds = now.seconds();
         drift = source.drift(seconds);
         presence = source.share(seconds);
@@ -47,8 +52,13 @@ public final class PlacedCloud {
         return presence;
     }
 
+    /** Returns the distance from a point to its bounds, metres; 0 inside. */
+    public double distance(Vec3 from) {
+        return CloudRanges.distance(bounds(), from);
+    }
+
     /** Returns its bounds at the time of the frame. */
-    Aabb bounds() {
+    public Aabb bounds() {
         return source.bounds().moved(drift);
     }
 

@@ -1,0 +1,32 @@
+package nephele.engine.render.pass.cloud.skybox;
+
+import nephele.engine.level.Level;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.reach.EyeReach;
+
+/** The point from which a cloud is baked. */
+final class BakePoint {
+    /** Height of the player's eye over the feet. */
+    private static final Vec3 EYE = new Vec3(0, 1.65, 0);
+
+    private BakePoint() {}
+
+    /**
+     * Returns the middle of where eyes can be if all of them are on this side of the cloud, otherwise the first camera or
+     * the player's start.
+     */
+    static Vec3 of(Level level, EyeReach reach, Aabb cloud) {
+        if (!reach.isAnywhere()) {
+            Vec3 middle = reach.bounds().centre();
+            Aabb point = Aabb.around(middle, Vec3.ZERO);
+            if (reach.farthestMetres(middle) < EyeReach.metresBetween(point, cloud)) {
+                return middle;
+            }
+        }
+        if (!level.cameras().isEmpty()) {
+            return level.cameras().get(0).position();
+        }
+        return level.player() == null ? Vec3.ZERO : level.player().feet().plus(EYE);
+    }
+}
