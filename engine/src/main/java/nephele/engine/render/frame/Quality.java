@@ -21,6 +21,8 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
+ * @param impostors whether clouds of balls that are far away are drawn from pictures of them
+ * @param impostorErrorPixels greatest distance at which such a picture has a part of a cloud in a wrong place
  * @param skyplaneShape shape of the sheets of technique {@code skyplane}
  * @param proceduralNoise noise of technique {@code procedural}
  * @param portalTechnique technique of drawing a view through an opening
@@ -44,6 +46,8 @@ public record Quality(
         int cloudLightCell,
         CloudScattering cloudScattering,
         BillboardFacing billboardFacing,
+        ImpostorChoice impostors,
+        double impostorErrorPixels,
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
         PortalTechnique portalTechnique,
@@ -69,6 +73,8 @@ public record Quality(
             2,
             CloudScattering.TWO_STREAM,
             BillboardFacing.VIEWER,
+            ImpostorChoice.AUTO,
+            1,
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
             PortalTechnique.STENCIL,
@@ -84,6 +90,7 @@ public record Quality(
             .withSamples(4)
             .withCloudResolution(1)
             .withCloudHistory(CloudHistory.NONE)
+            .withImpostors(ImpostorChoice.OFF)
             .withViewBudget(32);
 
     /** The filter that smooths edges of the displayed picture. */
@@ -132,6 +139,13 @@ public record Quality(
         AXIAL,
         /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
         SOURCE
+    }
+
+    /** Decides which clouds of balls are drawn from pictures of them. */
+    public enum ImpostorChoice {
+        OFF,
+        /** Those whose pictures are right for long enough to be worth their making. */
+        AUTO
     }
 
     /** The shape of the sheet as which a layer of clouds is drawn. */
@@ -261,6 +275,14 @@ public record Quality(
         return with(draft -> draft.billboardFacing = facing);
     }
 
+    public Quality withImpostors(ImpostorChoice clouds) {
+        return with(draft -> draft.impostors = clouds);
+    }
+
+    public Quality withImpostorErrorPixels(double pixels) {
+        return with(draft -> draft.impostorErrorPixels = pixels);
+    }
+
     public Quality withSkyplaneShape(SkyplaneShape shape) {
         return with(draft -> draft.skyplaneShape = shape);
     }
@@ -304,6 +326,8 @@ public record Quality(
         private int cloudLightCell;
         private CloudScattering cloudScattering;
         private BillboardFacing billboardFacing;
+        private ImpostorChoice impostors;
+        private double impostorErrorPixels;
         private SkyplaneShape skyplaneShape;
         private ProceduralNoise proceduralNoise;
         private PortalTechnique portalTechnique;
@@ -327,6 +351,8 @@ public record Quality(
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
             billboardFacing = from.billboardFacing;
+            impostors = from.impostors;
+            impostorErrorPixels = from.impostorErrorPixels;
             skyplaneShape = from.skyplaneShape;
             proceduralNoise = from.proceduralNoise;
             portalTechnique = from.portalTechnique;
@@ -352,6 +378,8 @@ public record Quality(
                     cloudLightCell,
                     cloudScattering,
                     billboardFacing,
+                    impostors,
+                    impostorErrorPixels,
                     skyplaneShape,
                     proceduralNoise,
                     portalTechnique,

@@ -25,6 +25,9 @@ public enum TextureUnit {
     /** The columns of a cloud that is drawn as a sheet, and has no plan. */
     CLOUD_COLUMNS(10),
     CLOUD_LIGHT_TO_COME(9),
+    /** The picture of a slab of a cloud, and how far away it is. */
+    IMPOSTOR(1),
+    IMPOSTOR_PLACES(2),
     /** What {@code spread.frag} reads: rays of this frame, places of the clouds there, and the layer before. */
     SPREAD_FRESH(0),
     SPREAD_PLACES(1),

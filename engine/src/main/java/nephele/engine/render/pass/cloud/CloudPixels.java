@@ -11,15 +11,17 @@ public enum CloudPixels {
     /** All of a layer, as {@link #WHOLE}: the light of a flash of lightning in the cloud. */
     FLASH,
     /** One for each point of a bolt: what the cloud hides of it. */
-    BOLT;
+    BOLT,
+    /** All of an impostor's picture, as if there were neither surfaces nor air. */
+    CAPTURED;
 
-    /** Returns true if the pixels are those of a layer. */
-    boolean isLayer() {
-        return this == WHOLE || this == FLASH;
+    /** Returns true if rays belong to a {@link RayGrid}. */
+    boolean isGrid() {
+        return this == WHOLE || this == FLASH || this == CAPTURED;
     }
 
     /** Returns true if the cloud is drawn as it looks without a flash. */
     public boolean isLook() {
-        return this == ALL || this == WHOLE || this == MIXED;
+        return this == ALL || this == WHOLE || this == MIXED || this == CAPTURED;
     }
 }
