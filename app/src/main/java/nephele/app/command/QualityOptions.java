@@ -20,8 +20,8 @@ final class QualityOptions {
             parameterConsumer = SettingConsumer.class,
             description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
                     + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
-                    + " billboardFacing, skyplaneShape, proceduralNoise, cloudSkyboxTexels, culling, narrowing, rims;"
-                    + " debug=ids draws every solid in its own colour.")
+                    + " billboardFacing, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
+                    + " cloudSkyboxTexels, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -21,6 +21,7 @@ import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.Quality.ImpostorChoice;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
@@ -101,6 +102,15 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "billboardFacing",
                     BillboardFacing.class,
                     (all, value) -> all.with(all.quality().withBillboardFacing(value))),
+            SettingKey.word(
+                    "impostors",
+                    ImpostorChoice.class,
+                    (all, value) -> all.with(all.quality().withImpostors(value))),
+            SettingKey.number(
+                    "impostorErrorPixels",
+                    0.1,
+                    16,
+                    (all, value) -> all.with(all.quality().withImpostorErrorPixels(value))),
             SettingKey.word(
                     "skyplaneShape",
                     SkyplaneShape.class,

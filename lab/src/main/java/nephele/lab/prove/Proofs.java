@@ -7,6 +7,7 @@ import nephele.lab.prove.bodies.FallsProof;
 import nephele.lab.prove.bodies.MassRatiosProof;
 import nephele.lab.prove.bodies.PilesProof;
 import nephele.lab.prove.cloud.CloudFlightProof;
+import nephele.lab.prove.cloud.CloudImpostorsProof;
 import nephele.lab.prove.cloud.CloudLawsProof;
 import nephele.lab.prove.cloud.CloudReferenceProof;
 import nephele.lab.prove.cloud.CloudSlabsProof;
@@ -76,6 +77,7 @@ public final class Proofs {
             new CloudVolumeProof(),
             new CloudFlightProof(),
             new CloudStackProof(),
+            new CloudImpostorsProof(),
             new AirFieldsProof(),
             new SkyTableProof(),
             new SkySweepProof(),

@@ -27,6 +27,17 @@ public record CloudPuffs(List<Puff> all) {
      * @param perMetre σ, the extinction in its centre
      */
     public record Puff(Vec3 centre, double deviationMetres, double perMetre) {
+        private static final double FAINTEST = 1e-4;
+        private static final double MOST_DEVIATIONS = 5;
+
+        /** Returns the distance from the centre at which it ends, 0 if nothing of it is seen; twin of {@code puffRadius}. */
+        public double radiusMetres() {
+            double depth = perMetre * deviationMetres * Math.sqrt(2 * Math.PI);
+            return depth > FAINTEST
+                    ? deviationMetres * Math.min(MOST_DEVIATIONS, Math.sqrt(2 * Math.log(depth / FAINTEST)))
+                    : 0;
+        }
+
         Puff thinned(double share) {
             return new Puff(centre, deviationMetres, share * perMetre);
         }

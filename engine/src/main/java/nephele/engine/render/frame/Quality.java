@@ -21,6 +21,8 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
+ * @param impostors whether clouds of balls that are far away are drawn from pictures of them
+ * @param impostorErrorPixels greatest distance at which such a picture has a part of a cloud in a wrong place
  * @param skyplaneShape shape of the sheets of technique {@code skyplane}
  * @param proceduralNoise noise of technique {@code procedural}
  * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
@@ -45,6 +47,8 @@ public record Quality(
         int cloudLightCell,
         CloudScattering cloudScattering,
         BillboardFacing billboardFacing,
+        ImpostorChoice impostors,
+        double impostorErrorPixels,
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
         int cloudSkyboxTexels,
@@ -71,6 +75,8 @@ public record Quality(
             2,
             CloudScattering.TWO_STREAM,
             BillboardFacing.VIEWER,
+            ImpostorChoice.AUTO,
+            1,
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
             512,
@@ -87,6 +93,7 @@ public record Quality(
             .withSamples(4)
             .withCloudResolution(1)
             .withCloudHistory(CloudHistory.NONE)
+            .withImpostors(ImpostorChoice.OFF)
             .withViewBudget(32);
 
     /** The filter that smooths edges of the displayed picture. */
@@ -135,6 +142,13 @@ public record Quality(
         AXIAL,
         /** By the formula of a source of 2004, which is wrong beside the axes and undefined on them. */
         SOURCE
+    }
+
+    /** Decides which clouds of balls are drawn from pictures of them. */
+    public enum ImpostorChoice {
+        OFF,
+        /** Those whose pictures are right for long enough to be worth their making. */
+        AUTO
     }
 
     /** The shape of the sheet as which a layer of clouds is drawn. */
@@ -264,6 +278,14 @@ public record Quality(
         return with(draft -> draft.billboardFacing = facing);
     }
 
+    public Quality withImpostors(ImpostorChoice clouds) {
+        return with(draft -> draft.impostors = clouds);
+    }
+
+    public Quality withImpostorErrorPixels(double pixels) {
+        return with(draft -> draft.impostorErrorPixels = pixels);
+    }
+
     public Quality withSkyplaneShape(SkyplaneShape shape) {
         return with(draft -> draft.skyplaneShape = shape);
     }
@@ -311,6 +333,8 @@ public record Quality(
         private int cloudLightCell;
         private CloudScattering cloudScattering;
         private BillboardFacing billboardFacing;
+        private ImpostorChoice impostors;
+        private double impostorErrorPixels;
         private SkyplaneShape skyplaneShape;
         private ProceduralNoise proceduralNoise;
         private int cloudSkyboxTexels;
@@ -335,6 +359,8 @@ public record Quality(
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
             billboardFacing = from.billboardFacing;
+            impostors = from.impostors;
+            impostorErrorPixels = from.impostorErrorPixels;
             skyplaneShape = from.skyplaneShape;
             proceduralNoise = from.proceduralNoise;
             cloudSkyboxTexels = from.cloudSkyboxTexels;
@@ -361,6 +387,8 @@ public record Quality(
                     cloudLightCell,
                     cloudScattering,
                     billboardFacing,
+                    impostors,
+                    impostorErrorPixels,
                     skyplaneShape,
                     proceduralNoise,
                     cloudSkyboxTexels,

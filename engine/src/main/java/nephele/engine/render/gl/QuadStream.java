@@ -55,9 +55,18 @@ public final class QuadStream implements GlObject {
     }
 
     public void draw() {
+        draw(0, quads);
+    }
+
+    /** Draws some of the quads. */
+    public void draw(int first, int count) {
         gl.bindings().vertexArray(vertexArray.id());
-        glDrawElements(GL_TRIANGLES, TWO_TRIANGLES.length * quads, GL_UNSIGNED_INT, 0);
-        gl.state().drawn(1, 2L * quads);
+        glDrawElements(
+                GL_TRIANGLES,
+                TWO_TRIANGLES.length * count,
+                GL_UNSIGNED_INT,
+                (long) TWO_TRIANGLES.length * Integer.BYTES * first);
+        gl.state().drawn(1, 2L * count);
     }
 
     @Override

@@ -77,8 +77,15 @@ public final class RenderTarget implements GlObject {
      * both.
      */
     public static RenderTarget pair(GlContext gl, String name, PixelFormat format, int width, int height) {
-        Texture first = flat(gl, name, format, width, height);
-        Texture second = flat(gl, name, format, width, height);
+        return pair(gl, name, format, width, height, Sampling.NEAREST_CLAMP);
+    }
+
+    /** Creates a target as {@link #pair(GlContext, String, PixelFormat, int, int)} does, with other sampling. */
+    public static RenderTarget pair(
+            GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
+        Texture.Extent extent = Texture.Extent.flat(width, height);
+        Texture first = new Texture(gl, name, Texture.Shape.FLAT, format, extent, sampling);
+        Texture second = new Texture(gl, name, Texture.Shape.FLAT, format, extent, sampling);
         GlHandle framebuffer = newFramebuffer(gl, name);
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, first.id(), 0);

@@ -9,14 +9,19 @@
 #endif
 
 #if defined(BAKED) || defined(WHOLE) && !defined(BY_FLASH)
-layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage
+layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage. CAPTURED:
+                                     // r: metres behind the picture's plane; g: 1
 #endif
 
 #ifdef WHOLE
 #include "layer-ray.glsl"
 uniform vec3 marchedSquare; // x: side of the square of rays of which one is drawn; y, z: that one's place from the middle
 #ifndef BY_FLASH
+#ifdef CAPTURED
+uniform float capturedPlane; // distance along the view's axis, metres
+#else
 uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
+#endif
 #endif
 #elif defined(OF_BOLT)
 #include "frame.glsl"
@@ -65,7 +70,7 @@ float stepOffset(vec2 pixelPlace) {
     return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
 }
 
-#if defined(WHOLE) && !defined(BY_FLASH)
+#if defined(WHOLE) && !defined(BY_FLASH) && !defined(CAPTURED)
 // The wind's motion along the view's right and upper axes; what it has along the ray cannot be seen and takes the rest.
 vec2 motionAcross(vec3 ray) {
     vec3 across = blown - ray * (dot(blown, viewForward.xyz) / dot(ray, viewForward.xyz));
@@ -101,6 +106,10 @@ CloudPixel cloudPixel() {
 
 // Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
 void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
+#ifdef CAPTURED
+    pixel = vec4(min(radiance, 65504.0), covered);
+    place = vec4(covered * vec2(metres - capturedPlane / dot(at.ray, viewForward.xyz), 1.0), 0.0, covered);
+#else
 #ifndef BAKED
 #ifdef BY_FLASH
     // Air and fog are lit without the flash.
@@ -134,5 +143,6 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
     place = vec4(covered * vec3(0.001 * metres, motionAcross(at.ray)), covered);
 #else
     writeCovering(vec4(min(radiance, 65504.0), covered));
+#endif
 #endif
 }

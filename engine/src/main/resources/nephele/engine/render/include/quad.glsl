@@ -15,15 +15,15 @@ const float LEAST_AHEAD = 0.05; // share of a ball's distance at which its corne
 
 // Puts a corner of a quad. If the eye is in the ball, or a corner beside it, all pixels ask how near their ray comes, unless the
 // ball is behind.
-void putCorner(vec3 corners[4], vec2 corner, bool isOutside, float radius) {
+void putCorner(vec3 centre, vec3 corners[4], vec2 corner, bool isOutside, float radius) {
     float nearest = 1e30;
     for (int n = 0; n < 4; n++) {
         nearest = min(nearest, dot(corners[n], viewForward.xyz));
     }
-    bool isQuad = isOutside && nearest > LEAST_AHEAD * length(ball.xyz);
+    bool isQuad = isOutside && nearest > LEAST_AHEAD * length(centre);
     int number = corner.y < 0.0 ? (corner.x < 0.0 ? 0 : 1) : (corner.x < 0.0 ? 3 : 2);
     vec3 seen = isQuad ? corners[number] : viewForward.xyz + corner.x * viewRight.xyz + corner.y * viewUp.xyz;
-    bool isBehind = dot(ball.xyz, viewForward.xyz) < -radius;
+    bool isBehind = dot(centre, viewForward.xyz) < -radius;
     if (isQuad) {
         gl_Position = clipFromRelative * vec4(seen, 1.0);
         gl_Position.z = 0.0;

@@ -19,8 +19,8 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
 /**
- * Frames of a flight through clouds, 60 a second: by a quality that divides rays among frames, and with all rays in each
- * frame. Pictures are linear light as displayed at exposure 0.
+ * Frames of a flight through clouds, 60 a second: by a quality that uses earlier frames, and by one that does not. Pictures are
+ * linear light as displayed at exposure 0.
  */
 final class CloudFlight implements AutoCloseable {
     private static final double FRAMES_A_SECOND = 60;
@@ -48,11 +48,17 @@ final class CloudFlight implements AutoCloseable {
     /** The size of pictures in pixels. */
     record Size(int width, int height) {}
 
+    /** Compares with frames of all rays. */
     CloudFlight(GlContext gl, OpenedLevel level, Path path, Quality quality, Size size) {
+        this(gl, level, path, quality, quality.withCloudHistory(CloudHistory.NONE), size);
+    }
+
+    /** @param whole quality of the frames that are compared with */
+    CloudFlight(GlContext gl, OpenedLevel level, Path path, Quality quality, Quality whole, Size size) {
         this.path = path;
         picture = RenderTarget.picture(gl, "flight", PixelFormat.RGBA8, size.width, size.height);
         shared = renderer(gl, level, quality);
-        converged = renderer(gl, level, quality.withCloudHistory(CloudHistory.NONE));
+        converged = renderer(gl, level, whole);
         state = FrameState.atStart(level.level());
         environment = level.level().environment();
     }
@@ -62,12 +68,16 @@ final class CloudFlight implements AutoCloseable {
                 gl, level.level(), level.assets(), RenderSettings.of(Output.HDR, quality.withPictureResolution(1)));
     }
 
+    View view(int frame) {
+        return path.view(frame, picture.width() / (double) picture.height());
+    }
+
     /** Draws a frame after those before it. */
     LinearPicture seen(int frame) {
         return drawn(shared, frame);
     }
 
-    /** Draws a frame with all rays. */
+    /** Draws a frame that uses no others. */
     LinearPicture truth(int frame) {
         return drawn(converged, frame);
     }
@@ -79,7 +89,7 @@ final class CloudFlight implements AutoCloseable {
 
     private LinearPicture drawn(Renderer renderer, int frame) {
         state.seconds(frame / FRAMES_A_SECOND);
-        renderer.draw(path.view(frame, picture.width() / (double) picture.height()), state, picture);
+        renderer.draw(view(frame), state, picture);
         float[] light = renderer.readRadiance();
         for (int i = 0; i < light.length; i++) {
             light[i] = (float) ToneMapping.toneCurve(light[i], environment.toneCurve());

@@ -38,6 +38,8 @@ public final class Trades {
             CloudSubjects.RESOLUTION,
             CloudSubjects.LIGHT,
             CloudSubjects.FACING,
+            CloudSubjects.IMPOSTORS,
+            CloudSubjects.IMPOSTOR_ERROR,
             CloudSubjects.HISTORY,
             CloudSubjects.SHEET,
             CloudSubjects.NOISE,

@@ -3,9 +3,9 @@ package nephele.lab.trade.subject;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
-import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.measure.Shimmer;
@@ -43,14 +43,16 @@ final class CloudExperiment implements Experiment {
         /** One of a still view. */
         STILL,
         /** The last one of a view that turns. */
-        TURNING
+        TURNING,
+        /** The worst one of an eye that moves. */
+        FLYING
     }
 
     CloudExperiment(TradeSite site, List<PictureSetting> settings, Judged judged) {
         this.site = site;
         this.judged = judged;
         pictures = new PictureExperiment(site, settings, Compared.RADIANCE);
-        path = Footage.path(site);
+        path = judged == Judged.FLYING ? Footage.flight(site) : Footage.path(site);
     }
 
     @Override
@@ -60,7 +62,6 @@ final class CloudExperiment implements Experiment {
         List<LinearPicture> wanted = frames(finest(shot));
         List<LinearPicture> test = frames(shot);
         int last = test.size() - 1;
-        ErrorMap flip = Flip.ofDisplayed(wanted.get(last), test.get(last));
         List<Double> figures = new ArrayList<>();
         figures.add(still.figures().get(BIAS));
         figures.add(still.figures().get(QUANTILE));
@@ -68,12 +69,28 @@ final class CloudExperiment implements Experiment {
         figures.add(textures(shot) / MEBIBYTE);
         figures.add(Shimmer.of(wanted, test));
         figures.add(Flip.ofDisplayed(wanted.get(1), test.get(1)).mean());
-        double error = judged == Judged.STILL ? still.error() : flip.mean();
+        double error =
+                switch (judged) {
+                    case STILL -> still.error();
+                    case TURNING ->
+                        Flip.ofDisplayed(wanted.get(last), test.get(last)).mean();
+                    case FLYING -> worst(wanted, test);
+                };
         return new Judgement(error, List.copyOf(figures), still.shown(), still.map());
     }
 
+    private static double worst(List<LinearPicture> wanted, List<LinearPicture> test) {
+        return IntStream.range(0, test.size())
+                .mapToDouble(i -> Flip.ofDisplayed(wanted.get(i), test.get(i)).mean())
+                .max()
+                .orElseThrow();
+    }
+
     private static Shot finest(Shot shot) {
-        return shot.set("cloudHistory", "none").set("cloudResolution", 1).set("cloudStep", 0.25);
+        return shot.set("cloudHistory", "none")
+                .set("cloudResolution", 1)
+                .set("cloudStep", 0.25)
+                .set("impostors", "off");
     }
 
     private List<LinearPicture> frames(Shot shot) {

@@ -16,6 +16,7 @@ public final class CloudSubjects {
     private static final String GRID = "levels/samples/clouds-grid.json";
     private static final String CUMULUS = "levels/samples/clouds-cumulus.json";
     private static final String BILLBOARDS = "levels/samples/clouds-billboard.json";
+    private static final String PARTICLES = "levels/samples/clouds-particles.json";
     private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they"
         + " take. Flicker is the RMS change of the error from frame to frame, in linear light, while the view turns by"
         + " 0.3 pixels a frame";
@@ -125,6 +126,40 @@ public final class CloudSubjects {
                     PictureSetting.of("cloudSkyboxTexels", 1024, ""),
                     PictureSetting.of("cloudSkyboxTexels", 512, "all presets"),
                     PictureSetting.of("cloudSkyboxTexels", 256, "")));
+
+    private static final String FLIGHT =
+            "the engine's own frames of all rays without impostors, while the eye moves to the"
+                    + " right by 16 m a frame; the worst of eight";
+
+    public static final Trade IMPOSTORS = subject(
+            PARTICLES,
+            "impostors",
+            new Trade.Text(
+                    "Impostors of clouds of balls",
+                    "A cloud of soft balls far away is drawn once and shown from that picture until the eye has moved"
+                            + " so far that a part of it would be in a wrong place. Pictures are made over several"
+                            + " frames; clouds that are near are drawn ball by ball.",
+                    FLIGHT),
+            "auto",
+            List.of(
+                    PictureSetting.of("impostors", "off", "ultra"),
+                    PictureSetting.of("impostors", "auto", "low, medium and high")),
+            Judged.FLYING);
+
+    public static final Trade IMPOSTOR_ERROR = subject(
+            PARTICLES,
+            "impostorErrorPixels",
+            new Trade.Text(
+                    "Error of impostors",
+                    "How many pixels a part of a cloud may be from its place before its picture is replaced. A smaller"
+                            + " error takes more pictures, or drawing ball by ball if the eye is fast.",
+                    FLIGHT),
+            "1",
+            List.of(
+                    PictureSetting.of("impostorErrorPixels", "0.25", ""),
+                    PictureSetting.of("impostorErrorPixels", "1", "all presets"),
+                    PictureSetting.of("impostorErrorPixels", "4", "")),
+            Judged.FLYING);
 
     private static final List<PictureSetting> HISTORIES = List.of(
             PictureSetting.of("cloudHistory", "none", "ultra"),

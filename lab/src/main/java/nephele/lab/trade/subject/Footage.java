@@ -2,6 +2,7 @@ package nephele.lab.trade.subject;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
@@ -33,6 +34,9 @@ record Footage(List<View> views, int width, int height) {
 
     private static final double PIXELS_UPWARDS = 0.18;
 
+    /** The eye's way from frame to frame of a flight. */
+    private static final double FLIGHT_METRES = 16;
+
     static Footage still(TradeSite site) {
         return new Footage(
                 List.of(site.view()), site.extent().width(), site.extent().height());
@@ -40,6 +44,28 @@ record Footage(List<View> views, int width, int height) {
 
     /** Returns a path on which the site's view turns by 0.3 pixels a frame. */
     static Footage path(TradeSite site) {
+        return small(
+                site,
+                (frame, pixel) ->
+                        turned(site.view(), frame * PIXELS_RIGHTWARDS * pixel, frame * PIXELS_UPWARDS * pixel));
+    }
+
+    /** Returns a path on which the site's eye moves to the right by 16 m a frame. */
+    static Footage flight(TradeSite site) {
+        View view = site.view();
+        return small(
+                site,
+                (frame, pixel) -> new View(
+                        view.eye().addScaled(frame * FLIGHT_METRES, view.right()),
+                        view.right(),
+                        view.up(),
+                        view.back(),
+                        view.projection(),
+                        view.clip()));
+    }
+
+    /** @param viewOf the number of a frame and the size of a pixel at distance 1 */
+    private static Footage small(TradeSite site, BiFunction<Integer, Double, View> viewOf) {
         var extent = site.extent();
         double scale =
                 Math.min(1, Math.min((double) PATH_WIDTH / extent.width(), (double) PATH_HEIGHT / extent.height()));
@@ -47,8 +73,7 @@ record Footage(List<View> views, int width, int height) {
         int height = (int) Math.max(1, Math.round(scale * extent.height()));
         double pixel = 2 * site.view().projection().tanHalfHeight() / height;
         var views = IntStream.range(0, PATH_FRAMES)
-                .mapToObj(
-                        frame -> turned(site.view(), frame * PIXELS_RIGHTWARDS * pixel, frame * PIXELS_UPWARDS * pixel))
+                .mapToObj(frame -> viewOf.apply(frame, pixel))
                 .toList();
         return new Footage(views, width, height);
     }

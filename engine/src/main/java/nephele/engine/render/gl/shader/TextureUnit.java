@@ -28,6 +28,9 @@ public enum TextureUnit {
     /** The pictures of a cloud that is drawn as a skybox, which has no cells then. */
     CLOUD_FACES(1),
     CLOUD_FACES_BEFORE(2),
+    /** The picture of a slab of a cloud, and how far away it is. */
+    IMPOSTOR(1),
+    IMPOSTOR_PLACES(2),
     /** What {@code spread.frag} reads: rays of this frame, places of the clouds there, and the layer before. */
     SPREAD_FRESH(0),
     SPREAD_PLACES(1),

@@ -4,7 +4,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.View;
 
-/** What clouds are drawn on: a view, a layer of it, or a picture that is kept. */
+/** What clouds are drawn on: a view, a layer of it, a picture that is kept, or that of an impostor. */
 public final class CloudCanvas {
     /** {@code null} for a picture that is kept. */
     private final CloudRanges ranges;
@@ -13,8 +13,8 @@ public final class CloudCanvas {
     private CloudPixels pixels;
     private View view;
     private Vec3 focus;
-    /** {@code null} unless the pixels are those of a layer. */
-    private CloudLayer layer;
+    /** {@code null} for pixels of a view. */
+    private RayGrid grid;
 
     /** @param lightning {@code null} for none */
     CloudCanvas(CloudRanges ranges, FrameLightning lightning) {
@@ -34,11 +34,11 @@ public final class CloudCanvas {
     }
 
     /** @param focusOfFrame around which layers are sampled finely */
-    void begin(CloudPixels whichPixels, View ofView, Vec3 focusOfFrame, CloudLayer ofLayer) {
+    void begin(CloudPixels whichPixels, View ofView, Vec3 focusOfFrame, RayGrid ofGrid) {
         pixels = whichPixels;
         view = ofView;
         focus = focusOfFrame;
-        layer = ofLayer;
+        grid = ofGrid;
     }
 
     public CloudPixels pixels() {
@@ -56,16 +56,16 @@ public final class CloudCanvas {
 
     /** Returns by how much quads must be larger, as a share of their distance, since rays are not at the middles of pixels. */
     public double margin() {
-        return layer == null ? 0 : layer.pixel() * view.projection().tanHalfHeight();
+        return grid == null ? 0 : grid.pixel() * view.projection().tanHalfHeight();
     }
 
     /** Sets the uniforms of a program in use. */
     public void put(PixelUniforms uniforms, PlacedCloud cloud) {
-        if (layer != null) {
-            layer.put(uniforms.rays());
+        if (grid != null) {
+            grid.put(uniforms.rays());
         }
-        if (layer != null && uniforms.rays().blown() != null) {
-            Vec3 blown = cloud.blown(layer.secondsBefore());
+        if (uniforms.rays() != null && uniforms.rays().blown() != null) {
+            Vec3 blown = cloud.blown(grid.secondsBefore());
             uniforms.rays().blown().set((float) blown.x(), (float) blown.y(), (float) blown.z());
         }
         if (uniforms.flash() != null) {

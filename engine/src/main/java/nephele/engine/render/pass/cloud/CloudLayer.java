@@ -17,7 +17,7 @@ import nephele.engine.scene.View;
  * frames ago as a square has rays. The first frame after a cut marches all, as after a jump in time. Views that all march
  * all rays may share a layer in turn.
  */
-final class CloudLayer implements GlObject {
+final class CloudLayer implements GlObject, RayGrid {
     /** A longer time between two frames is a jump: clouds have another shape after it. */
     private static final double JUMP_SECONDS = 1;
 
@@ -95,8 +95,8 @@ final class CloudLayer implements GlObject {
         return before == null ? 1 : side;
     }
 
-    /** Sets which rays are marched. */
-    void put(PixelUniforms.Rays rays) {
+    @Override
+    public void put(PixelUniforms.Rays rays) {
         int n = marchedSide();
         double offset = 0.5 * (1 - n);
         double x = n == 1 ? 0 : column(frame, side);
@@ -105,8 +105,8 @@ final class CloudLayer implements GlObject {
         rays.step().set((float) (2.0 * divisor / width), (float) (2.0 * divisor / height));
     }
 
-    /** Returns the size of a drawn pixel as a share of half the view's height. */
-    double pixel() {
+    @Override
+    public double pixel() {
         return 2.0 * divisor * marchedSide() / height;
     }
 
@@ -130,8 +130,8 @@ final class CloudLayer implements GlObject {
         before = side == 1 ? null : view;
     }
 
-    /** Returns the time of the layer before; the present one if there is none. */
-    double secondsBefore() {
+    @Override
+    public double secondsBefore() {
         return secondsBefore;
     }
 

@@ -49,6 +49,9 @@ public final class CloudPass implements Pass {
     private final CloudRanges ranges;
     private final CloudCanvas canvas;
     private final Aabb surfaces;
+    /** {@code null} if there are to be none. */
+    private final Impostors impostors;
+
     /** The layer of the main view, whose rays several frames may share; {@code null} if clouds are drawn directly. */
     private final CloudLayer mainLayer;
 
@@ -79,11 +82,12 @@ public final class CloudPass implements Pass {
         }
         ranges = new CloudRanges(clouds);
         canvas = new CloudCanvas(ranges, shared.lightning());
-        build(techniques);
         surfaces = context.scene().statics().bounds();
         Quality quality = context.quality();
         int divisor = (int) Math.round(1 / quality.cloudResolution());
         int side = quality.cloudHistory().side();
+        impostors = quality.impostors() == Quality.ImpostorChoice.AUTO ? new Impostors(context, divisor, side) : null;
+        build(techniques);
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
@@ -91,7 +95,7 @@ public final class CloudPass implements Pass {
     }
 
     private void build(List<CloudTechniqueDrawer.Registered> techniques) {
-        var cloudContext = new CloudContext(context, ranges.count());
+        var cloudContext = new CloudContext(context, impostors, ranges.count());
         Map<CloudTechnique, CloudTechniqueDrawer> built = new EnumMap<>(CloudTechnique.class);
         for (PlacedCloud cloud : clouds) {
             CloudTechniqueDrawer.Registered technique = drawn(techniques, cloud.source());
@@ -184,6 +188,9 @@ public final class CloudPass implements Pass {
         }
         sort(view.eye());
         ranges.follow(clouds);
+        if (impostors != null && isMain(frame)) {
+            impostors.follow(frame);
+        }
         boolean mixed = isMixed(view.eye());
         if (mainLayer == null || mixed) {
             reads.bind(shared);
@@ -199,10 +206,13 @@ public final class CloudPass implements Pass {
         }
     }
 
+    private static boolean isMain(FrameContext frame) {
+        return frame.node() == null || frame.node().parent() == null;
+    }
+
     private void drawLayered(FrameContext frame, CloudInterval now, boolean mixed) {
         View view = frame.view();
-        boolean isMain = frame.node() == null || frame.node().parent() == null;
-        CloudLayer layer = isMain ? mainLayer : nestedLayer;
+        CloudLayer layer = isMain(frame) ? mainLayer : nestedLayer;
         layer.begin(frame.surface(), shared.cuts(), now.seconds());
         draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, triangle);

@@ -13,11 +13,13 @@ public enum CloudPixels {
     /** One for each point of a bolt: what the cloud hides of it. */
     BOLT,
     /** All of a picture that is kept: as if there were no surfaces, air, fog and mirrors. */
-    BAKED;
+    BAKED,
+    /** All of an impostor's picture, as if there were neither surfaces nor air. */
+    CAPTURED;
 
-    /** Returns true if the pixels are those of a layer. */
-    boolean isLayer() {
-        return this == WHOLE || this == FLASH;
+    /** Returns true if rays belong to a {@link RayGrid}. */
+    boolean isGrid() {
+        return this == WHOLE || this == FLASH || this == CAPTURED;
     }
 
     /** Returns true if the cloud is drawn as it looks without a flash. */

@@ -28,14 +28,32 @@ public final class LitCloud {
     private final CloudTextures textures;
 
     private Environment followed;
-    private Vec3 towardsSun;
-    private Vec3 irradiance;
-    private Vec3 above;
-    private Vec3 below;
+    private Around around;
     private DrawnCloud shown;
     private DrawnCloud toCome;
     private double share;
     private double groundShare;
+
+    /**
+     * The light around a cloud.
+     *
+     * @param irradiance of the sun
+     * @param above mean radiance of the upper half of the sky; {@code below} of the lower one
+     */
+    record Around(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {
+        /** Returns the greatest difference: radians of the sun's direction, and shares of all light. */
+        double difference(Around other) {
+            if (other == this) {
+                return 0;
+            }
+            double turn = Math.atan2(towardsSun.cross(other.towardsSun).length(), towardsSun.dot(other.towardsSun));
+            double light = irradiance.length() + above.length() + below.length();
+            double changed = irradiance.minus(other.irradiance).length()
+                    + above.minus(other.above).length()
+                    + below.minus(other.below).length();
+            return Math.max(turn, changed / Math.max(1e-12, light));
+        }
+    }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
         shared = context.shared();
@@ -61,11 +79,17 @@ public final class LitCloud {
         followed = now;
         Aabb extent = cloud.bounds();
         Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
-        towardsSun = CloudTimeline.towardsSun(now);
-        irradiance = sun == null ? Vec3.ZERO : sun.irradiance();
         SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
-        above = Vec3.of(sky.ambient(0, 1, 0));
-        below = Vec3.of(sky.ambient(0, -1, 0));
+        around = new Around(
+                CloudTimeline.towardsSun(now),
+                sun == null ? Vec3.ZERO : sun.irradiance(),
+                Vec3.of(sky.ambient(0, 1, 0)),
+                Vec3.of(sky.ambient(0, -1, 0)));
+    }
+
+    /** Returns the light around it at the time of the frame. */
+    Around around() {
+        return around;
     }
 
     /** Returns the cloud at the earlier of the two sampled times. */
@@ -90,15 +114,15 @@ public final class LitCloud {
      */
     public void put(CellUniforms uniforms, View view, Vec3 focus) {
         put(uniforms.density(), view, focus);
-        set(uniforms.cloudSun(), towardsSun);
+        set(uniforms.cloudSun(), around.towardsSun);
         if (uniforms.diffuseAxis() != null) {
-            Vec3 axis = shown.cells().diffuseAxis(towardsSun);
+            Vec3 axis = shown.cells().diffuseAxis(around.towardsSun);
             uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
                     cloud.physics().slopeOfBeam());
         }
-        set(uniforms.irradiance(), irradiance);
-        set(uniforms.skyAbove(), above);
-        set(uniforms.skyBelow(), below.scaled(groundShare));
+        set(uniforms.irradiance(), around.irradiance);
+        set(uniforms.skyAbove(), around.above);
+        set(uniforms.skyBelow(), around.below.scaled(groundShare));
     }
 
     /** Does the same for a program that needs no light of the cells. */

@@ -9,29 +9,32 @@ import nephele.engine.render.resource.FrameUniforms;
  * The uniforms of {@code cloud-pixel.glsl}, which the programs of all techniques have.
  *
  * @param ranges {@code null} unless for {@link CloudPixels#MIXED}
- * @param rays {@code null} unless the pixels are those of a layer
+ * @param rays {@code null} unless of a {@link RayGrid}
  * @param flash {@code null} unless for {@link CloudPixels#FLASH}
  * @param boltFromEye {@code null} unless for {@link CloudPixels#BOLT}
  */
 public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms flash, Uniforms.Vector3 boltFromEye) {
     /**
-     * The rays of a layer that are drawn.
+     * The rays of a grid that are drawn.
      *
      * @param blown how far the wind has carried the cloud since the layer before; {@code null} without one
+     * @param plane distance of a captured picture along the view's axis, metres; {@code null} unless of one
      */
-    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square, Uniforms.Vector3 blown) {
-        static Rays of(Uniforms uniforms, boolean hasLayerBefore) {
+    record Rays(Uniforms.Vector2 step, Uniforms.Vector3 square, Uniforms.Vector3 blown, Uniforms.Scalar plane) {
+        static Rays of(Uniforms uniforms, CloudPixels pixels) {
             return new Rays(
                     uniforms.vector2("layerStep"),
                     uniforms.vector3("marchedSquare"),
-                    hasLayerBefore ? uniforms.vector3("blown") : null);
+                    pixels == CloudPixels.WHOLE ? uniforms.vector3("blown") : null,
+                    pixels == CloudPixels.CAPTURED ? uniforms.scalar("capturedPlane") : null);
         }
     }
 
     /** Returns the definitions of a program. */
     public static Defines defines(CloudContext context, CloudPixels pixels) {
         return Defines.of(context.load())
-                .withIf(pixels.isLayer(), "WHOLE")
+                .withIf(pixels.isGrid(), "WHOLE")
+                .withIf(pixels == CloudPixels.CAPTURED, "CAPTURED")
                 .withIf(pixels == CloudPixels.FLASH, "BY_FLASH")
                 .withIf(pixels == CloudPixels.BOLT, "OF_BOLT")
                 .with("FLASH_LIGHTS", FlashUniforms.LIGHTS)
@@ -52,7 +55,7 @@ public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms 
         }
         return new PixelUniforms(
                 pixels == CloudPixels.MIXED ? CloudRanges.Places.of(uniforms, context.ranges()) : null,
-                pixels.isLayer() ? Rays.of(uniforms, pixels == CloudPixels.WHOLE) : null,
+                pixels.isGrid() ? Rays.of(uniforms, pixels) : null,
                 pixels == CloudPixels.FLASH ? FlashUniforms.of(uniforms) : null,
                 isBolt ? uniforms.vector3("boltFromEye") : null);
     }

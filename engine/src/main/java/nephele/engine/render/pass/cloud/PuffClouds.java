@@ -7,6 +7,7 @@ public final class PuffClouds implements CloudTechniqueDrawer {
     private final CloudContext context;
     private final PerPixels<PuffProgram> programs;
 
+    /** @param context without impostors if balls look other as the view turns */
     public PuffClouds(CloudContext context, Function<CloudPixels, PuffProgram> compile) {
         this.context = context;
         programs = new PerPixels<>(compile);
@@ -14,6 +15,6 @@ public final class PuffClouds implements CloudTechniqueDrawer {
 
     @Override
     public CloudDrawing of(PlacedCloud cloud) {
-        return new PuffCloud(context.load(), cloud, programs);
+        return new PuffCloud(context, cloud, programs);
     }
 }

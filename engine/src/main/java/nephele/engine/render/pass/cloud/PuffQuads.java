@@ -44,17 +44,33 @@ public final class PuffQuads implements GlObject {
         List<CloudPuffs.Puff> all = puffs.all();
         if (order.length != all.size()) {
             order = new long[all.size()];
-            vertices = new float[FLOATS * CORNERS * all.size()];
         }
         for (int i = 0; i < order.length; i++) {
             float distance = (float) all.get(i).centre().minus(eye).length();
             order[i] = (long) (Integer.MAX_VALUE - Float.floatToIntBits(distance)) << 32 | i;
         }
         Arrays.sort(order);
+        makeRoom(order.length);
         for (int place = 0; place < order.length; place++) {
             put(place, all.get((int) order[place]), eye, factor);
         }
-        quads.upload(vertices, vertices.length, order.length);
+        quads.upload(vertices, FLOATS * CORNERS * order.length, order.length);
+    }
+
+    /** Shows balls in the order of a list. */
+    public void show(List<CloudPuffs.Puff> inOrder, Vec3 eye, double factor) {
+        shown = null;
+        makeRoom(inOrder.size());
+        for (int place = 0; place < inOrder.size(); place++) {
+            put(place, inOrder.get(place), eye, factor);
+        }
+        quads.upload(vertices, FLOATS * CORNERS * inOrder.size(), inOrder.size());
+    }
+
+    private void makeRoom(int balls) {
+        if (vertices.length < FLOATS * CORNERS * balls) {
+            vertices = new float[FLOATS * CORNERS * balls];
+        }
     }
 
     private void put(int place, CloudPuffs.Puff puff, Vec3 eye, double factor) {
@@ -73,6 +89,11 @@ public final class PuffQuads implements GlObject {
 
     public void draw() {
         quads.draw();
+    }
+
+    /** Draws some of the balls. */
+    void draw(int first, int count) {
+        quads.draw(first, count);
     }
 
     @Override

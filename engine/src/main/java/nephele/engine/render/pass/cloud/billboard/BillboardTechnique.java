@@ -21,8 +21,9 @@ public final class BillboardTechnique {
 
     private static CloudTechniqueDrawer drawer(CloudContext context) {
         BillboardFacing facing = context.load().quality().billboardFacing();
+        // What is turned as the screen has no picture that stays right while the view turns.
         return new PuffClouds(
-                context,
+                facing == BillboardFacing.SCREEN ? context.withoutImpostors() : context,
                 pixels -> new PuffProgram(
                         context,
                         pixels,

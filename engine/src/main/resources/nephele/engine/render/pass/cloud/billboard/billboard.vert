@@ -59,7 +59,7 @@ void main() {
     for (int n = 0; n < 4; n++) {
         corners[n] = puff.xyz + size * (CORNERS[n].x * across + CORNERS[n].y * upwards);
     }
-    putCorner(corners, peakAndCorner.yz, isOutside, radius);
+    putCorner(puff.xyz, corners, peakAndCorner.yz, isOutside, radius);
     float own = puff.w * peak * 2.0 * ROOT_HALF_PI;
     vec2 beside = depthsBeside(towards, metres + vec2(-MOST_DEVIATIONS, MOST_DEVIATIONS) * puff.w);
     vec2 aside = flatness * LIT_ASIDE * puff.w * peakAndCorner.yz;

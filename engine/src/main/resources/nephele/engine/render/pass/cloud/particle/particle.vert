@@ -25,6 +25,6 @@ void main() {
     for (int n = 0; n < 4; n++) {
         corners[n] = isOutside ? cornerAround(CORNERS[n], ball, radius, metres) : vec3(0.0);
     }
-    putCorner(corners, peakAndCorner.yz, isOutside, radius);
+    putCorner(puff.xyz, corners, peakAndCorner.yz, isOutside, radius);
     depths = depthsBeside(puff.xyz / max(metres, 1e-6), metres + vec2(-MOST_DEVIATIONS, MOST_DEVIATIONS) * puff.w);
 }
