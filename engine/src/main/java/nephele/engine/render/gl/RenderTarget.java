@@ -76,11 +76,6 @@ public final class RenderTarget implements GlObject {
      * Creates a target of two colour textures, without depth: shaders write locations 0 and 1, and draw state applies to
      * both.
      */
-    public static RenderTarget pair(GlContext gl, String name, PixelFormat format, int width, int height) {
-        return pair(gl, name, format, width, height, Sampling.NEAREST_CLAMP);
-    }
-
-    /** Creates a target as {@link #pair(GlContext, String, PixelFormat, int, int)} does, with other sampling. */
     public static RenderTarget pair(
             GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
         Texture.Extent extent = Texture.Extent.flat(width, height);

@@ -87,7 +87,7 @@ final class CloudLayer implements GlObject, RayGrid {
             other = surface.reduced("clouds before", PixelFormat.RGBA16F, divisor);
             int across = (shown.width() + side - 1) / side;
             int up = (shown.height() + side - 1) / side;
-            fresh = RenderTarget.pair(gl, "marched clouds", PixelFormat.RGBA16F, across, up);
+            fresh = RenderTarget.pair(gl, "marched clouds", PixelFormat.RGBA16F, across, up, Sampling.NEAREST_CLAMP);
         }
     }
 
