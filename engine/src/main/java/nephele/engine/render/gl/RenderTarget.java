@@ -72,10 +72,7 @@ public final class RenderTarget implements GlObject {
         return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
     }
 
-    /**
-     * Creates a target of two colour textures, without depth: shaders write locations 0 and 1, and draw state applies to
-     * both.
-     */
+    /** Creates a target of two colour textures, without depth: shaders write locations 0 and 1; draw state is of both. */
     public static RenderTarget pair(
             GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
         Texture.Extent extent = Texture.Extent.flat(width, height);
