@@ -10,9 +10,15 @@ import nephele.lab.trade.report.HtmlDocument;
 /** The page of one technique: how it works, its shader, its sample and its failure at the extremes. */
 final class HandoutPage {
     private final TechniqueText text;
-    private final PagePictures pictures;
+    private final Source pictures;
 
-    HandoutPage(TechniqueText text, PagePictures pictures) {
+    /** A source of the pictures of pages. */
+    interface Source {
+        /** Returns a picture as the address of an image element; empty if its level does not exist. */
+        Optional<String> address(PictureCommand command) throws IOException;
+    }
+
+    HandoutPage(TechniqueText text, Source pictures) {
         this.text = text;
         this.pictures = pictures;
     }
@@ -93,7 +99,7 @@ final class HandoutPage {
 
     private String facts() {
         return "<section><h2>To write down</h2>\n<ul><li>Suited for " + text.one("suited") + " clouds.</li><li>Needs "
-                + text.one("needs") + ".</li><li>" + text.one("draws") + " draws a frame, at most "
+                + text.one("needs") + ".</li><li>" + text.one("draws") + " draws a frame, "
                 + text.one("units") + " texture units.</li><li>An author sets " + text.one("parameters")
                 + ".</li><li>Seen as in 2004: <span class=\"then\">" + text.one("then")
                 + "</span></li></ul></section>\n";

@@ -23,7 +23,8 @@ final class OpeningTable {
             its mean radiance. Costs are the CPU time that one cloud adds to a frame of 640 × 384 pixels, in full-screen textured quads. Both are \
             medians over forms of cloud and heights of the sun; distant clouds take up %s degrees of the view, near ones %s, thin ones have a mean \
             optical depth of %s, thick ones of %s. Lines are those of Java and GLSL in the technique's own folder; light, air and \
-            composition are shared by all.</p>
+            composition are shared by all. Draws are those at quality high, at half the resolution; texture units are those of \
+            the largest program under an even sky: air takes one more, and surfaces among clouds another.</p>
             """;
 
     private static final String CONCLUSION =

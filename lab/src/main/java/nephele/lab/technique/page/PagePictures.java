@@ -24,7 +24,7 @@ import nephele.lab.trade.CodeHash;
 import nephele.lab.trade.report.EmbeddedPicture;
 
 /** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
-final class PagePictures implements AutoCloseable {
+final class PagePictures implements HandoutPage.Source, AutoCloseable {
     /** Frames after which what reuses earlier ones has settled. */
     private static final int FRAMES = 4;
 
@@ -41,8 +41,8 @@ final class PagePictures implements AutoCloseable {
         this.tell = tell;
     }
 
-    /** Returns a picture as the address of an image element; empty if its level does not exist. */
-    Optional<String> address(PictureCommand command) throws IOException {
+    @Override
+    public Optional<String> address(PictureCommand command) throws IOException {
         String key = command.words() + " " + width + "x" + height + " " + CodeHash.key();
         Path file = folder.resolve("page-" + Long.toHexString(Hash64.of(key)) + ".png");
         if (!Files.exists(file)) {
