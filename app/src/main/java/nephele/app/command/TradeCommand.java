@@ -35,9 +35,9 @@ final class TradeCommand implements Command {
     private static final int MOST_SAMPLES = 1 << 16;
     private static final int MOST_ROUNDS = 10_000;
     /** Rays a pixel of the pictures from which a level's table of errors comes. */
-    private static final int TABLE_SAMPLES = 96;
+    private static final int TABLE_SAMPLES = 512;
 
-    private static final int FEW_SAMPLES = 16;
+    private static final int FEW_SAMPLES = 64;
 
     @Parameters(paramLabel = "SUBJECT", description = "What to measure (default: everything; see --list).")
     private List<String> subjects = List.of();

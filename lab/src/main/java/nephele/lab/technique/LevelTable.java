@@ -21,7 +21,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
-import nephele.engine.level.Weather;
+import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.named.OpenedLevel;
@@ -33,7 +33,7 @@ import nephele.engine.terminal.CommandFailure;
 
 /**
  * Errors and costs of techniques for the very clouds of a level, measured from its cameras and kept beside it. Each cloud is
- * alone in the level's light, without anything in front of it.
+ * alone under the level's sun and the sky of the shipped table, without anything in front of it.
  */
 public final class LevelTable {
     private static final int MOST_CAMERAS = 3;
@@ -133,7 +133,7 @@ public final class LevelTable {
                 SeenSky sky = skies.get(i);
                 var placed = sky.drawnBy(technique);
                 error = Math.max(error, traced.get(i).errorPercent(DrawnSky.picture(gl, sky, placed)));
-                cost += FrameCost.of(gl, sky, placed, watch) / skies.size();
+                cost += CloudCost.of(gl, sky, placed, watch) / skies.size();
             }
             rows.add(row(cloud, technique, at, error, cost));
         }
@@ -173,7 +173,13 @@ public final class LevelTable {
         return skies;
     }
 
+    /** Returns the light of the shipped table from the level's direction, without clouds. */
     private static Environment alone(Environment environment) {
-        return environment.with((Weather) null, 0).with(Exposure.NEUTRAL);
+        var sun = new Sun(CloudTimeline.towardsSun(environment), TableCase.SUN_IRRADIANCE, true);
+        return environment
+                .withoutClouds()
+                .with(Exposure.NEUTRAL)
+                .with(TableCase.SKY)
+                .with(sun);
     }
 }
