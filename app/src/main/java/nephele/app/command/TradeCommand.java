@@ -7,12 +7,18 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.choice.ErrorTable;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
 import nephele.lab.prove.ProofEnvironment;
+import nephele.lab.technique.LevelTable;
+import nephele.lab.technique.TableMaker;
+import nephele.lab.technique.page.CloudPages;
+import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.report.Circumstances;
 import nephele.lab.trade.report.Report;
@@ -28,6 +34,10 @@ final class TradeCommand implements Command {
     private static final String WITHOUT_LEVEL_TWO = "levels/samples/portals.json";
     private static final int MOST_SAMPLES = 1 << 16;
     private static final int MOST_ROUNDS = 10_000;
+    /** Rays a pixel of the pictures from which a level's table of errors comes. */
+    private static final int TABLE_SAMPLES = 512;
+
+    private static final int FEW_SAMPLES = 64;
 
     @Parameters(paramLabel = "SUBJECT", description = "What to measure (default: everything; see --list).")
     private List<String> subjects = List.of();
@@ -38,7 +48,9 @@ final class TradeCommand implements Command {
     @Option(
             names = "--level",
             paramLabel = "LEVEL",
-            description = "Whose pictures are compared (default: the game's second level).")
+            description =
+                    "Whose pictures are compared (default: the game's second level); clouds: also whose clouds' table"
+                            + " of errors is measured.")
     private String level;
 
     @Option(
@@ -72,7 +84,7 @@ final class TradeCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) throws Exception {
         if (list) {
-            Trades.named(subjects).forEach(trade -> {
+            trades().forEach(trade -> {
                 terminal.out().println(trade.subject() + ": " + trade.text().title());
                 trade.settings().forEach(setting -> terminal.out()
                         .println(("  " + setting.name() + "  " + setting.note()).stripTrailing()));
@@ -82,10 +94,39 @@ final class TradeCommand implements Command {
         var request = request();
         checkFolder();
         var run = new TradeRun(request, terminal.err());
-        var found = run.measure();
-        Report.write(found, circumstances(request, run), out);
+        if (isOfClouds()) {
+            clouds(request, run, terminal);
+        } else {
+            Report.write(run.measure(), circumstances(request, run), out);
+        }
         terminal.out().println(out.resolve("index.html"));
         return ExitCode.DONE;
+    }
+
+    private boolean isOfClouds() {
+        return subjects.contains(Trades.CLOUDS);
+    }
+
+    private List<Trade> trades() {
+        return level == null ? Trades.named(subjects) : Trades.ofLevel(subjects);
+    }
+
+    private void clouds(TradeRequest request, TradeRun run, Terminal terminal) throws IOException {
+        int traced = quick ? FEW_SAMPLES : TABLE_SAMPLES;
+        var own = level == null ? null : new LevelTable(run.opened(), level, traced, terminal.err());
+        var found = run.measure();
+        var table = ErrorTable.shipped();
+        if (own != null) {
+            terminal.out().println(own.make());
+        } else if (!quick) {
+            Path file = out.resolve(ErrorTable.FILE);
+            var progress = PrintedProgress.of(terminal.err(), "measuring the table of errors");
+            table = new TableMaker(file).make(progress);
+            terminal.out().println(file + ": copy it to engine/src/main/resources/nephele/engine/choice/ to ship it");
+        }
+        var extent = request.extent();
+        CloudPages.write(out, extent.width(), extent.height(), terminal.err());
+        Report.write(found, circumstances(request, run), CloudPages.opening(table), out);
     }
 
     private TradeRequest request() {
@@ -94,7 +135,7 @@ final class TradeCommand implements Command {
         }
         Size pictures = size != null ? size : quick ? new Size(320, 180) : new Size(640, 360);
         return new TradeRequest(
-                Trades.named(subjects),
+                trades(),
                 level != null ? level : usualLevel(),
                 camera,
                 new TradeSite.Extent(
@@ -131,15 +172,19 @@ final class TradeCommand implements Command {
         }
     }
 
-    private static Circumstances circumstances(TradeRequest request, TradeRun run) {
+    private Circumstances circumstances(TradeRequest request, TradeRun run) {
         var extent = request.extent();
+        boolean isOfSkies = isOfClouds() && level == null;
+        String pictures = extent.width() + "×" + extent.height() + " pixels, oracle of " + extent.samples()
+                + " rays a pixel" + (isOfSkies ? "" : ", " + run.camera());
         return new Circumstances(
-                run.opened().level().name().isEmpty()
-                        ? new LevelName(request.level()).title()
-                        : run.opened().level().name(),
-                request.level(),
-                extent.width() + "×" + extent.height() + " pixels, oracle of " + extent.samples() + " rays a pixel, "
-                        + run.camera(),
+                isOfSkies
+                        ? "techniques of clouds"
+                        : run.opened().level().name().isEmpty()
+                                ? new LevelName(request.level()).title()
+                                : run.opened().level().name(),
+                isOfSkies ? "skies of the samples" : request.level(),
+                pictures,
                 ProofEnvironment.machine(),
                 run.graphics(),
                 ProofEnvironment.commit(),

@@ -36,6 +36,11 @@ public final class PrintedProgress implements DoubleConsumer {
         printedPercent = percent(shareBefore);
     }
 
+    /** Returns the progress of other work. */
+    public static PrintedProgress of(PrintStream to, String work) {
+        return new PrintedProgress(to, work, 0, System::nanoTime);
+    }
+
     /** Returns the progress of the bake of a level's light, which runs only if the light is not cached. */
     public static PrintedProgress ofBake(PrintStream to) {
         return new PrintedProgress(to, "baking the level's light", 0, System::nanoTime);

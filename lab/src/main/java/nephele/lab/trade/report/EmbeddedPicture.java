@@ -13,12 +13,13 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 /**
  * A picture embedded in a page as JPEG, of a quality at which its artefacts are smaller than the errors to be shown.
  */
-final class EmbeddedPicture {
+public final class EmbeddedPicture {
     private static final float QUALITY = 0.93f;
 
     private EmbeddedPicture() {}
 
-    static String address(Path png) throws IOException {
+    /** Returns a picture as the address of an image element. */
+    public static String address(Path png) throws IOException {
         BufferedImage picture = ImageIO.read(png.toFile());
         var bytes = new ByteArrayOutputStream();
         var writer = ImageIO.getImageWritersByFormatName("jpeg").next();

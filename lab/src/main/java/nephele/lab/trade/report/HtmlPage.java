@@ -15,19 +15,18 @@ final class HtmlPage {
 
     private HtmlPage() {}
 
-    static String of(List<Findings> all, Circumstances made, Pictures pictures) throws IOException {
+    /** @param opening a section before the findings, as HTML; may be empty */
+    static String of(List<Findings> all, Circumstances made, Pictures pictures, String opening) throws IOException {
         var body = new StringBuilder();
         for (Findings findings : all) {
             body.append(new HtmlSubject(findings, pictures).html());
         }
         String title = "Speed against accuracy: " + made.level();
-        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + text(title)
-                + "</title>\n<style>\n" + PageFile.read("page.css") + "</style>\n</head>\n<body>\n<header>\n<h1>"
-                + text(title)
-                + "</h1>\n<p class=\"lead\">" + LEAD + "</p>\n" + facts(made, all) + "</header>\n<main>\n" + glance(all)
-                + body
-                + "</main>\n" + footer() + "<script>\n" + PageFile.read("page.js") + "</script>\n</body>\n</html>\n";
+        return HtmlDocument.of(
+                title,
+                "<header>\n<h1>" + text(title) + "</h1>\n<p class=\"lead\">" + LEAD + "</p>\n" + facts(made, all)
+                        + "</header>\n<main>\n" + opening + glance(all) + body + "</main>\n" + footer() + "<script>\n"
+                        + PageFile.read("page.js") + "</script>\n");
     }
 
     private static String facts(Circumstances made, List<Findings> all) {
@@ -80,6 +79,6 @@ final class HtmlPage {
     }
 
     private static String text(String plain) {
-        return Svg.escaped(plain);
+        return HtmlDocument.text(plain);
     }
 }

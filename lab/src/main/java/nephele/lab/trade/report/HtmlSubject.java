@@ -112,8 +112,11 @@ final class HtmlSubject {
         }
         var hidden = new StringBuilder();
         for (int setting = 0; setting < trade.settings().size(); setting++) {
-            hidden.append(hidden(setting, "shown", EmbeddedPicture.address(pictures.shown(trade, setting))));
-            hidden.append(hidden(setting, "flip", EmbeddedPicture.address(pictures.error(trade, setting))));
+            String name = trade.settings().get(setting).name();
+            String shown = EmbeddedPicture.address(pictures.shown(trade, setting));
+            hidden.append(hidden(setting, "shown", name, shown));
+            String error = EmbeddedPicture.address(pictures.error(trade, setting));
+            hidden.append(hidden(setting, "flip", name + ": where it differs", error));
         }
         int picked = findings.settings().indexOf(findings.recommended());
         String buttons = IntStream.range(0, trade.settings().size())
@@ -128,13 +131,14 @@ final class HtmlSubject {
                 <div class="wipe"><img alt="the exact picture" src="%s"><img class="over" alt="the setting's picture">\
                 <span class="seam"></span><span class="tag left">exact</span><span class="tag right"></span>\
                 <input type="range" min="0" max="100" value="50" step="0.1" aria-label="Wipe between exact and setting"></div>
-                <div hidden>%s</div></div>
+                <div class="all" hidden>%s</div></div>
                 """
                 .formatted(buttons, HeatColours.gradient(), EmbeddedPicture.address(pictures.exact(trade)), hidden);
     }
 
-    private static String hidden(int setting, String kind, String address) {
-        return "<img alt=\"\" data-of=\"" + setting + "\" data-is=\"" + kind + "\" src=\"" + address + "\">";
+    private static String hidden(int setting, String kind, String caption, String address) {
+        return "<figure><img alt=\"\" data-of=\"" + setting + "\" data-is=\"" + kind + "\" src=\"" + address
+                + "\"><figcaption>" + text(caption) + "</figcaption></figure>";
     }
 
     private static String text(String plain) {

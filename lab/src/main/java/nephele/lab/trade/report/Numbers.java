@@ -7,7 +7,7 @@ import java.util.Locale;
 import nephele.engine.measure.Interval;
 
 /** Formats numbers for the report. */
-final class Numbers {
+public final class Numbers {
     private static final MathContext THREE_DIGITS = new MathContext(3, RoundingMode.HALF_EVEN);
     private static final double SMALLEST_PLAIN = 1e-4;
     /** A smaller magnitude is rounding error and is written as 0. */
@@ -16,7 +16,7 @@ final class Numbers {
     private Numbers() {}
 
     /** Formats with three significant digits; tiny values with a power of ten. */
-    static String of(double value) {
+    public static String of(double value) {
         if (Math.abs(value) < NOTHING) {
             return "0";
         }

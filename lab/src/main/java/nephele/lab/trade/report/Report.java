@@ -15,13 +15,18 @@ public final class Report {
     private Report() {}
 
     public static void write(List<Findings> all, Circumstances made, Path folder) throws IOException {
+        write(all, made, "", folder);
+    }
+
+    /** @param opening a section before the findings, as HTML */
+    public static void write(List<Findings> all, Circumstances made, String opening, Path folder) throws IOException {
         text(folder.resolve("trade.csv"), CsvReport.of(all));
         for (Findings findings : all) {
             text(
                     folder.resolve("plots").resolve(findings.trade().subject() + ".svg"),
                     CostErrorPlot.of(findings, PageFile.read(PAGE_STYLE)));
         }
-        text(folder.resolve("index.html"), HtmlPage.of(all, made, new Pictures(folder)));
+        text(folder.resolve("index.html"), HtmlPage.of(all, made, new Pictures(folder), opening));
     }
 
     private static void text(Path file, String content) throws IOException {

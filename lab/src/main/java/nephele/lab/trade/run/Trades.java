@@ -64,16 +64,24 @@ public final class Trades {
 
     /**
      * Returns the subjects with these names, in the report's order; all of {@link #ALL} if no name is given. {@value #CLOUDS} names
-     * the skies of the samples. A name that is unknown is
-     * a usage error.
+     * the skies of the samples. A name that is unknown is a usage error.
      */
     public static List<Trade> named(List<String> subjects) {
+        return named(subjects, CloudSubjects.SKIES);
+    }
+
+    /** Returns the subjects with these names, where {@value #CLOUDS} names the clouds of the request's level. */
+    public static List<Trade> ofLevel(List<String> subjects) {
+        return named(subjects, List.of(CloudSubjects.LEVEL));
+    }
+
+    private static List<Trade> named(List<String> subjects, List<Trade> clouds) {
         if (subjects.contains(CLOUDS)) {
             List<String> others = new ArrayList<>(subjects);
             others.removeIf(CLOUDS::equals);
-            List<Trade> all = new ArrayList<>(CloudSubjects.SKIES);
+            List<Trade> all = new ArrayList<>(clouds);
             if (!others.isEmpty()) {
-                all.addAll(named(others));
+                all.addAll(named(others, clouds));
             }
             return all;
         }
