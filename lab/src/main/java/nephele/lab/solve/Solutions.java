@@ -14,7 +14,8 @@ public final class Solutions {
     public static final List<Solution> ALL = List.of(
             new Solution("02-first-shot.json", new Vec3(4.1, 0.135, -13.4), Solutions::firstShot),
             new Solution("03-momentum.json", new Vec3(0, -3.865, -17), Solutions::momentum),
-            new Solution("04-cube.json", new Vec3(4.4, 1.635, -7), Solutions::cube));
+            new Solution("04-cube.json", new Vec3(4.4, 1.635, -7), Solutions::cube),
+            new Solution("05-above-the-clouds.json", new Vec3(640, 1893.135, -71), Solutions::aboveTheClouds));
 
     private Solutions() {}
 
@@ -112,5 +113,53 @@ public final class Solutions {
                 .walkTo(4.4, -7)
                 .lookAlong(-90, 2)
                 .pause(1);
+    }
+
+    /**
+     * Places one portal across the gap and one behind, follows the lamps through the cloud and falls through the deck a
+     * first time. From the landing's floor to its wall leads the second pair; the high window leads back to the well.
+     */
+    private static void aboveTheClouds(ScriptedPlayer player) {
+        player.pause(0.6)
+                .lookAt(new Vec3(621, 2013.4, 26.3))
+                .pause(0.3)
+                .walkTo(618.2, 62.6)
+                .shoot(Action.FIRE_SECOND, new Vec3(621, 2013.4, 26.26))
+                .shoot(Action.FIRE_FIRST, new Vec3(624.24, 2013.4, 63))
+                .walkTo(623, 63)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().z() < 40)
+                .walkTo(622.6, 29)
+                .walkTo(638.6, 29)
+                .walkTo(640, 26.4)
+                .walkTo(640, 7.5)
+                .lookAt(new Vec3(645.4, 2016, -6))
+                .pause(0.6);
+        fallDownTheWell(player, 3.4);
+        player.doUntil(PlayerInput.NONE, now -> now.isGrounded())
+                .pause(0.5)
+                .walkTo(640, -1.5)
+                .lookAt(new Vec3(640, 1894, -60))
+                .pause(0.5)
+                .shoot(Action.FIRE_SECOND, new Vec3(640, 1904, 2))
+                .shoot(Action.FIRE_FIRST, new Vec3(640, 1906.6, 8))
+                .walkTo(643.4, 2)
+                .walkTo(644.3, 6.4)
+                .lookAlong(180, 0)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().y() > 1990 && now.isGrounded())
+                .walkTo(642.4, -2.5);
+        fallDownTheWell(player, 0.6);
+        player.lookAlong(180, -60)
+                .doUntil(PlayerInput.NONE, now -> now.isGrounded())
+                .pause(0.5)
+                .walkTo(640, -71)
+                .lookAlong(0, -2)
+                .pause(1);
+    }
+
+    /** Walks to a place beside the well and slowly over its rim. */
+    private static void fallDownTheWell(ScriptedPlayer player, double fromZ) {
+        player.walkTo(640, fromZ)
+                .lookAt(new Vec3(640, 2012, 2))
+                .doUntil(PlayerInput.NONE.walking(45, 0), now -> !now.isGrounded());
     }
 }
