@@ -25,6 +25,7 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.ImpostorChoice;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
@@ -69,7 +70,7 @@ class TechniqueFactsGlTest {
     }
 
     private long draws(CloudTechnique technique) {
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH);
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withImpostors(ImpostorChoice.OFF));
         try (Renderer renderer = Renderer.load(offscreen.gl, level(technique), TestAssets.NONE, settings)) {
             renderer.draw(VIEW, offscreen.picture);
             renderer.draw(VIEW, offscreen.picture);
