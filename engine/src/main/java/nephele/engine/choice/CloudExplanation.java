@@ -84,6 +84,10 @@ public final class CloudExplanation {
             return "clouds: " + cloud.id() + " by technique " + word(chosen.technique())
                     + ": because without a player the eye can be anywhere";
         }
+        if (chosen.equals(TechniqueChoice.UNMEASURED)) {
+            return "clouds: " + cloud.id() + " by technique " + word(chosen.technique())
+                    + ": because the errors of such clouds are not measured";
+        }
         return "clouds: " + cloud.id() + " by technique " + word(chosen.technique()) + ": because "
                 + place(choice.situation()) + "; error " + error(chosen) + ", " + verdict
                 + (choice.runnerUp() == null

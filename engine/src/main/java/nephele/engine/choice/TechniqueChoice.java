@@ -17,6 +17,9 @@ import nephele.engine.level.CloudTechnique;
  * @param runnerUp the one that is chosen without it; {@code null} for none
  */
 public record TechniqueChoice(CloudSituation situation, boolean inside, Candidate chosen, Candidate runnerUp) {
+    /** What draws a cloud of a form that the table does not have. */
+    static final Candidate UNMEASURED = new Candidate(CloudTechnique.VOLUME, 0, 0, 0);
+
     /** The techniques through which an eye can pass. */
     private static final Set<CloudTechnique> CROSSABLE = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.VOLUME);
 
@@ -69,7 +72,7 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
                             percent,
                             table.cost(technique, situation).orElseThrow())));
         }
-        return candidates.isEmpty() ? List.of(new Candidate(CloudTechnique.VOLUME, 0, 0, 0)) : candidates;
+        return candidates.isEmpty() ? List.of(UNMEASURED) : candidates;
     }
 
     private static boolean canShow(CloudTechnique technique, Cloud cloud, CloudSituation situation) {
