@@ -148,7 +148,7 @@ public final class Solutions {
                 .doUntil(PlayerInput.FORWARD, now -> now.feet().y() > 1990 && now.isGrounded())
                 .walkTo(642.4, -2.5);
         fallDownTheWell(player, 0.6);
-        player.lookAlong(180, -60)
+        player.lookAlong(0, -80)
                 .doUntil(PlayerInput.NONE, now -> now.isGrounded())
                 .pause(0.5)
                 .walkTo(640, -71)
