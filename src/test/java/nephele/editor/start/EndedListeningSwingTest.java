@@ -46,6 +46,7 @@ class EndedListeningSwingTest {
         before.forEach(open::remove);
         assertEquals(
                 List.of(
+                        "ComparisonPart",
                         "EditorPanel",
                         "EditorParts",
                         "GuideBar",

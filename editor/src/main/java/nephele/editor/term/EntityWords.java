@@ -48,6 +48,7 @@ public final class EntityWords {
         kind("environment.clouds", Group.SKY);
         kind("environment.sky", Group.SKY);
         kind("environment.fog", Group.SKY);
+        kind("environment.lightning", Group.SKY);
         kind("models", Group.SCENE);
         kind("cameras", Group.SCENE);
         kind("materials", Group.SCENE);
