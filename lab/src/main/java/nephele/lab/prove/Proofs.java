@@ -40,6 +40,7 @@ import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 import nephele.lab.prove.sky.SkyTableProof;
+import nephele.lab.technique.CloudAutoProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {
@@ -78,6 +79,7 @@ public final class Proofs {
             new CloudFlightProof(),
             new CloudStackProof(),
             new CloudImpostorsProof(),
+            new CloudAutoProof(),
             new AirFieldsProof(),
             new SkyTableProof(),
             new SkySweepProof(),
