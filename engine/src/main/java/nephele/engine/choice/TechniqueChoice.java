@@ -75,6 +75,11 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
         return candidates.isEmpty() ? List.of(UNMEASURED) : candidates;
     }
 
+    /** Returns whether an eye can pass through clouds that a technique draws. */
+    public static boolean isCrossable(CloudTechnique technique) {
+        return CROSSABLE.contains(technique);
+    }
+
     private static boolean canShow(CloudTechnique technique, Cloud cloud, CloudSituation situation) {
         boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
         boolean isCrossed = situation.distanceMetres() <= 0;
@@ -83,9 +88,7 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
         if (isAnywhere) {
             return technique == CloudTechnique.VOLUME;
         }
-        return !(isLayer && OF_BALLS.contains(technique))
-                && !(isCrossed && !CROSSABLE.contains(technique))
-                && !isPastBaking;
+        return !(isLayer && OF_BALLS.contains(technique)) && !(isCrossed && !isCrossable(technique)) && !isPastBaking;
     }
 
     /**

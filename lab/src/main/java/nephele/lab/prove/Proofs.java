@@ -1,6 +1,7 @@
 package nephele.lab.prove;
 
 import java.util.List;
+import nephele.lab.bound.CollisionBoundsProof;
 import nephele.lab.prove.bodies.BodiesProof;
 import nephele.lab.prove.bodies.EnergyProof;
 import nephele.lab.prove.bodies.FallsProof;
@@ -41,6 +42,7 @@ import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 import nephele.lab.prove.sky.SkyTableProof;
 import nephele.lab.technique.CloudAutoProof;
+import nephele.lab.technique.CloudRadianceProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {
@@ -61,6 +63,7 @@ public final class Proofs {
             new SceneCullingProof(),
             new RayProof(),
             new HeightFieldProof(4097),
+            new CollisionBoundsProof(),
             new RotationProof(),
             new PlacementProof(),
             new RetriangulationProof(),
@@ -79,6 +82,7 @@ public final class Proofs {
             new CloudFlightProof(),
             new CloudStackProof(),
             new CloudImpostorsProof(),
+            new CloudRadianceProof(),
             new CloudAutoProof(),
             new AirFieldsProof(),
             new SkyTableProof(),

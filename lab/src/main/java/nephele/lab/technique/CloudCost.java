@@ -7,9 +7,12 @@ import nephele.lab.bench.CalibrationDrawing;
 
 /** The CPU time that the clouds of a sky add to a frame. */
 final class CloudCost {
-    private static final int FRAMES = 3;
+    /** CPU time of a round: its clock advances in steps of 10 ms. */
+    private static final double ROUND_NANOS = 0.4e9;
+
     private static final int ROUNDS = 2;
-    private static final int CALIBRATION_FRAMES = 40;
+    private static final int MOST_FRAMES = 40;
+    private static final int CALIBRATION_FRAMES = 200;
 
     private CloudCost() {}
 
@@ -30,9 +33,11 @@ final class CloudCost {
                 var without = DrawnSky.timed(gl, sky, clear);
                 var quad =
                         new CalibrationDrawing(gl, DrawnSky.TIMED * SeenSky.WIDTH, DrawnSky.TIMED * SeenSky.HEIGHT)) {
+            double once = Math.max(1, with.nanosAFrame(1, watch));
+            int frames = (int) Math.max(1, Math.min(MOST_FRAMES, Math.ceil(ROUND_NANOS / once)));
             for (int round = 0; round < ROUNDS; round++) {
-                double clouds = with.nanosAFrame(FRAMES, watch);
-                double none = without.nanosAFrame(FRAMES, watch);
+                double clouds = with.nanosAFrame(frames, watch);
+                double none = without.nanosAFrame(frames, watch);
                 least = Math.min(least, Math.max(0, clouds - none) / quadNanos(gl, quad, watch));
             }
         }

@@ -37,8 +37,13 @@ final class DrawnSky implements AutoCloseable {
 
     /** Returns the radiance that a level with the sky's clouds shows at its best, each pixel the mean of four by four. */
     static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed) {
+        return picture(gl, sky, placed, Quality.ULTRA);
+    }
+
+    /** Returns the radiance at a quality, each pixel the mean of four by four. */
+    static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed, Quality quality) {
         int scale = 4;
-        try (var drawn = new DrawnSky(gl, sky, placed, Quality.ULTRA, scale)) {
+        try (var drawn = new DrawnSky(gl, sky, placed, quality, scale)) {
             drawn.draw(1);
             float[] radiance = drawn.renderer.readRadiance();
             return new LinearPicture(drawn.target.width(), drawn.target.height(), radiance).reduced(scale);

@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.CloudForm;
+import nephele.engine.choice.CloudSituation;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
@@ -26,6 +27,9 @@ import nephele.engine.named.Viewpoints;
  * @param angularDegrees its least extent seen from the eye
  */
 record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
+    /** Angular size of a finite cloud around the eye, as {@link CloudSituation} has it. */
+    static final double INSIDE_DEGREES = 90;
+
     private static final double EYE_METRES = 2;
     /** The sun's azimuth from where the eye looks. */
     private static final double AZIMUTH_DEGREES = 60;
@@ -49,6 +53,15 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         return !(cloud.extent() instanceof Extent.Layer) || distanceMetres() <= GREATEST_BASE_METRES;
     }
 
+    /** Returns true if the eye is in the middle of the cloud. */
+    boolean isCrossed() {
+        return cloud.extent() instanceof Extent.Volume && angularDegrees >= INSIDE_DEGREES;
+    }
+
+    boolean isLayer() {
+        return cloud.extent() instanceof Extent.Layer;
+    }
+
     private double leastExtent() {
         if (cloud.extent() instanceof Extent.Layer layer) {
             return layer.thicknessMetres();
@@ -58,6 +71,9 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
     }
 
     private double distanceMetres() {
+        if (isCrossed()) {
+            return 0;
+        }
         double half = leastExtent() / 2;
         return half / Math.tan(Math.toRadians(angularDegrees) / 2) - half;
     }

@@ -9,10 +9,11 @@ import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 
-/** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near, low sun to high. */
+/** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near or around the eye, low sun to high. */
 final class TableCases {
     private static final double[] DEPTHS = {0.3, 4, 40};
-    private static final double[] ANGLES = {5, 30};
+    private static final double[] LAYER_ANGLES = {5, 30, 75};
+    private static final double[] ANGLES = {5, 30, TableCase.INSIDE_DEGREES};
     private static final double[] SUNS = {6, 45};
 
     private static final List<String> SAMPLES =
@@ -36,6 +37,19 @@ final class TableCases {
         return nodes;
     }
 
+    /** Returns a node for each form and some optical depths. */
+    static List<TableCase> at(double angularDegrees, double sunDegrees, double... depths) {
+        List<TableCase> nodes = new ArrayList<>();
+        for (TableCase at : all()) {
+            for (double depth : at.opticalDepth() == DEPTHS[0] ? depths : new double[0]) {
+                if (at.angularDegrees() == angularDegrees && at.sunDegrees() == sunDegrees) {
+                    nodes.add(new TableCase(at.cloud(), at.assets(), depth, angularDegrees, sunDegrees));
+                }
+            }
+        }
+        return nodes;
+    }
+
     private static OpenedLevel sample(String name) {
         return new LevelName("levels/samples/clouds-" + name + ".json").open();
     }
@@ -52,8 +66,9 @@ final class TableCases {
     }
 
     private static void add(List<TableCase> nodes, Cloud cloud, AssetSource assets) {
+        double[] angles = cloud.extent() instanceof Cloud.Extent.Layer ? LAYER_ANGLES : ANGLES;
         for (double depth : DEPTHS) {
-            for (double angle : ANGLES) {
+            for (double angle : angles) {
                 for (double sun : SUNS) {
                     var at = new TableCase(cloud, assets, depth, angle, sun);
                     if (at.exists()) {

@@ -10,6 +10,7 @@ import java.util.function.DoubleConsumer;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
+import nephele.engine.choice.TechniqueChoice;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.measure.LinearPicture;
@@ -19,6 +20,8 @@ import nephele.engine.render.gl.GlContext;
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
     private static final int SAMPLES = 768;
+    /** Paths from inside a cloud are long. */
+    private static final int SAMPLES_INSIDE = 128;
 
     private final Path file;
     private final Stopwatch watch = new Stopwatch();
@@ -40,6 +43,7 @@ public final class TableMaker {
             for (int i = 0; i < nodes.size(); i++) {
                 TableCase at = nodes.get(i);
                 List<CloudTechnique> missing = techniques(at.cloud()).stream()
+                        .filter(technique -> !at.isCrossed() || TechniqueChoice.isCrossable(technique))
                         .filter(technique -> !isKnown(at, technique))
                         .toList();
                 if (!missing.isEmpty()) {
@@ -66,7 +70,7 @@ public final class TableMaker {
 
     private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
         SeenSky sky = at.sky();
-        TracedSky exact = TracedSky.of(sky, SAMPLES);
+        TracedSky exact = TracedSky.of(sky, at.isCrossed() ? SAMPLES_INSIDE : SAMPLES);
         for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
@@ -81,12 +85,10 @@ public final class TableMaker {
         }
     }
 
-    /** Returns the cost in another light, or of another depth; NaN if it was not measured. */
+    /** Returns the cost in another light; NaN if it was not measured. */
     private double known(TableCase at, CloudTechnique technique) {
         return rows.stream()
-                .filter(row -> row.form().equals(at.form())
-                        && row.angularDegrees() == at.angularDegrees()
-                        && row.technique() == technique)
+                .filter(row -> isOf(row, at) && row.technique() == technique)
                 .mapToDouble(Row::cost)
                 .findFirst()
                 .orElse(Double.NaN);

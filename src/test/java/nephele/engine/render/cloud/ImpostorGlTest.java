@@ -116,7 +116,7 @@ class ImpostorGlTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {0.01, 0.5, 500})
+    @ValueSource(doubles = {0.01, 0.5, 1000})
     void aWhiteFurnaceIsWhite(double perMetre) {
         Level level = under(1, 0, perMetre, 1, CloudTechnique.PARTICLES).level();
         for (float value :

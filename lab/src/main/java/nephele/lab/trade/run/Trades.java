@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
+import nephele.lab.bound.CollisionSubject;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.CloudSubjects;
 import nephele.lab.trade.subject.CullingSphereSubject;
@@ -55,7 +56,8 @@ public final class Trades {
             SceneSubjects.SHADING,
             SceneSubjects.TESSELLATION,
             SceneSubjects.CONE_NORMALS,
-            CullingSphereSubject.TRADE);
+            CullingSphereSubject.TRADE,
+            CollisionSubject.TRADE);
 
     /** Name of the group of subjects that compare techniques of clouds. */
     public static final String CLOUDS = "clouds";

@@ -1,0 +1,94 @@
+package nephele.lab.bound;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/** The triangles of a model in a binary tree of boxes along the model's axes; a leaf has one triangle. Immutable. */
+final class BoxTree {
+    private final Aabb box;
+    /** The corners of a leaf's triangle; {@code null} of a branch. */
+    private final Vec3[] triangle;
+
+    private final BoxTree low;
+    private final BoxTree high;
+
+    private BoxTree(Aabb box, Vec3[] triangle, BoxTree low, BoxTree high) {
+        this.box = box;
+        this.triangle = triangle;
+        this.low = low;
+        this.high = high;
+    }
+
+    /** Decides whether the triangles of two leaves, whose boxes touch, count as a contact. */
+    @FunctionalInterface
+    interface LeafTest {
+        boolean touch(Vec3[] own, Vec3[] other);
+    }
+
+    /** @param triangles three corners each, at least one triangle */
+    static BoxTree of(Vec3[][] triangles) {
+        Aabb box = Aabb.EMPTY;
+        for (Vec3[] triangle : triangles) {
+            box = box.union(Aabb.of(Arrays.asList(triangle)));
+        }
+        if (triangles.length == 1) {
+            return new BoxTree(box, triangles[0], null, null);
+        }
+        int axis = longest(box);
+        Vec3[][] sorted = triangles.clone();
+        Arrays.sort(sorted, Comparator.comparingDouble(triangle -> sum(triangle, axis)));
+        int half = sorted.length / 2;
+        return new BoxTree(
+                box, null, of(Arrays.copyOf(sorted, half)), of(Arrays.copyOfRange(sorted, half, sorted.length)));
+    }
+
+    private static int longest(Aabb box) {
+        double x = box.maxX() - box.minX();
+        double y = box.maxY() - box.minY();
+        double z = box.maxZ() - box.minZ();
+        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    }
+
+    private static double sum(Vec3[] triangle, int axis) {
+        Vec3 all = triangle[0].plus(triangle[1]).plus(triangle[2]);
+        return axis == 0 ? all.x() : axis == 1 ? all.y() : all.z();
+    }
+
+    Aabb box() {
+        return box;
+    }
+
+    /**
+     * Returns whether leaves whose boxes touch are in contact.
+     *
+     * @param seen the pose of the other model as this one sees it
+     */
+    boolean touches(BoxTree other, Pose seen, LeafTest test) {
+        return touches(OrientedBox.of(box, STILL), other, OrientedBox.of(other.box, seen), seen, test);
+    }
+
+    private static final Pose STILL = new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), Vec3.ZERO);
+
+    private boolean touches(OrientedBox own, BoxTree other, OrientedBox others, Pose seen, LeafTest test) {
+        if (!own.touches(others)) {
+            return false;
+        }
+        if (triangle != null && other.triangle != null) {
+            return test.touch(triangle, moved(other.triangle, seen));
+        }
+        boolean isOwnSplit = other.triangle != null
+                || triangle == null && own.half().length() >= others.half().length();
+        if (isOwnSplit) {
+            return low.touches(OrientedBox.of(low.box, STILL), other, others, seen, test)
+                    || high.touches(OrientedBox.of(high.box, STILL), other, others, seen, test);
+        }
+        return touches(own, other.low, OrientedBox.of(other.low.box, seen), seen, test)
+                || touches(own, other.high, OrientedBox.of(other.high.box, seen), seen, test);
+    }
+
+    private static Vec3[] moved(Vec3[] triangle, Pose by) {
+        return new Vec3[] {by.moved(triangle[0]), by.moved(triangle[1]), by.moved(triangle[2])};
+    }
+}
