@@ -153,6 +153,18 @@ class TechniqueChoiceTest {
         assertTrue(table.errorPercent(CloudTechnique.SKYBOX, at).isEmpty());
     }
 
+    /** The node of depth 10 at 60 degrees is missing: there the nearest one counts, and beside it those that there are. */
+    @ParameterizedTest
+    @CsvSource({"10, 10, 30", "1, 60, 50", "10, 60, 50", "100, 80, 50"})
+    void missingNodesAreFilledFromTheNearest(double depth, double degrees, double expected) {
+        var table = new ErrorTable(List.of(
+                new Row(FORM, CloudTechnique.VOLUME, 1, 60, 30, 50, 1),
+                new Row(FORM, CloudTechnique.VOLUME, 1, 10, 30, 10, 1),
+                new Row(FORM, CloudTechnique.VOLUME, 10, 10, 30, 30, 1)));
+        var at = new CloudSituation(FORM, depth, degrees, 30, 1, 5, 0, false, null);
+        assertEquals(expected, table.errorPercent(CloudTechnique.VOLUME, at).orElseThrow(), 1e-9);
+    }
+
     @Test
     void aTableIsReadAsItWasWritten() {
         assertEquals(TABLE.rows(), ErrorTable.read(TABLE.lines(), "t.csv").rows());

@@ -3,7 +3,7 @@ package nephele.engine.choice;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** The measurements of one technique and form on a lattice; linear between its nodes, in the logarithm of the first two axes. */
+/** The measurements of one technique and form on a lattice; linear between its nodes, in the logarithm of the first two axes. Where nodes are missing the nearest one counts. */
 final class ErrorLattice {
     private final List<ErrorTable.Row> rows;
     private final double[] depths;
@@ -27,20 +27,26 @@ final class ErrorLattice {
         double alongSun = place(suns, sun, false);
         double sum = 0;
         double weights = 0;
+        double nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
         for (ErrorTable.Row row : rows) {
-            double weight = tent(alongDepth, place(depths, row.opticalDepth(), true))
-                    * tent(alongAngle, place(angles, row.angularDegrees(), true))
-                    * tent(alongSun, place(suns, row.sunDegrees(), false));
-            if (weight > 0) {
-                sum += weight * value.applyAsDouble(row);
-                weights += weight;
+            double byDepth = Math.abs(alongDepth - place(depths, row.opticalDepth(), true));
+            double byAngle = Math.abs(alongAngle - place(angles, row.angularDegrees(), true));
+            double bySun = Math.abs(alongSun - place(suns, row.sunDegrees(), false));
+            double weight = tent(byDepth) * tent(byAngle) * tent(bySun);
+            sum += weight * value.applyAsDouble(row);
+            weights += weight;
+            double distance = byDepth + byAngle + bySun;
+            if (distance < least) {
+                least = distance;
+                nearest = value.applyAsDouble(row);
             }
         }
-        return sum / weights;
+        return weights > 0 ? sum / weights : nearest;
     }
 
-    private static double tent(double at, double node) {
-        return Math.max(0, 1 - Math.abs(at - node));
+    private static double tent(double distance) {
+        return Math.max(0, 1 - distance);
     }
 
     /** Returns a position in nodes along an axis, at most the last one. */

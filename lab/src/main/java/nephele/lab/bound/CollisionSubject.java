@@ -1,6 +1,7 @@
 package nephele.lab.bound;
 
 import java.util.List;
+import java.util.stream.LongStream;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
@@ -39,6 +40,8 @@ public final class CollisionSubject {
 
     private static final class Contacts implements Experiment {
         private final ModelPairs pairs = new ModelPairs();
+        private final List<ModelPairs.Pair> timed =
+                LongStream.range(0, TIMED).mapToObj(pairs::pair).toList();
         /** Uses the result, so that the compiler cannot eliminate the timed code. */
         private int reported;
 
@@ -50,8 +53,9 @@ public final class CollisionSubject {
 
         @Override
         public void run(int setting) {
-            for (int question = 0; question < TIMED; question++) {
-                reported += pairs.pair(question).touch(Bound.values()[setting]) ? 1 : 0;
+            Bound bound = Bound.values()[setting];
+            for (ModelPairs.Pair pair : timed) {
+                reported += pair.touch(bound) ? 1 : 0;
             }
         }
     }

@@ -24,7 +24,7 @@ import nephele.lab.prove.proof.ProofResult;
 /** Compares what technique auto chooses with each technique for all clouds, against traced pictures. */
 public final class CloudAutoProof implements Proof {
     private static final Cloud.Tolerance TOLERANCE = new Cloud.Tolerance(1, 20);
-    private static final int SAMPLES = 512;
+    private static final int SAMPLES = 128;
     private static final int MOST_OUTSIDE = 3;
     private static final double MOST_EXCESS = 1.5;
     private static final double MOST_COST = 1.1;

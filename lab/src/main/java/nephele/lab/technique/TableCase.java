@@ -48,9 +48,10 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         return CloudForm.of(cloud).word();
     }
 
-    /** Returns false for a layer higher than clouds are. */
+    /** Returns false for a layer higher than clouds are, and for a close one whose few dense billows take hours to trace. */
     boolean exists() {
-        return !(cloud.extent() instanceof Extent.Layer) || distanceMetres() <= GREATEST_BASE_METRES;
+        boolean isSlow = form().equals("layer noise") && opticalDepth >= 40 && angularDegrees > 30;
+        return !isLayer() || distanceMetres() <= GREATEST_BASE_METRES && !isSlow;
     }
 
     /** Returns true if the eye is in the middle of the cloud. */

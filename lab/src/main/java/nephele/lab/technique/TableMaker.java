@@ -20,8 +20,10 @@ import nephele.engine.render.gl.GlContext;
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
     private static final int SAMPLES = 768;
-    /** Paths from inside a cloud are long. */
-    private static final int SAMPLES_INSIDE = 128;
+    /** Paths inside a cloud and close to it are long. */
+    private static final int SAMPLES_NEAR = 128;
+
+    private static final double NEAR_DEGREES = 60;
 
     private final Path file;
     private final Stopwatch watch = new Stopwatch();
@@ -70,7 +72,7 @@ public final class TableMaker {
 
     private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
         SeenSky sky = at.sky();
-        TracedSky exact = TracedSky.of(sky, at.isCrossed() ? SAMPLES_INSIDE : SAMPLES);
+        TracedSky exact = TracedSky.of(sky, at.angularDegrees() >= NEAR_DEGREES ? SAMPLES_NEAR : SAMPLES);
         for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
