@@ -135,7 +135,7 @@ class TechniqueFadeGlTest {
                 renderer.elapse(FRAME);
                 LinearPicture now = drawn(renderer);
                 double step = HdrFlip.of(before, now).mean();
-                        assertTrue(step <= 0.02, () -> "step " + step);
+                assertTrue(step <= 0.02, () -> "step " + step);
                 before = now;
                 frames++;
             }

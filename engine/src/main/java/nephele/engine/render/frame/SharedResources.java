@@ -233,7 +233,11 @@ public final class SharedResources implements GlObject {
             List<CloudTechnique> techniques = found.chosen(found.columns());
             fade = (fadeBefore == null ? TechniqueFade.complete(techniques) : fadeBefore).towards(techniques);
             chosenFor.put(techniques, scene);
-            chosenFor.keySet().retainAll(fade.stages().stream().map(TechniqueFade.Stage::techniques).toList());
+            chosenFor
+                    .keySet()
+                    .retainAll(fade.stages().stream()
+                            .map(TechniqueFade.Stage::techniques)
+                            .toList());
             clouds = clouds(techniques, owned);
         }
         return clouds;
