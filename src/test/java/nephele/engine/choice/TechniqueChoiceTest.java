@@ -14,6 +14,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.reach.EyeReach;
@@ -78,6 +79,18 @@ class TechniqueChoiceTest {
         assertEquals(
                 CloudTechnique.VOLUME,
                 TechniqueChoice.of(cloud(1, 10), moving, TABLE).chosen().technique());
+    }
+
+    @Test
+    void aCloudThatSwaysComesNearer() {
+        Cloud still = cloud(1, 10);
+        Cloud swaying = still.with(new Cloud.Motion(Vec3.ZERO, new Vec3(20, 0, 0), 60, 0));
+        Aabb bounds = Aabb.around(Vec3.ZERO, new Vec3(10, 10, 10));
+        EyeReach reach = new EyeReach(
+                List.of(new EyeReach.Part(Aabb.around(new Vec3(30, 0, 0), new Vec3(2, 2, 2)), EyeReach.Means.WALKING)));
+        assertEquals(24, CloudSituation.of(still, bounds, 1, reach, 45).distanceMetres(), 1e-9);
+        assertEquals(4, CloudSituation.of(swaying, bounds, 1, reach, 45).distanceMetres(), 1e-9);
+        assertTrue(CloudSituation.of(swaying, bounds, 1, reach, 45).moves());
     }
 
     @Test

@@ -38,6 +38,8 @@ final class DrawnLevel implements AutoCloseable {
     /** {@code null} if the last version could be derived. */
     private String levelFailure;
 
+    private double elapsed;
+
     DrawnLevel(GlContext gl, AssetSource assets, Background background, Executor executor, Runnable repaintSoon) {
         this.gl = gl;
         this.assets = assets;
@@ -49,6 +51,18 @@ final class DrawnLevel implements AutoCloseable {
     /** Returns true if a level with these files and background is an edited version of this one. */
     boolean follows(AssetSource otherAssets, Background otherBackground) {
         return otherAssets == assets && otherBackground == background;
+    }
+
+    /** Lets time pass in which edits are taken over gradually, as {@link LevelPicture#elapse} does. */
+    void elapse(double seconds) {
+        elapsed = seconds;
+        pictures.values().forEach(picture -> picture.elapse(seconds));
+    }
+
+    /** Returns how far the last edit is taken over in a mode, 1 for wholly. */
+    double changed(ViewMode mode) {
+        LevelPicture picture = pictures.get(mode);
+        return picture == null ? 1 : picture.changed();
     }
 
     /** Follows an edit, and what was prepared in the background. */
@@ -99,7 +113,7 @@ final class DrawnLevel implements AutoCloseable {
 
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
     Optional<LevelPicture> picture(ViewMode mode) {
-        LevelPicture picture = pictures.computeIfAbsent(mode, m -> new LevelPicture(gl, m, background.radiance()));
+        LevelPicture picture = pictures.computeIfAbsent(mode, this::begun);
         SkyVisibility light = mode == ViewMode.LIT ? bake.latest() : null;
         failures.remove(mode);
         while (true) {
@@ -114,6 +128,12 @@ final class DrawnLevel implements AutoCloseable {
                 show(shown);
             }
         }
+    }
+
+    private LevelPicture begun(ViewMode mode) {
+        LevelPicture picture = new LevelPicture(gl, mode, background.radiance());
+        picture.elapse(elapsed);
+        return picture;
     }
 
     /** Returns the edges of all shapes, for a kind of pane. */

@@ -29,11 +29,29 @@ final class LevelPicture implements AutoCloseable {
     private Renderer renderer;
     private Output output;
     private FrameState state;
+    private boolean isGradual;
 
     LevelPicture(GlContext gl, ViewMode mode, Vec3 background) {
         this.gl = gl;
         this.mode = mode;
         derivation = LevelDerivation.of(mode, background);
+    }
+
+    /**
+     * Lets time pass in which earlier edits are taken over gradually.
+     *
+     * @param seconds since the last picture; {@link Double#POSITIVE_INFINITY} for pictures that are complete at once
+     */
+    void elapse(double seconds) {
+        isGradual = seconds < Double.POSITIVE_INFINITY;
+        if (renderer != null) {
+            renderer.elapse(seconds);
+        }
+    }
+
+    /** Returns how far the last edit is taken over, 1 for wholly. */
+    double changed() {
+        return renderer == null ? 1 : renderer.changed();
     }
 
     /**
@@ -68,7 +86,7 @@ final class LevelPicture implements AutoCloseable {
 
     private void load(Scene scene, Output wanted) {
         if (renderer != null && output == wanted) {
-            renderer = renderer.edited(scene);
+            renderer = isGradual ? renderer.editedGradually(scene) : renderer.edited(scene);
             return;
         }
         Renderer next = Renderer.load(gl, scene, RenderSettings.of(wanted));

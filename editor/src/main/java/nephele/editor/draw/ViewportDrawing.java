@@ -50,11 +50,12 @@ public final class ViewportDrawing implements AutoCloseable {
     private record Held(RenderTarget picture, Content content) {}
 
     /** The inputs of a pane's picture; equal inputs give the same picture. */
-    private record Content(Level level, Pane pane, List<Mark> marks, Look look, SkyVisibility light) {
+    private record Content(Level level, Pane pane, List<Mark> marks, Look look, SkyVisibility light, double changed) {
         /** Levels are compared by identity: an edit makes a new one. */
         boolean isSame(Content other) {
             return level == other.level
                     && light == other.light
+                    && changed == other.changed
                     && pane.equals(other.pane)
                     && look.equals(other.look)
                     && marks.equals(other.marks);
@@ -77,12 +78,21 @@ public final class ViewportDrawing implements AutoCloseable {
         frameCanvas = new OverlayCanvas(lettering);
     }
 
-    /** Draws a frame over the whole target. */
+    /** Draws a frame over the whole target, with all edits taken over. */
     public void draw(ViewportFrame frame, RenderTarget target) {
+        draw(frame, target, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Draws a frame over the whole target.
+     *
+     * @param seconds that have passed for edits which are taken over gradually since the last frame
+     */
+    public void draw(ViewportFrame frame, RenderTarget target, double seconds) {
         if (target.width() == 0 || target.height() == 0) {
             return;
         }
-        follow(frame);
+        follow(frame, seconds);
         held.entrySet().removeIf(entry -> isStale(entry.getKey(), entry.getValue(), frame));
         for (Pane pane : frame.panes()) {
             draw(pane, frame);
@@ -99,12 +109,22 @@ public final class ViewportDrawing implements AutoCloseable {
         drawActive(frame, target);
     }
 
-    private void follow(ViewportFrame frame) {
+    /** Returns true while an edit is taken over gradually: the next frame differs from the last one. */
+    public boolean isChanging() {
+        return drawn != null && held.values().stream().anyMatch(pane -> changed(pane.content.pane()) < 1);
+    }
+
+    private double changed(Pane pane) {
+        return drawn.changed(pane.view().mode());
+    }
+
+    private void follow(ViewportFrame frame, double seconds) {
         Background behind = frame.look().background();
         if (drawn == null || !drawn.follows(frame.assets(), behind)) {
             closeLevel();
             drawn = new DrawnLevel(gl, frame.assets(), behind, background, repaintSoon);
         }
+        drawn.elapse(seconds);
         drawn.show(frame.level());
     }
 
@@ -136,7 +156,7 @@ public final class ViewportDrawing implements AutoCloseable {
     private void draw(Pane pane, ViewportFrame frame) {
         int index = pane.place().index();
         SkyVisibility light = isLit(pane) ? drawn.light() : null;
-        Content content = new Content(drawn.wanted(), pane, frame.marks(), frame.look(), light);
+        Content content = new Content(drawn.wanted(), pane, frame.marks(), frame.look(), light, changed(pane));
         Held known = held.get(index);
         if (known != null && known.content.isSame(content)) {
             return;

@@ -137,6 +137,8 @@ public final class FieldWords {
             word("startSeconds", "Start", "Início", "Início"),
             word("sunRadiusDegrees", "Radius of the sun", "Raio do Sol", "Raio do Sol"),
             word("strikesPerMinute", "Strikes a minute", "Raios por minuto", "Raios por minuto"),
+            word("swayMetres", "Drifts there and back by", "Vai e volta por", "Vai e volta por"),
+            word("swaySeconds", "Time there and back", "Tempo de ida e volta", "Tempo de ida e volta"),
             word("target", "Target", "Alvo", "Alvo"),
             word("technique", "Technique", "Técnica", "Técnica"),
             word("texture", "Texture", "Textura", "Textura"),

@@ -35,7 +35,8 @@ public record CloudSituation(
      * @param opticalDepth mean of its upright columns that have any
      */
     public static CloudSituation of(Cloud cloud, Aabb bounds, double opticalDepth, EyeReach reach, double sunDegrees) {
-        Aabb met = drifted(bounds, cloud.motion().windMetresPerSecond());
+        Aabb swayed = bounds.union(bounds.moved(cloud.motion().swayMetres()));
+        Aabb met = drifted(swayed, cloud.motion().windMetresPerSecond());
         EyeReach.Part nearest = reach.nearest(met);
         double distance = nearest == null ? 0 : EyeReach.metresBetween(nearest.box(), met);
         double extent = extent(bounds);

@@ -202,12 +202,38 @@ public record Cloud(
      * How a cloud changes with simulated time. The file has the members beside the cloud's own.
      *
      * @param windMetresPerSecond a volume moves with it as a whole, a layer's pattern drifts with its x and z
+     * @param swayMetres how far it is carried besides, and back
+     * @param swaySeconds time in which it goes there and comes back
      * @param evolutionSeconds time in which noise takes another shape; 0 for a shape that stays
      */
     public record Motion(
             @Written(absent = "[0, 0, 0]", min = -200, max = 200) Vec3 windMetresPerSecond,
+            @Written(absent = "[0, 0, 0]", min = -1e5, max = 1e5) Vec3 swayMetres,
+            @Written(absent = "60", min = 1, max = 1e9) double swaySeconds,
             @Written(min = 0, max = 1e9) double evolutionSeconds) {
+        private static final double USUAL_SWAY_SECONDS = 60;
+
         public static final Motion STILL = new Motion(Vec3.ZERO, 0);
+
+        /** Creates the motion of a cloud that does not come back. */
+        public Motion(Vec3 windMetresPerSecond, double evolutionSeconds) {
+            this(windMetresPerSecond, Vec3.ZERO, USUAL_SWAY_SECONDS, evolutionSeconds);
+        }
+
+        /** Returns how far it has been carried since time 0, metres. */
+        public Vec3 drift(double seconds) {
+            Vec3 drift = windMetresPerSecond.scaled(seconds);
+            if (swayMetres.equals(Vec3.ZERO)) {
+                return drift;
+            }
+            double turn = StrictMath.IEEEremainder(seconds, swaySeconds) / swaySeconds;
+            return drift.addScaled(0.5 - 0.5 * StrictMath.cos(2 * Math.PI * turn), swayMetres);
+        }
+
+        /** Returns its greatest speed, metres per second. */
+        public double greatestSpeed() {
+            return windMetresPerSecond.length() + Math.PI * swayMetres.length() / swaySeconds;
+        }
     }
 
     /**

@@ -54,14 +54,19 @@ public final class Renderer implements AutoCloseable {
     /** The main view of the frame before; {@code null} at first. */
     private View viewBefore;
 
-    private Renderer(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
+    private Renderer(
+            GlContext gl,
+            Scene scene,
+            RenderSettings settings,
+            List<RenderFeature> features,
+            SharedResources replaced) {
         this.gl = gl;
         this.scene = scene;
         this.settings = settings;
         this.features = features;
         FrameRequest request = FrameRequest.of(
                 scene.level(), scene.statics(), settings.output(), settings.quality(), settings.character());
-        this.shared = new SharedResources(gl, scene, request);
+        this.shared = new SharedResources(gl, scene, request, replaced);
         this.environment = shared.surroundings();
         this.start = FrameState.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
@@ -86,7 +91,10 @@ public final class Renderer implements AutoCloseable {
 
     /** Builds a renderer with a list of features other than the registered ones. */
     static Renderer load(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
-        Renderer renderer = new Renderer(gl, scene, settings, features);
+        return load(new Renderer(gl, scene, settings, features, null));
+    }
+
+    private static Renderer load(Renderer renderer) {
         try {
             renderer.buildPasses();
             return renderer;
@@ -105,10 +113,36 @@ public final class Renderer implements AutoCloseable {
      * open
      */
     public Renderer edited(Scene edited) {
-        Renderer next = load(gl, edited, settings, features);
+        return replacedBy(new Renderer(gl, edited, settings, features, null));
+    }
+
+    /**
+     * Returns a renderer of the edited level as {@link #edited} does, in which clouds that the edit leaves as they are go
+     * over from the techniques of this one to those that it calls for, in the time that {@link #elapse} is told of.
+     */
+    public Renderer editedGradually(Scene edited) {
+        return replacedBy(new Renderer(gl, edited, settings, features, shared));
+    }
+
+    private Renderer replacedBy(Renderer built) {
+        Renderer next = load(built);
         next.follow(this);
         close();
         return next;
+    }
+
+    /**
+     * Lets time pass in which an edit is taken over gradually.
+     *
+     * @param seconds of the display; {@link Double#POSITIVE_INFINITY} to end the change
+     */
+    public void elapse(double seconds) {
+        shared.elapse(seconds);
+    }
+
+    /** Returns how far an edit has been taken over, 1 for a picture that no {@link #elapse} changes. */
+    public double changed() {
+        return shared.changed();
     }
 
     private void buildPasses() {

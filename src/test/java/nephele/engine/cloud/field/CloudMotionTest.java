@@ -62,6 +62,26 @@ class CloudMotionTest {
         });
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 40, 40 * 365 * DAY})
+    void aCloudThatSwaysGoesThereAndBackForEver(double seconds) {
+        var wind = new Vec3(0, 0, 2);
+        var sway = new Vec3(20, -4, 0);
+        var motion = new Cloud.Motion(wind, sway, 40, 0);
+        for (int eighth = 0; eighth <= 8; eighth++) {
+            double at = seconds + 5 * eighth;
+            double share = (1 - Math.cos(Math.PI * eighth / 4)) / 2;
+            Vec3 off = motion.drift(at).minus(wind.scaled(at).addScaled(share, sway));
+            assertEquals(0, off.length(), 1e-5, at + " s");
+        }
+        densities()
+                .forEach((name, density) -> requireShifted(
+                        name,
+                        field(BOX, density, Cloud.Motion.STILL, 0),
+                        field(BOX, density, motion, seconds + 10),
+                        wind.scaled(seconds + 10).addScaled(0.5, sway)));
+    }
+
     private static void requireShifted(String name, ExtinctionField still, ExtinctionField moved, Vec3 by) {
         var random = new SplittableRandom(1);
         double sum = 0;

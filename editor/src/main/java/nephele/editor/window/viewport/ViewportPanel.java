@@ -26,6 +26,7 @@ import nephele.engine.math.Vec3;
 public final class ViewportPanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
 
+    private final transient ViewportScene scene;
     private final transient ViewportSurface surface;
     private final transient ViewportControl control;
     private final transient Registration registration;
@@ -46,7 +47,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     /** @param background runs what takes long, such as the light of the sky */
     ViewportPanel(EditorSession session, SurfaceMode mode, Told told, Executor background) {
         super(new BorderLayout());
-        ViewportScene scene = new ViewportScene(session, background, this::repaintSoon, told.report());
+        scene = new ViewportScene(session, background, this::repaintSoon, told.report());
         surface = ViewportSurfaces.choose(mode, scene, told.report());
         control = new ViewportControl(session, surface::size, place -> {
             told.pointed().accept(place);
@@ -91,9 +92,9 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         return surface;
     }
 
-    /** Draws now, and returns the picture. */
+    /** Draws now, with all edits taken over, and returns the picture. */
     public BufferedImage picture() {
-        return surface.picture();
+        return scene.complete(surface::picture);
     }
 
     @Override

@@ -32,6 +32,8 @@ final class ViewportScene implements SurfacePainter {
     private final SessionMarks marks;
     private ViewportDrawing drawing;
     private List<String> told = List.of();
+    private boolean isComplete;
+    private long lastNanos;
 
     /** @param report receives what cannot be drawn, a line each */
     ViewportScene(EditorSession session, Executor background, Runnable repaintSoon, Consumer<String> report) {
@@ -50,12 +52,33 @@ final class ViewportScene implements SurfacePainter {
     @Override
     public void paint(RenderTarget target, SurfaceSize size) {
         session.viewport(new PaneSize(size.width(), size.height()));
-        drawing.draw(frame(pixelsPerPoint(size)), target);
+        drawing.draw(frame(pixelsPerPoint(size)), target, isComplete ? Double.POSITIVE_INFINITY : elapsedSeconds());
+        if (drawing.isChanging()) {
+            repaintSoon.run();
+        }
         List<String> messages = drawing.messages();
         if (!messages.equals(told)) {
             told = List.copyOf(messages);
             told.forEach(report);
         }
+    }
+
+    /** Paints with all edits taken over until this returns, as for a picture that is kept. */
+    <T> T complete(Supplier<T> painting) {
+        isComplete = true;
+        try {
+            return painting.get();
+        } finally {
+            isComplete = false;
+        }
+    }
+
+    /** Returns the time since the last frame if that was part of a change: before it the display may have stood still. */
+    private double elapsedSeconds() {
+        long now = System.nanoTime();
+        double seconds = drawing.isChanging() ? (now - lastNanos) * 1e-9 : 0;
+        lastNanos = now;
+        return seconds;
     }
 
     /** Returns the display's scale times that of the user's interface. */

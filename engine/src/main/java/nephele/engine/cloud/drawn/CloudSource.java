@@ -147,7 +147,7 @@ public final class CloudSource {
 
     /** Returns how far the wind has carried it. */
     public Vec3 drift(double seconds) {
-        Vec3 drift = cloud.motion().windMetresPerSecond().scaled(seconds);
+        Vec3 drift = cloud.motion().drift(seconds);
         return grid == null ? drift : new Vec3(drift.x(), 0, drift.z());
     }
 

@@ -134,7 +134,7 @@ public final class CloudTimeline implements AutoCloseable {
             if (source.evolves()) {
                 step = Math.min(step, motion.evolutionSeconds() / EVOLUTION_SAMPLES);
             }
-            step = Math.min(step, DRIFT_METRES / motion.windMetresPerSecond().length());
+            step = Math.min(step, DRIFT_METRES / motion.greatestSpeed());
         }
         return Math.max(SHORTEST_SECONDS, step);
     }

@@ -15,7 +15,7 @@ record CloudMoment(Aabb bounds, Vec3 centre, Vec3 drift) {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
     static CloudMoment of(Cloud cloud, double seconds) {
-        Vec3 drift = cloud.motion().windMetresPerSecond().scaled(seconds);
+        Vec3 drift = cloud.motion().drift(seconds);
         if (cloud.extent() instanceof Cloud.Extent.Volume volume) {
             Vec3 centre = volume.centre().plus(drift);
             return new CloudMoment(Aabb.around(centre, volume.size()), centre, drift);

@@ -107,6 +107,9 @@ final class CloudRules {
             if (isLayer && motion.windMetresPerSecond().y() != 0) {
                 refuse(path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle");
             }
+            if (isLayer && motion.swayMetres().y() != 0) {
+                refuse(path + ".swayMetres[1]", "a layer keeps its altitude: write 0 in the middle");
+            }
             double evolution = motion.evolutionSeconds();
             if (evolution > 0 && evolution < FASTEST_EVOLUTION_SECONDS) {
                 refuse(path + ".evolutionSeconds", "must be 0 for a shape that stays, or at least 1");

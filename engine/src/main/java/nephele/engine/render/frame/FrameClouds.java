@@ -57,7 +57,7 @@ public final class FrameClouds implements GlObject {
     }
 
     /** Takes the clouds of a frame, sampled finely around its eye. */
-    void follow(FrameState frameState, Vec3 eye) {
+    public void follow(FrameState frameState, Vec3 eye) {
         if (sources().isEmpty()) {
             return;
         }

@@ -3,10 +3,25 @@ package nephele.engine.render.frame;
 import java.util.function.Supplier;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.scene.Scene;
 
-/** The arguments for building a pass, once per renderer. */
-public record LoadContext(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
+/**
+ * The arguments for building a pass, once per renderer.
+ *
+ * @param owner closes what is built
+ */
+public record LoadContext(GlContext gl, Scene scene, FrameRequest request, SharedResources shared, OwnedObjects owner) {
+    /** Returns the arguments for building what another owner closes. */
+    public LoadContext ownedBy(OwnedObjects other) {
+        return new LoadContext(gl, scene, request, shared, other);
+    }
+
+    /** Returns the arguments for building what follows from another scene, such as the one before an edit. */
+    public LoadContext with(Scene other) {
+        return new LoadContext(gl, other, request, shared, owner);
+    }
+
     public Output output() {
         return request.output();
     }
@@ -17,11 +32,11 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
 
     /** Owns an object as {@link SharedResources#own} does: a pass closes nothing itself. */
     public <T extends GlObject> T own(T object) {
-        return shared.own(object);
+        return owner.own(object);
     }
 
     /** Shares an object as {@link SharedResources#share} does. */
     public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
-        return shared.share(kind, madeFrom, make);
+        return owner.share(kind, madeFrom, make);
     }
 }

@@ -1,8 +1,6 @@
 package nephele.engine.render.frame;
 
 import java.lang.ref.WeakReference;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.List;
@@ -11,6 +9,8 @@ import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.choice.CloudColumns;
+import nephele.engine.choice.TechniqueFade;
+import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.ShaftLight;
@@ -25,6 +25,7 @@ import nephele.engine.render.resource.DynamicMeshes;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.OpeningMesh;
+import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState;
@@ -45,7 +46,7 @@ public final class SharedResources implements GlObject {
     private final Scene scene;
     private final FrameRequest request;
     private final FrameEnvironment surroundings;
-    private final Deque<GlObject> owned = new ArrayDeque<>();
+    private final OwnedObjects owned;
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
@@ -64,11 +65,33 @@ public final class SharedResources implements GlObject {
     private DynamicMeshes dynamicObjects;
     private BackgroundWork background;
     private FrameClouds clouds;
+    /** The techniques of the replaced renderer; {@code null} for clouds that begin complete. */
+    private final TechniqueFade fadeBefore;
+
+    /** The scenes for which techniques that draw clouds were chosen: what an eye reaches in them. */
+    private final Map<List<CloudTechnique>, Scene> chosenFor = new HashMap<>();
+
+    /** {@code null} until the clouds are needed. */
+    private TechniqueFade fade;
+
     private FrameLightning lightning;
     private int cuts;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
+        this(gl, scene, request, null);
+    }
+
+    /**
+     * @param replaced those of a renderer whose techniques go over to other ones where the clouds are the same; {@code null}
+     *     for a level that begins complete
+     */
+    public SharedResources(GlContext gl, Scene scene, FrameRequest request, SharedResources replaced) {
         this.gl = gl;
+        owned = new OwnedObjects(gl);
+        fadeBefore = replaced != null && hasSameClouds(scene, replaced.scene) ? replaced.fade : null;
+        if (fadeBefore != null) {
+            chosenFor.putAll(replaced.chosenFor);
+        }
         this.scene = scene;
         this.request = request;
         surroundings = new FrameEnvironment(request.output());
@@ -77,15 +100,19 @@ public final class SharedResources implements GlObject {
         air = AerialPerspective.isIn(environment) ? own(new AerialPerspective(gl, this, shafts != null)) : null;
     }
 
+    private static boolean hasSameClouds(Scene scene, Scene other) {
+        Environment causes = CloudTimeline.causes(scene.level().environment());
+        return causes.equals(CloudTimeline.causes(other.level().environment()));
+    }
+
     /** Returns the arguments for building a pass. */
     public LoadContext loadContext() {
-        return new LoadContext(gl, scene, request, this);
+        return new LoadContext(gl, scene, request, this, owned);
     }
 
     /** Keeps an object until the renderer is closed. */
     public <T extends GlObject> T own(T object) {
-        owned.push(object);
-        return object;
+        return owned.own(object);
     }
 
     /**
@@ -94,12 +121,12 @@ public final class SharedResources implements GlObject {
      * @param madeFrom an immutable value from which the object follows
      */
     public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
-        return own(gl.shared().share(kind, madeFrom, make, GlObject::close)).get();
+        return owned.share(kind, madeFrom, make);
     }
 
     /** Shares a value that needs no closing: derived once for as long as any renderer of the context uses it. */
     public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
-        return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
+        return owned.shareValue(kind, madeFrom, make);
     }
 
     /** Returns the threads that compute beside the frames of this renderer. */
@@ -203,14 +230,49 @@ public final class SharedResources implements GlObject {
     public FrameClouds clouds() {
         if (clouds == null) {
             var found = new LevelTechniques(this, scene);
-            CloudColumns columns = found.columns();
-            List<CloudTechnique> techniques = found.chosen(columns);
-            clouds = share(
-                    FrameClouds.class,
-                    FrameClouds.Source.of(scene, request.quality(), techniques),
-                    () -> new FrameClouds(scene, columns.loaded().drawnBy(techniques), request.quality()));
+            List<CloudTechnique> techniques = found.chosen(found.columns());
+            fade = (fadeBefore == null ? TechniqueFade.complete(techniques) : fadeBefore).towards(techniques);
+            chosenFor.put(techniques, scene);
+            chosenFor
+                    .keySet()
+                    .retainAll(fade.stages().stream()
+                            .map(TechniqueFade.Stage::techniques)
+                            .toList());
+            clouds = clouds(techniques, owned);
         }
         return clouds;
+    }
+
+    /** Returns the level's clouds as sampled for these techniques. */
+    public FrameClouds clouds(List<CloudTechnique> techniques, OwnedObjects owner) {
+        CloudColumns columns = new LevelTechniques(this, scene).columns();
+        return owner.share(
+                FrameClouds.class,
+                FrameClouds.Source.of(scene, request.quality(), techniques),
+                () -> new FrameClouds(scene, columns.loaded().drawnBy(techniques), request.quality()));
+    }
+
+    /** Returns the techniques that draw the clouds, several while they change. */
+    public TechniqueFade techniques() {
+        clouds();
+        return fade;
+    }
+
+    /** Returns the scene for which techniques were chosen, this one or one before an edit. */
+    public Scene chosenFor(List<CloudTechnique> techniques) {
+        return chosenFor.get(techniques);
+    }
+
+    /** Returns how far the techniques that draw the clouds have changed, 1 without a change. */
+    public double changed() {
+        return fade == null || fade.isComplete() ? 1 : fade.share(fade.target());
+    }
+
+    /** Lets the time of the display pass, in which techniques change. */
+    public void elapse(double seconds) {
+        if (fade != null && !fade.isComplete()) {
+            fade = fade.after(seconds);
+        }
     }
 
     /** Returns the level's lightning; {@code null} if there is none. */
@@ -222,9 +284,9 @@ public final class SharedResources implements GlObject {
         return lightning;
     }
 
-    /** Returns where the eyes of the level can be. */
-    public EyeReach eyeReach() {
-        return new LevelTechniques(this, scene).reach();
+    /** Returns where the eyes of a scene, this one or one before an edit, can be. */
+    public EyeReach eyeReach(Scene of) {
+        return new LevelTechniques(this, of).reach();
     }
 
     /** Returns the shadows of clouds in the air of the frame's views; {@code null} without. */
@@ -310,7 +372,6 @@ public final class SharedResources implements GlObject {
 
     @Override
     public void close() {
-        owned.forEach(GlObject::close);
-        owned.clear();
+        owned.close();
     }
 }

@@ -1,6 +1,7 @@
 // The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution; MIXED:
 // only pixels whose surface is among the clouds. BY_FLASH: a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of
-// a bolt, whose ray ends there; BAKED: all pixels of a picture that is kept, without surfaces, air and fog.
+// a bolt, whose ray ends there; BAKED: all pixels of a picture that is kept, without surfaces, air and fog. SHARED: another
+// technique may draw a part of the cloud.
 #include "output.glsl"
 #ifdef MIXED
 #include "cloud-ranges.glsl"
@@ -36,6 +37,11 @@ in vec3 direction; // not of unit length; its part along the view's axis is 1
 #include "view-distance.glsl"
 uniform sampler2D viewDepth;
 #endif
+#endif
+
+#ifdef SHARED
+uniform float cloudShare; // of the optical depth that is drawn
+const float THINNEST = 1e-7; // share of light that passes; smaller ones are lost in its difference to 1
 #endif
 
 struct CloudPixel {
@@ -106,6 +112,13 @@ CloudPixel cloudPixel() {
 
 // Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
 void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
+#ifdef SHARED
+    if (cloudShare < 1.0) {
+        float part = covered < 1e-3 ? cloudShare : (1.0 - pow(max(1.0 - covered, THINNEST), cloudShare)) / covered;
+        radiance *= part;
+        covered *= part;
+    }
+#endif
 #ifdef CAPTURED
     pixel = vec4(min(radiance, 65504.0), covered);
     place = vec4(covered * vec2(metres - capturedPlane / dot(at.ray, viewForward.xyz), 1.0), 0.0, covered);

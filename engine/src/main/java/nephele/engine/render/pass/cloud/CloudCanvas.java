@@ -75,6 +75,9 @@ public final class CloudCanvas {
             Vec3 from = lightning.lightning().bolt().origin().minus(view.eye());
             uniforms.boltFromEye().set((float) from.x(), (float) from.y(), (float) from.z());
         }
+        if (uniforms.share() != null) {
+            uniforms.share().set((float) cloud.shareDrawn());
+        }
         if (uniforms.ranges() != null) {
             ranges.put(uniforms.ranges(), view);
         }

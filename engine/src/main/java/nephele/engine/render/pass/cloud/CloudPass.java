@@ -1,15 +1,11 @@
 package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.level.Cloud;
-import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -42,9 +38,7 @@ public final class CloudPass implements Pass {
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
-    /** The clouds with their drawings, in the order in which they are drawn. */
-    private final List<Entry> entries = new ArrayList<>();
-
+    private final CloudEntries entries;
     private final List<PlacedCloud> clouds = new ArrayList<>();
     private final CloudRanges ranges;
     private final CloudCanvas canvas;
@@ -64,13 +58,6 @@ public final class CloudPass implements Pass {
     /** {@code null} without lightning. */
     private final CloudFlash flash;
 
-    /** @param flashed draws the light of a flash in the cloud; {@code null} without lightning */
-    private record Entry(PlacedCloud cloud, CloudDrawing drawing, CloudDrawing flashed) {
-        CloudDrawing drawing(CloudPixels pixels) {
-            return pixels.isLook() ? drawing : flashed;
-        }
-    }
-
     private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
         this.context = context;
         gl = context.gl();
@@ -87,46 +74,11 @@ public final class CloudPass implements Pass {
         int divisor = (int) Math.round(1 / quality.cloudResolution());
         int side = quality.cloudHistory().side();
         impostors = quality.impostors() == Quality.ImpostorChoice.AUTO ? new Impostors(context, divisor, side) : null;
-        build(techniques);
+        entries = new CloudEntries(new CloudContext(context, impostors, ranges.count()), clouds, techniques);
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
         flash = shared.lightning() == null ? null : new CloudFlash(context, divisor, ranges.count());
-    }
-
-    private void build(List<CloudTechniqueDrawer.Registered> techniques) {
-        var cloudContext = new CloudContext(context, impostors, ranges.count());
-        Map<CloudTechnique, CloudTechniqueDrawer> built = new EnumMap<>(CloudTechnique.class);
-        for (PlacedCloud cloud : clouds) {
-            CloudTechniqueDrawer.Registered technique = drawn(techniques, cloud.source());
-            CloudDrawing drawing = drawer(technique, built, cloudContext).of(cloud);
-            // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
-            CloudTechniqueDrawer.Registered marched = techniques.get(0);
-            CloudDrawing flashed = shared.lightning() == null
-                    ? null
-                    : technique == marched
-                            ? drawing
-                            : drawer(marched, built, cloudContext).of(cloud);
-            entries.add(new Entry(cloud, drawing, flashed));
-        }
-    }
-
-    private static CloudTechniqueDrawer drawer(
-            CloudTechniqueDrawer.Registered technique,
-            Map<CloudTechnique, CloudTechniqueDrawer> built,
-            CloudContext cloudContext) {
-        return built.computeIfAbsent(
-                technique.technique(), known -> technique.build().apply(cloudContext));
-    }
-
-    /** Returns the technique of a cloud; the first one for {@code auto} and where the written one cannot show it. */
-    private static CloudTechniqueDrawer.Registered drawn(
-            List<CloudTechniqueDrawer.Registered> techniques, CloudSource cloud) {
-        return techniques.stream()
-                .filter(known -> known.technique() == cloud.cloud().technique()
-                        && known.canShow().test(cloud))
-                .findFirst()
-                .orElse(techniques.get(0));
     }
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
@@ -176,17 +128,7 @@ public final class CloudPass implements Pass {
         View view = frame.view();
         CloudInterval now = shared.clouds().now();
         boolean isFlash = flash != null && flash.isLit();
-        for (int i = 0; i < entries.size(); i++) {
-            entries.get(i).cloud.follow(now);
-            entries.get(i).drawing.follow(frame.frameState().environment(), now);
-            if (isFlash && entries.get(i).flashed != entries.get(i).drawing) {
-                entries.get(i).flashed.follow(frame.frameState().environment(), now);
-            }
-        }
-        for (int i = 0; i < entries.size(); i++) {
-            entries.get(i).drawing.prepare(view);
-        }
-        sort(view.eye());
+        entries.follow(frame, isFlash);
         ranges.follow(clouds);
         if (impostors != null && isMain(frame)) {
             impostors.follow(frame);
@@ -234,19 +176,15 @@ public final class CloudPass implements Pass {
         flash.add(frame, mixed ? ranges : null, triangle);
     }
 
-    private void sort(Vec3 eye) {
-        if (entries.size() > 1) {
-            entries.sort(Comparator.comparingDouble(entry -> -entry.cloud.distance(eye)));
-        }
-    }
-
     /** @param layer into which is drawn; {@code null} for the view itself */
     private void draw(CloudPixels pixels, View view, CloudLayer layer) {
         canvas.begin(pixels, view, shared.clouds().focus(), layer);
-        for (int i = 0; i < entries.size(); i++) {
-            if (entries.get(i).cloud.presence() > 0) {
+        List<CloudEntries.Entry> all = entries.all();
+        for (int i = 0; i < all.size(); i++) {
+            CloudDrawing drawing = all.get(i).drawing(pixels);
+            if (drawing != null && all.get(i).isDrawn()) {
                 gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-                entries.get(i).drawing(pixels).draw(canvas);
+                drawing.draw(canvas);
             }
         }
     }

@@ -26,4 +26,9 @@ public enum CloudPixels {
     public boolean isLook() {
         return this != FLASH && this != BOLT;
     }
+
+    /** Returns true if another technique may draw a part of the cloud's optical depth. */
+    boolean isShared() {
+        return this == ALL || this == WHOLE || this == MIXED;
+    }
 }

@@ -12,8 +12,14 @@ import nephele.engine.render.resource.FrameUniforms;
  * @param rays {@code null} unless of a {@link RayGrid}
  * @param flash {@code null} unless for {@link CloudPixels#FLASH}
  * @param boltFromEye {@code null} unless for {@link CloudPixels#BOLT}
+ * @param share of the optical depth that is drawn; {@code null} unless in a view
  */
-public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms flash, Uniforms.Vector3 boltFromEye) {
+public record PixelUniforms(
+        CloudRanges.Places ranges,
+        Rays rays,
+        FlashUniforms flash,
+        Uniforms.Vector3 boltFromEye,
+        Uniforms.Scalar share) {
     /**
      * The rays of a grid that are drawn.
      *
@@ -40,6 +46,7 @@ public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms 
                 .with("FLASH_LIGHTS", FlashUniforms.LIGHTS)
                 .withIf(pixels == CloudPixels.MIXED, "MIXED")
                 .withIf(pixels == CloudPixels.BAKED, "BAKED")
+                .withIf(pixels.isShared(), "SHARED")
                 .with("CLOUDS", context.ranges());
     }
 
@@ -57,6 +64,7 @@ public record PixelUniforms(CloudRanges.Places ranges, Rays rays, FlashUniforms 
                 pixels == CloudPixels.MIXED ? CloudRanges.Places.of(uniforms, context.ranges()) : null,
                 pixels.isGrid() ? Rays.of(uniforms, pixels) : null,
                 pixels == CloudPixels.FLASH ? FlashUniforms.of(uniforms) : null,
-                isBolt ? uniforms.vector3("boltFromEye") : null);
+                isBolt ? uniforms.vector3("boltFromEye") : null,
+                pixels.isShared() ? uniforms.scalar("cloudShare") : null);
     }
 }

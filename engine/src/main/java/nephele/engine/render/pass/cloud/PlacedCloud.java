@@ -12,6 +12,7 @@ public final class PlacedCloud {
     private double seconds;
     private Vec3 drift = Vec3.ZERO;
     private double presence;
+    private double shareDrawn = 1;
 
     /** @param index among the clouds of the level */
     PlacedCloud(CloudSource source, int index) {
@@ -50,6 +51,16 @@ public final class PlacedCloud {
     /** Returns the share of its extinction that its weather gives it, 0 if that is not there. */
     public double presence() {
         return presence;
+    }
+
+    /** Sets the share of its optical depth that is drawn, while another technique draws the rest. */
+    void shareDrawn(double share) {
+        shareDrawn = share;
+    }
+
+    /** Returns the share of its optical depth that is drawn, 0 to 1. */
+    double shareDrawn() {
+        return shareDrawn;
     }
 
     /** Returns the distance from a point to its bounds, metres; 0 inside. */

@@ -36,7 +36,9 @@ public final class SkyboxTechnique implements CloudTechniqueDrawer {
     public CloudDrawing of(PlacedCloud cloud) {
         PlacedCloud still = cloud.again();
         Vec3 bakePoint = BakePoint.of(
-                load.scene().level(), load.shared().eyeReach(), cloud.source().bounds());
+                load.scene().level(),
+                load.shared().eyeReach(load.scene()),
+                cloud.source().bounds());
         var baker = new SkyBaker(load, still, baking.of(still), bakePoint);
         return new SkyboxCloud(load, cloud, baker, programs, triangle);
     }

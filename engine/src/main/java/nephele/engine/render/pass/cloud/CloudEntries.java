@@ -1,0 +1,207 @@
+package nephele.engine.render.pass.cloud;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.choice.TechniqueFade;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameClouds;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
+import nephele.engine.render.resource.OwnedObjects;
+
+/**
+ * The clouds of a level with their drawings, in the order in which they are drawn. While techniques change, a cloud has a
+ * drawing by each of them, the later ones over the earlier ones; those of techniques that are gone are closed.
+ */
+final class CloudEntries {
+    private final SharedResources shared;
+    private final List<Registered> techniques;
+    private final List<Entry> all = new ArrayList<>();
+    /** Builds what ends with the change; {@code null} without one. */
+    private LoadContext passing;
+
+    private final List<FrameClouds> passingClouds = new ArrayList<>();
+
+    /**
+     * A cloud with its drawing by one technique.
+     *
+     * @param clouds sampled for that technique
+     * @param stages of the change in which the technique draws the cloud
+     * @param flashed draws the light of a flash in the cloud; {@code null} without lightning, and for a technique that goes
+     */
+    record Entry(
+            PlacedCloud cloud,
+            FrameClouds clouds,
+            List<List<CloudTechnique>> stages,
+            CloudDrawing drawing,
+            CloudDrawing flashed) {
+        CloudDrawing drawing(CloudPixels pixels) {
+            return pixels.isLook() ? drawing : flashed;
+        }
+
+        boolean isDrawn() {
+            return cloud.presence() > 0 && cloud.shareDrawn() > 0;
+        }
+
+        private void follow(FrameContext frame, boolean isFlash, TechniqueFade fade) {
+            double share = 0;
+            for (List<CloudTechnique> stage : stages) {
+                share += fade.share(stage);
+            }
+            cloud.shareDrawn(Math.min(1, share));
+            CloudInterval now = clouds.now();
+            cloud.follow(now);
+            drawing.follow(frame.frameState().environment(), now);
+            if (isFlash && flashed != null && flashed != drawing) {
+                flashed.follow(frame.frameState().environment(), now);
+            }
+        }
+    }
+
+    /**
+     * Builds the drawings.
+     *
+     * @param clouds by the techniques that remain
+     * @param techniques the one for {@code auto} first
+     */
+    CloudEntries(CloudContext context, List<PlacedCloud> clouds, List<Registered> techniques) {
+        shared = context.load().shared();
+        this.techniques = techniques;
+        TechniqueFade fade = shared.techniques();
+        Map<CloudTechnique, CloudTechniqueDrawer> remaining = new EnumMap<>(CloudTechnique.class);
+        List<PassingStage> stages = fade.isComplete() ? List.of() : stages(context.load(), fade);
+        for (PlacedCloud cloud : clouds) {
+            if (stages.isEmpty()) {
+                all.add(remaining(cloud, List.of(fade.techniques()), context, remaining));
+            } else {
+                addRuns(cloud, stages, context, remaining);
+            }
+        }
+    }
+
+    /** The techniques of a stage with what is built for them. */
+    private record PassingStage(
+            List<CloudTechnique> techniques, FrameClouds clouds, Map<CloudTechnique, CloudTechniqueDrawer> built) {}
+
+    private List<PassingStage> stages(LoadContext load, TechniqueFade fade) {
+        passing = load.ownedBy(load.own(new OwnedObjects(load.gl())));
+        List<PassingStage> stages = new ArrayList<>();
+        for (TechniqueFade.Stage stage : fade.stages()) {
+            boolean remains = stage.techniques().equals(fade.techniques());
+            FrameClouds clouds = remains ? shared.clouds() : shared.clouds(stage.techniques(), passing.owner());
+            if (!remains) {
+                passingClouds.add(clouds);
+            }
+            stages.add(new PassingStage(stage.techniques(), clouds, new EnumMap<>(CloudTechnique.class)));
+        }
+        return stages;
+    }
+
+    /** Adds a drawing for each run of stages in which the cloud has one technique. */
+    private void addRuns(
+            PlacedCloud cloud,
+            List<PassingStage> stages,
+            CloudContext context,
+            Map<CloudTechnique, CloudTechniqueDrawer> remaining) {
+        int first = 0;
+        while (first < stages.size()) {
+            int end = first + 1;
+            while (end < stages.size() && technique(stages.get(end), cloud) == technique(stages.get(first), cloud)) {
+                end++;
+            }
+            List<PassingStage> run = stages.subList(first, end);
+            List<List<CloudTechnique>> runTechniques =
+                    run.stream().map(PassingStage::techniques).toList();
+            boolean remains = runTechniques.contains(shared.techniques().techniques());
+            all.add(
+                    remains
+                            ? remaining(cloud, runTechniques, context, remaining)
+                            : passing(cloud, run.get(0), runTechniques, context));
+            first = end;
+        }
+    }
+
+    private static CloudTechnique technique(PassingStage stage, PlacedCloud cloud) {
+        return source(stage, cloud).cloud().technique();
+    }
+
+    private static CloudSource source(PassingStage stage, PlacedCloud cloud) {
+        return stage.clouds.sources().get(cloud.index());
+    }
+
+    private Entry passing(
+            PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext context) {
+        var before = new PlacedCloud(source(stage, cloud), cloud.index());
+        var own = new CloudContext(passing.with(shared.chosenFor(stages.get(0))), null, context.ranges());
+        CloudDrawing drawing = drawer(drawn(before.source()), stage.built, own).of(before);
+        return new Entry(before, stage.clouds, stages, drawing, null);
+    }
+
+    private Entry remaining(
+            PlacedCloud cloud,
+            List<List<CloudTechnique>> stages,
+            CloudContext context,
+            Map<CloudTechnique, CloudTechniqueDrawer> built) {
+        Registered technique = drawn(cloud.source());
+        CloudDrawing drawing = drawer(technique, built, context).of(cloud);
+        // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
+        Registered marched = techniques.get(0);
+        CloudDrawing flashed = shared.lightning() == null
+                ? null
+                : technique == marched
+                        ? drawing
+                        : drawer(marched, built, context).of(cloud);
+        return new Entry(cloud, shared.clouds(), stages, drawing, flashed);
+    }
+
+    private static CloudTechniqueDrawer drawer(
+            Registered technique, Map<CloudTechnique, CloudTechniqueDrawer> built, CloudContext context) {
+        return built.computeIfAbsent(
+                technique.technique(), known -> technique.build().apply(context));
+    }
+
+    /** Returns the technique of a cloud; the first one for {@code auto} and where the written one cannot show it. */
+    private Registered drawn(CloudSource cloud) {
+        return techniques.stream()
+                .filter(known -> known.technique() == cloud.cloud().technique()
+                        && known.canShow().test(cloud))
+                .findFirst()
+                .orElse(techniques.get(0));
+    }
+
+    List<Entry> all() {
+        return all;
+    }
+
+    /** Takes the clouds at the time of the frame, the farthest from an eye first. */
+    void follow(FrameContext frame, boolean isFlash) {
+        TechniqueFade fade = shared.techniques();
+        if (passing != null && fade.isComplete()) {
+            all.removeIf(entry -> entry.clouds != shared.clouds());
+            passingClouds.clear();
+            passing.owner().close();
+            passing = null;
+        }
+        Vec3 eye = frame.view().eye();
+        for (FrameClouds clouds : passingClouds) {
+            clouds.follow(frame.frameState(), shared.clouds().focus());
+        }
+        for (int i = 0; i < all.size(); i++) {
+            all.get(i).follow(frame, isFlash, fade);
+        }
+        for (int i = 0; i < all.size(); i++) {
+            all.get(i).drawing.prepare(frame.view());
+        }
+        if (all.size() > 1) {
+            all.sort(Comparator.comparingDouble(entry -> -entry.cloud.distance(eye)));
+        }
+    }
+}
