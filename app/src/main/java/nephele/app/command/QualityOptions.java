@@ -20,7 +20,7 @@ final class QualityOptions {
             parameterConsumer = SettingConsumer.class,
             description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
                     + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
-                    + " billboardFacing, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
+                    + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
                     + " cloudSkyboxTexels, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 

@@ -23,6 +23,14 @@ public record HenyeyGreenstein(double g) implements PhaseFunction {
         return (1 - g) * (1 + g) / (4 * Math.PI * squared * Math.sqrt(squared));
     }
 
+    /** Returns the share of light that is scattered into the cone around its direction whose edge has a separation. */
+    public double shareWithin(double separation) {
+        double distance = Math.sqrt((1 - g) * (1 - g) + g * separation);
+        // The difference 1/(1 − g) − 1/distance of the integral, written so that neither it nor a division by g loses
+        // digits.
+        return (1 + g) * separation / (2 * distance * (distance + 1 - g));
+    }
+
     @Override
     public double sampleSeparation(SplittableRandom random) {
         return separationAt(random.nextDouble());

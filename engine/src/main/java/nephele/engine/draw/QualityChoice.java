@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import nephele.engine.cloud.drawn.SkyplaneShape;
+import nephele.engine.cloud.light.BallLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
@@ -25,7 +27,6 @@ import nephele.engine.render.frame.Quality.ImpostorChoice;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
-import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
 
@@ -102,6 +103,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "billboardFacing",
                     BillboardFacing.class,
                     (all, value) -> all.with(all.quality().withBillboardFacing(value))),
+            SettingKey.word(
+                    "particleLight",
+                    BallLight.class,
+                    (all, value) -> all.with(all.quality().withParticleLight(value))),
             SettingKey.word(
                     "impostors",
                     ImpostorChoice.class,

@@ -3,6 +3,7 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.asset.TestAssets;
+import nephele.engine.cloud.drawn.SkyplaneShape;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
@@ -14,7 +15,6 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

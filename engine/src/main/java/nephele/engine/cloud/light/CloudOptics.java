@@ -51,6 +51,12 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
         return afterScatterings(1, separation);
     }
 
+    /** Returns the share of light that is scattered into the cone around its direction whose edge has a separation. */
+    public double shareWithin(double separation) {
+        return (1 - backShare) * new HenyeyGreenstein(g).shareWithin(separation)
+                + backShare * new HenyeyGreenstein(backG).shareWithin(separation);
+    }
+
     /**
      * Returns the distribution of directions after a number of scatterings, per steradian. Lobes of Henyey and Greenstein
      * remain such lobes: their asymmetries multiply. After many scatterings nothing is left of two different lobes.

@@ -1,6 +1,8 @@
 package nephele.engine.render.frame;
 
 import java.util.function.Consumer;
+import nephele.engine.cloud.drawn.SkyplaneShape;
+import nephele.engine.cloud.light.BallLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 
 /**
@@ -21,6 +23,7 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudStep length of a step through a cloud, in its cells
  * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
  * @param cloudScattering model of light that clouds scatter more than once
+ * @param particleLight model of sunlight in clouds of technique {@code particles}
  * @param impostors whether clouds of balls that are far away are drawn from pictures of them
  * @param impostorErrorPixels greatest distance at which such a picture has a part of a cloud in a wrong place
  * @param skyplaneShape shape of the sheets of technique {@code skyplane}
@@ -47,6 +50,7 @@ public record Quality(
         int cloudLightCell,
         CloudScattering cloudScattering,
         BillboardFacing billboardFacing,
+        BallLight particleLight,
         ImpostorChoice impostors,
         double impostorErrorPixels,
         SkyplaneShape skyplaneShape,
@@ -75,6 +79,7 @@ public record Quality(
             2,
             CloudScattering.TWO_STREAM,
             BillboardFacing.VIEWER,
+            BallLight.TAIL,
             ImpostorChoice.AUTO,
             1,
             SkyplaneShape.SHELL,
@@ -149,20 +154,6 @@ public record Quality(
         OFF,
         /** Those whose pictures are right for long enough to be worth their making. */
         AUTO
-    }
-
-    /** The shape of the sheet as which a layer of clouds is drawn. */
-    public enum SkyplaneShape {
-        /** A sphere around the planet under an atmosphere, otherwise a plane. */
-        SHELL,
-        FLAT,
-        /**
-         * A mesh of 17 × 17 vertices around the eye that sinks by the square of the distance, 2√(R₂² − R₁²) wide and R₁
-         * above the eye, with R₂ = 9 R₁.
-         */
-        CURVED,
-        /** A hemisphere around the eye. */
-        DOME
     }
 
     /** The filter that scales a picture up. */
@@ -278,6 +269,10 @@ public record Quality(
         return with(draft -> draft.billboardFacing = facing);
     }
 
+    public Quality withParticleLight(BallLight model) {
+        return with(draft -> draft.particleLight = model);
+    }
+
     public Quality withImpostors(ImpostorChoice clouds) {
         return with(draft -> draft.impostors = clouds);
     }
@@ -333,6 +328,7 @@ public record Quality(
         private int cloudLightCell;
         private CloudScattering cloudScattering;
         private BillboardFacing billboardFacing;
+        private BallLight particleLight;
         private ImpostorChoice impostors;
         private double impostorErrorPixels;
         private SkyplaneShape skyplaneShape;
@@ -359,6 +355,7 @@ public record Quality(
             cloudLightCell = from.cloudLightCell;
             cloudScattering = from.cloudScattering;
             billboardFacing = from.billboardFacing;
+            particleLight = from.particleLight;
             impostors = from.impostors;
             impostorErrorPixels = from.impostorErrorPixels;
             skyplaneShape = from.skyplaneShape;
@@ -387,6 +384,7 @@ public record Quality(
                     cloudLightCell,
                     cloudScattering,
                     billboardFacing,
+                    particleLight,
                     impostors,
                     impostorErrorPixels,
                     skyplaneShape,

@@ -61,12 +61,14 @@ float smallAngleLight(float column, float depth) {
     return textureLod(smallAngles, vec2(column, row), 0.0).r;
 }
 
-#ifdef OCTAVES
+#if defined(OCTAVES) || defined(BEAM)
 float henyeyGreenstein(float g, float separation) {
     float squared = (1.0 - g) * (1.0 - g) + g * separation;
     return (1.0 - g) * (1.0 + g) / (FOUR_PI * squared * sqrt(squared));
 }
+#endif
 
+#ifdef OCTAVES
 // Light scattered towards the eye per optical depth, by octaves of single scattering (Wrenninge 2013; the form of
 // Hillaire 2016, "Physically Based Sky, Atmosphere and Cloud Rendering in Frostbite", equations 19 and 20).
 float octaves(float separation, float sunDepth) {

@@ -39,9 +39,14 @@ float narrowFading(vec3 ray) {
     return max(1e-3, medium.y * 0.5 * dot(apart, apart));
 }
 
+// Light of the sky, if the ball is opaque. fromAbove: its share that comes from the upper half
+vec3 puffSky(vec3 place, float fromAbove) {
+    float left = textureLod(cloudDensity, texelOf(place, place.y, 0.0, cells.x), 0.0).b;
+    return medium.z * (fromAbove * skyAbove + max(0.0, left - fromAbove) * skyBelow);
+}
+
 PuffLight puffLight(vec3 place, vec3 ray, float toEye) {
     vec4 light = lightAt(place, place.y);
-    float left = textureLod(cloudDensity, texelOf(place, place.y, 0.0, cells.x), 0.0).b;
     RayAngles angles = rayAngles(ray, stepping.w);
     float beam = exp(-medium.y * light.r);
     float toSun = 1.0 + angles.resistance * OBLIQUITY * light.r;
@@ -52,5 +57,5 @@ PuffLight puffLight(vec3 place, vec3 ray, float toEye) {
         smallAngleLight(angles.column, light.r + toEye),
         2.0 * (light.r + toEye + 1.0),
         medium.w * (angles.once * beam + kept * max(0.0, light.g + phase.x * slope)),
-        medium.z * (light.a * skyAbove + max(0.0, left - light.a) * skyBelow));
+        puffSky(place, light.a));
 }

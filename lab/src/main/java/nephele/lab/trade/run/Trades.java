@@ -39,6 +39,7 @@ public final class Trades {
             CloudSubjects.RESOLUTION,
             CloudSubjects.LIGHT,
             CloudSubjects.FACING,
+            CloudSubjects.BALL_LIGHT,
             CloudSubjects.IMPOSTORS,
             CloudSubjects.IMPOSTOR_ERROR,
             CloudSubjects.HISTORY,

@@ -83,6 +83,23 @@ public final class CloudSubjects {
                     PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
             Judged.STILL);
 
+    public static final Trade BALL_LIGHT = subject(
+            PARTICLES,
+            "particleLight",
+            new Trade.Text(
+                    "Sunlight in clouds of balls",
+                    "The tail is the two-stream model, with all light that is scattered often. Dobashi's model of 2000"
+                            + " has light that is scattered once; Harris' of 2001 also light that was scattered"
+                            + " forwards before, here so that it does not depend on the number of balls. Both lose"
+                            + " what leaves the beam.",
+                    ORACLE),
+            "tail",
+            List.of(
+                    PictureSetting.of("particleLight", "tail", "all presets"),
+                    PictureSetting.of("particleLight", "harris", ""),
+                    PictureSetting.of("particleLight", "dobashi", "")),
+            Judged.STILL);
+
     public static final Trade SHEET = sheet(
             "skyplaneShape",
             new Trade.Text(

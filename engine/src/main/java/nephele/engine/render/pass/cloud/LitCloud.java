@@ -134,12 +134,14 @@ public final class LitCloud {
         double greatestPerMetre = placed.presence() * shown.fullPerMetre();
         uniforms.medium().set((float) greatestPerMetre, (float) scaled.depthFactor(), (float) optics.albedo(), (float)
                 scaled.albedo());
-        uniforms.phase()
-                .set(
-                        (float) scaled.g(),
-                        (float) (1 / cloud.physics().smallAngles().deepest()),
-                        (float) cloud.halfCurvature(),
-                        (float) optics.meanCosine());
+        if (uniforms.phase() != null) {
+            uniforms.phase()
+                    .set(
+                            (float) scaled.g(),
+                            (float) (1 / cloud.physics().smallAngles().deepest()),
+                            (float) cloud.halfCurvature(),
+                            (float) optics.meanCosine());
+        }
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */

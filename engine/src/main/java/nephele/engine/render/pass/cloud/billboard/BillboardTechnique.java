@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.cloud.billboard;
 
 import nephele.engine.cloud.drawn.CloudPuffs;
+import nephele.engine.cloud.light.BallLight;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.pass.cloud.CloudContext;
@@ -28,6 +29,7 @@ public final class BillboardTechnique {
                         context,
                         pixels,
                         SHADERS,
+                        BallLight.TAIL,
                         PixelUniforms.defines(context, pixels).with("FACING", facing.ordinal())));
     }
 }

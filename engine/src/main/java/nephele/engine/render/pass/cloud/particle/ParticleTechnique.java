@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.cloud.particle;
 
 import nephele.engine.cloud.drawn.CloudPuffs;
+import nephele.engine.cloud.light.BallLight;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
@@ -19,7 +20,9 @@ public final class ParticleTechnique {
     private ParticleTechnique() {}
 
     private static CloudTechniqueDrawer drawer(CloudContext context) {
+        BallLight light = context.load().quality().particleLight();
         return new PuffClouds(
-                context, pixels -> new PuffProgram(context, pixels, SHADERS, PixelUniforms.defines(context, pixels)));
+                context,
+                pixels -> new PuffProgram(context, pixels, SHADERS, light, PixelUniforms.defines(context, pixels)));
     }
 }

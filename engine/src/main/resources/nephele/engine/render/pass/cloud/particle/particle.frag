@@ -1,11 +1,16 @@
-// One ball of a cloud: its optical depth in closed form, its light from the cells of the cloud.
+// One ball of a cloud: its optical depth in closed form, its light from the cells of the cloud. BEAM: sunlight of the beam only.
 #include "cloud-pixel.glsl"
 #include "puff-light.glsl"
 #include "puff-sum.glsl"
+#ifdef BEAM
+#include "puff-beam.glsl"
+#endif
 
 flat in vec4 puff;
 flat in float peak;
+#ifndef BEAM
 flat in vec2 depths;
+#endif
 
 struct Lit {
     float metres; // where the light that the eye sees of the ball is scattered, on the mean
@@ -15,9 +20,14 @@ struct Lit {
 
 const int SAMPLES = 4;
 
+// The part of the ray in which a ball is lit.
+vec2 litSpan(PuffPart part) {
+    return clamp(part.span, -MOST_DEVIATIONS * puff.w, MOST_DEVIATIONS * puff.w);
+}
+
 // Balls overlap: what hides a part of one is the whole cloud there, as its cells have it.
 Lit litPart(PuffPart part, vec3 ray) {
-    vec2 span = clamp(part.span, -MOST_DEVIATIONS * puff.w, MOST_DEVIATIONS * puff.w);
+    vec2 span = litSpan(part);
     float stepMetres = (span.y - span.x) / float(SAMPLES);
     vec3 sums = vec3(1e-12 * vec2(part.nearest + span.x, 0.0), 1e-12);
     float depth = 0.0;
@@ -41,11 +51,17 @@ void main() {
         discard;
     }
     Lit seen = litPart(part, at.ray);
+#ifdef BEAM
+    vec3 place = seen.metres * at.ray;
+    vec3 radiance = beamRadiance(beamSeen(part, litSpan(part), puff.w, at.ray), at.ray) * irradiance
+        + puffSky(place, lightAt(place, place.y).a);
+#else
     float through = depths.x + max(seen.through, part.depth) + depths.y;
     PuffLight light = puffLight(seen.metres * at.ray, at.ray, depths.x + seen.toFront);
     vec3 radiance = puffRadiance(
         vec2(light.narrow, light.diffuse), light.sky, irradiance, through,
         vec2(narrowFading(at.ray), light.straight), medium.y);
+#endif
     float covered = takenBy(part.depth);
     writeCloud(at, covered * radiance, covered, seen.metres);
 }

@@ -5,7 +5,9 @@
 
 flat out vec4 puff;
 flat out float peak;
+#ifndef BEAM
 flat out vec2 depths; // of the cloud in front of the ball and behind it, on the ray through its centre
+#endif
 
 // The corner of a quad that touches the cone around the ball, relative to the eye.
 vec3 cornerAround(vec2 corner, vec4 ball, float radius, float metres) {
@@ -26,5 +28,7 @@ void main() {
         corners[n] = isOutside ? cornerAround(CORNERS[n], ball, radius, metres) : vec3(0.0);
     }
     putCorner(puff.xyz, corners, peakAndCorner.yz, isOutside, radius);
+#ifndef BEAM
     depths = depthsBeside(puff.xyz / max(metres, 1e-6), metres + vec2(-MOST_DEVIATIONS, MOST_DEVIATIONS) * puff.w);
+#endif
 }
