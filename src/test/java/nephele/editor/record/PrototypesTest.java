@@ -44,7 +44,7 @@ class PrototypesTest {
                         "models",
                         "bodies",
                         "exits",
-                        "emitters"),
+                        "emitters", "terrains"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(

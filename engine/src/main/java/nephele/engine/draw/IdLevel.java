@@ -13,9 +13,9 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /**
