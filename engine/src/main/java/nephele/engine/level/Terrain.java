@@ -52,6 +52,11 @@ public record Terrain(
         }
     }
 
+    /** Returns this terrain with other layers. */
+    public Terrain withLayers(List<Layer> others) {
+        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, others, portalable);
+    }
+
     /** Returns this terrain at another place. */
     public Terrain at(Vec3 place) {
         return new Terrain(id, heightMap, place, sizeMetres, heightRangeMetres, layers, portalable);

@@ -179,13 +179,40 @@ public final class HeightField {
     }
 
     /** Returns the world y of a height. */
-    double y(double height) {
+    public double y(double height) {
         return origin.y() + height;
     }
 
     /** Returns the height of a sample in metres above the origin. */
     public float height(int column, int row) {
         return heights[row * columns + column];
+    }
+
+    /** Returns the least level of blocks, see {@link #writeBlock}, that are at least so many cells wide. */
+    public int blockLevel(int cells) {
+        int level = 0;
+        while (MinMaxPyramid.BLOCK_CELLS << level < cells && level < pyramid.top()) {
+            level++;
+        }
+        return level;
+    }
+
+    /**
+     * Writes the bounds of a block of cells: three minima, three maxima. Blocks of level 0 are four cells wide, those of
+     * each further level twice as wide.
+     */
+    public void writeBlock(int level, int column, int row, double[] bounds) {
+        HeightFieldBoxQuery.writeBlock(this, level, column, row, 0, bounds);
+    }
+
+    /** Returns the number of blocks of a level along x. */
+    public int blockColumns(int level) {
+        return pyramid.columns(level);
+    }
+
+    /** Returns the number of blocks of a level along z. */
+    public int blockRows(int level) {
+        return pyramid.rows(level);
     }
 
     /** Returns the box that contains the whole field. */

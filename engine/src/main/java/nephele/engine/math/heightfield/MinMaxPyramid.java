@@ -91,6 +91,14 @@ final class MinMaxPyramid {
         return columns.length - 1;
     }
 
+    int columns(int level) {
+        return columns[level];
+    }
+
+    int rows(int level) {
+        return rows[level];
+    }
+
     boolean has(int level, int column, int row) {
         return column < columns[level] && row < rows[level];
     }
