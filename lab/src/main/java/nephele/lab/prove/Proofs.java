@@ -40,6 +40,7 @@ import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 import nephele.lab.prove.sky.SkyTableProof;
+import nephele.lab.prove.terrain.TerrainProof;
 import nephele.lab.technique.CloudAutoProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
@@ -61,6 +62,7 @@ public final class Proofs {
             new SceneCullingProof(),
             new RayProof(),
             new HeightFieldProof(4097),
+            new TerrainProof(),
             new RotationProof(),
             new PlacementProof(),
             new RetriangulationProof(),

@@ -8,12 +8,12 @@ import nephele.engine.math.Pcg3d;
  * their numbers.
  */
 final class Erosion {
-    private static final int MOST_DROPS = 600_000;
+    private static final int MOST_DROPS = 400_000;
     private static final int STEPS = 48;
     private static final double INERTIA = 0.12;
-    private static final double CAPACITY = 5;
+    private static final double CAPACITY = 2.5;
     private static final double LEAST_SLOPE = 0.01;
-    private static final double TAKEN = 0.25;
+    private static final double TAKEN = 0.08;
     private static final double LEFT = 0.25;
     private static final double EVAPORATION = 0.98;
     private static final double GRAVITY = 4;
@@ -35,7 +35,7 @@ final class Erosion {
             return;
         }
         Erosion erosion = new Erosion(heights, side);
-        int drops = (int) Math.min(MOST_DROPS, (long) side * side);
+        int drops = (int) Math.min(MOST_DROPS, (long) side * side / 4);
         for (int drop = 0; drop < drops; drop++) {
             Pcg3d bits = Pcg3d.of(drop, seed, 77);
             erosion.run(1 + (side - 4) * Pcg3d.unit(bits.x()), 1 + (side - 4) * Pcg3d.unit(bits.y()));
