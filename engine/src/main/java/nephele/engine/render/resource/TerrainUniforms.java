@@ -45,7 +45,7 @@ public record TerrainUniforms(WholeVector4 chunk, Vector4 cell, Vector3 eyeHigh,
         chunk.set(column, row, field.cellColumns(), field.cellRows());
     }
 
-    private static float high(double metres) {
+    static float high(double metres) {
         return Float.intBitsToFloat(Float.floatToIntBits((float) metres) & -1 << FREE_BITS);
     }
 }

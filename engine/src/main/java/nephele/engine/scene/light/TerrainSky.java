@@ -14,12 +14,12 @@ import nephele.engine.math.heightfield.HeightFieldSurface;
  */
 public record TerrainSky(int columns, int rows, byte[] values) {
     /** The most points along a side. */
-    private static final int MOST_POINTS = 513;
+    private static final int MOST_POINTS = 257;
 
     private static final int AZIMUTHS = 16;
 
     /** The factor by which the steps along a direction grow, from the second cell on. */
-    private static final double GROWTH = 1.2;
+    private static final double GROWTH = 1.3;
 
     /** Finds the visibility at the field's samples, or at fewer points of a large one. */
     public static TerrainSky of(HeightField field) {

@@ -73,7 +73,7 @@ final class Ground {
         if (LightRequirements.skyShines(context.scene().level())) {
             uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
         }
-        return GroundUniforms.of(uniforms, look.surfaces().size(), look.kind().isTextured());
+        return GroundUniforms.of(uniforms, look.surfaces().size(), look.kind(), light);
     }
 
     private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {
