@@ -32,7 +32,10 @@ public final class PictureDecoder {
             return format == PictureFormat.PNG ? png(bytes) : ImageIoPictures.decode(format, bytes);
         } catch (IOException | RuntimeException problem) {
             throw new AssetException(
-                    assetId, "is damaged or of an unknown kind of " + format, "save it again as 8-bit PNG", problem);
+                    assetId,
+                    "is damaged or of an unknown kind of " + format,
+                    "save it again as " + limits.saved(),
+                    problem);
         } catch (OutOfMemoryError tooLarge) {
             throw new AssetException(assetId, "does not fit into memory", "make the picture smaller");
         }

@@ -25,9 +25,15 @@ class GroundRegionTest {
         HeightField field = HeightField.of(
                 Vec3.ZERO, 0.7, 33, 33, (column, row) -> column < 16 ? 0.25 : bumpMetres * ((column + row) % 2));
         Terrain said = new Terrain(
-                "g", "none", Vec3.ZERO, new Terrain.Sides(1, 1), new Terrain.HeightRange(0, 1), List.of(), isPortalable);
-        StaticShapes statics = new StaticShapes(
-                List.of(), PlacedModels.NONE, List.of(new StaticShape.HeightGrid(0, said, field)));
+                "g",
+                "none",
+                Vec3.ZERO,
+                new Terrain.Sides(1, 1),
+                new Terrain.HeightRange(0, 1),
+                List.of(),
+                isPortalable);
+        StaticShapes statics =
+                new StaticShapes(List.of(), PlacedModels.NONE, List.of(new StaticShape.HeightGrid(0, said, field)));
         Basis down = Basis.ofYawPitch(0, Math.toRadians(-89));
         ShotRay aim = new ShotRay(new Vec3(x, 5, z), down);
         return new Placement(PlacementSurfaces.of(statics), GUN).place("p", aim, List.of(), MovingSurfaces.NONE);
