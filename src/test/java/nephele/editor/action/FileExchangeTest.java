@@ -26,7 +26,7 @@ import nephele.editor.text.Words;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.BeforeEach;

@@ -44,7 +44,8 @@ class PrototypesTest {
                         "models",
                         "bodies",
                         "exits",
-                        "emitters"),
+                        "emitters",
+                        "terrains"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(

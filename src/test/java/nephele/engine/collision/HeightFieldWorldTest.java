@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.level.TestTerrain;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
@@ -27,7 +28,7 @@ class HeightFieldWorldTest {
 
     private static CollisionWorld ground(double out, double slope) {
         HeightField field = HeightField.of(new Vec3(out, 0, -out), 1, 33, 17, (column, row) -> slope * column);
-        return CollisionWorld.of(statics(List.of(), new StaticShape.HeightGrid("hill", field)));
+        return CollisionWorld.of(statics(List.of(), TestTerrain.grid("hill", field)));
     }
 
     private static StaticShapes statics(List<Brush> solids, StaticShape.HeightGrid grid) {
@@ -111,7 +112,7 @@ class HeightFieldWorldTest {
         HeightField field = HeightField.of(Vec3.ZERO, 1, 5, 5, (column, row) -> 0);
         ConvexPolyhedron box = ConvexPolyhedron.box(new Aabb(1, -1, 1, 2, 3, 2));
         Brush brush = new Brush("box", box, List.of());
-        CollisionWorld world = CollisionWorld.of(statics(List.of(brush), new StaticShape.HeightGrid("ground", field)));
+        CollisionWorld world = CollisionWorld.of(statics(List.of(brush), TestTerrain.grid("ground", field)));
         assertEquals(33, world.size());
         RayCast cast = new RayCast();
         assertTrue(cast.cast(world, new Ray(1.5, 9, 1.25, 0, -1, 0), 100));

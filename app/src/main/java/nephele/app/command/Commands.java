@@ -27,7 +27,9 @@ public final class Commands {
                     "Bake a level's sky into a skybox, or its light: bake LEVEL --sky NAME | --light",
                     () -> new BakeCommand()),
             new CommandEntry(
-                    "generate", "Make a primitive mesh: generate SHAPE NUMBER... OUT.3d", () -> new GenerateCommand()),
+                    "generate",
+                    "Make a primitive mesh or a height map: generate SHAPE NUMBER... OUT.3d",
+                    () -> new GenerateCommand()),
             new CommandEntry(
                     "scene",
                     "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]",

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.HeightMap;
 import nephele.engine.model.file.MeshText;
 import nephele.engine.model.shape.BezierPatches;
 import nephele.engine.model.shape.BezierShape;
@@ -17,10 +18,12 @@ import nephele.engine.model.shape.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
+import nephele.lab.art.terrain.TerrainFile;
+import nephele.lab.art.terrain.TerrainPainter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Makes a primitive mesh. */
+/** Makes a primitive mesh or a height map. */
 @picocli.CommandLine.Command(
         customSynopsis = {
             "nephele generate plane LENGTH DIVISIONS [--two-sided] OUT.3d",
@@ -29,7 +32,8 @@ import picocli.CommandLine.Parameters;
             "       nephele generate sphere RADIUS SLICES STACKS OUT.3d",
             "       nephele generate cylinder RADIUS HEIGHT SLICES OUT.3d",
             "       nephele generate torus RADIUS TUBE SLICES STACKS OUT.3d",
-            "       nephele generate patch FILE.patch TESSELLATION OUT.3d"
+            "       nephele generate patch FILE.patch TESSELLATION OUT.3d",
+            "       nephele generate terrain SEED SIZE OUT.png"
         },
         footer = {
             "",
@@ -41,6 +45,8 @@ import picocli.CommandLine.Parameters;
             "SLICES        parts of the circle around the y axis, 3 to 512",
             "STACKS        parts from bottom to top or around the tube, 1 (sphere 2, torus 3) to 512",
             "TESSELLATION  parts of each side of a Bézier patch, 1 to 512",
+            "SEED          whole number; each makes another landscape",
+            "SIZE          heights along a side of a height map, 2 to 8193",
             "",
             "Meshes are centred at the origin; a cone stands on the xz plane.",
             "docs/models.md has the formats."
@@ -57,10 +63,13 @@ final class GenerateCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         String kind = words.get(0);
+        if (kind.equals("terrain")) {
+            return terrain();
+        }
         boolean patch = kind.equals("patch");
         if (!patch && ShapeKind.named(kind).isEmpty()) {
             throw CommandFailure.usage(
-                    kind + " is no shape: use plane, box, cone, sphere, cylinder, torus or patch. " + help());
+                    kind + " is no shape: use plane, box, cone, sphere, cylinder, torus, patch or terrain. " + help());
         }
         if (words.size() < 3) {
             throw CommandFailure.usage(kind + " needs numbers and a file to write. " + help());
@@ -73,10 +82,38 @@ final class GenerateCommand implements Command {
         return ExitCode.DONE;
     }
 
+    private ExitCode terrain() {
+        if (words.size() != 4 || twoSided) {
+            throw CommandFailure.usage("terrain takes SEED, SIZE and the file to write. " + help());
+        }
+        int seed = whole("SEED", words.get(1), Integer.MIN_VALUE, Integer.MAX_VALUE);
+        int side = whole("SIZE", words.get(2), HeightMap.LEAST_SAMPLES, HeightMap.MOST_SAMPLES);
+        Path out = out(".png");
+        byte[] picture = TerrainFile.png(TerrainPainter.heights(seed, side), side);
+        WrittenFile.write(out, file -> AtomicFile.write(file, picture));
+        return ExitCode.DONE;
+    }
+
+    private static int whole(String name, String text, int least, int most) {
+        try {
+            long number = Long.parseLong(text);
+            if (number >= least && number <= most) {
+                return (int) number;
+            }
+        } catch (NumberFormatException noNumber) {
+            // Reported below, as a number out of range is.
+        }
+        throw CommandFailure.usage(name + " is a whole number from " + least + " to " + most + ", not " + text);
+    }
+
     private Path out() {
+        return out(".3d");
+    }
+
+    private Path out(String ending) {
         String name = words.get(words.size() - 1);
-        if (!name.endsWith(".3d")) {
-            throw CommandFailure.usage("the last word names the file to write and ends in .3d, not " + name);
+        if (!name.endsWith(ending)) {
+            throw CommandFailure.usage("the last word names the file to write and ends in " + ending + ", not " + name);
         }
         return path(name);
     }

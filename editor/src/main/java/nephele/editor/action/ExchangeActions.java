@@ -16,7 +16,7 @@ import nephele.editor.save.PackageException;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /** Packages, files that are added, backups, and work that a crash has left. */

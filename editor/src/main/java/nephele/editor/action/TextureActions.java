@@ -23,8 +23,8 @@ import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.TexturePlacement;
+import nephele.engine.level.appearance.SolidFaces;
 
 /** Placing the pictures on the selected faces, or on all faces of the selected solids. */
 final class TextureActions {

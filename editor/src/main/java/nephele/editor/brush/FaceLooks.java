@@ -6,7 +6,7 @@ import java.util.Objects;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 
 /**
  * Changes of what the faces of a solid show, where {@link SolidFaces} changes what they say: what equals the solid's

@@ -10,8 +10,8 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.TexturePlacement;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 

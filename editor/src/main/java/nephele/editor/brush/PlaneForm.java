@@ -6,7 +6,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;

@@ -19,6 +19,10 @@ public enum HeatText implements Text {
             "No portal: this surface takes none",
             "Sem portal: esta superfície não aceita portais",
             "Sem portal: esta superfície não aceita portais"),
+    NOT_FLAT(
+            "No portal: the ground is not flat here",
+            "Sem portal: o chão não é plano aqui",
+            "Sem portal: o chão não é plano aqui"),
     OVERLAPS_OTHER(
             "No portal: another portal is in its place",
             "Sem portal: outro portal está no lugar",

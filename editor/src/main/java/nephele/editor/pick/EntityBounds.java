@@ -13,6 +13,7 @@ import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Spatial;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.PlayerDimensions;
@@ -39,8 +40,24 @@ public final class EntityBounds {
             return Aabb.around(portal.centre(), portal.normal()).union(cube(portal.centre(), half / 2));
         } else if (entity instanceof ModelPlacement model) {
             return cube(origin(model), SYMBOL_METRES);
+        } else if (entity instanceof Terrain terrain) {
+            return terrain(terrain);
         }
         return generic(entity);
+    }
+
+    private static Aabb terrain(Terrain said) {
+        double halfX = said.sizeMetres().x() / 2;
+        double halfZ = said.sizeMetres().z() / 2;
+        Vec3 centre = said.centre();
+        Terrain.HeightRange range = said.heightRangeMetres();
+        return new Aabb(
+                centre.x() - halfX,
+                centre.y() + Math.min(range.low(), range.high()),
+                centre.z() - halfZ,
+                centre.x() + halfX,
+                centre.y() + Math.max(range.low(), range.high()),
+                centre.z() + halfZ);
     }
 
     private static Aabb solid(Solid solid) {

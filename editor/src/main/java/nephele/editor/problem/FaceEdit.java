@@ -9,7 +9,7 @@ import nephele.editor.record.RecordKind;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 
 /** Changes of a face's material and portalability, by the path of its record; without one, of the whole solid. */
 final class FaceEdit {

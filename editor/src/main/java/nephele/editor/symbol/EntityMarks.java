@@ -17,6 +17,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
@@ -42,7 +43,7 @@ public final class EntityMarks {
     }
 
     /**
-     * Returns the marks of everything without a surface, and of selected models and bodies.
+     * Returns the marks of everything without a surface, and of selected models, bodies and terrains.
      *
      * @param shapes the level's, for the bounds of its models
      * @param selected names of entities that have the colour of the selection and show more of themselves
@@ -60,6 +61,7 @@ public final class EntityMarks {
         level.portals().forEach(portal -> all.portal(portal, level));
         level.bodies().forEach(all::body);
         shapes.models().all().forEach(all::model);
+        shapes.ground().forEach(all::terrain);
         return List.copyOf(all.marks);
     }
 
@@ -180,6 +182,13 @@ public final class EntityMarks {
         String name = "models/" + model.said().id();
         if (selected.contains(name) && !isHidden(name) && !model.bounds().isEmpty()) {
             wires(name).box(model.bounds());
+        }
+    }
+
+    private void terrain(StaticShape.HeightGrid ground) {
+        String name = "terrains/" + ground.said().id();
+        if (selected.contains(name) && !isHidden(name)) {
+            wires(name).box(ground.bounds());
         }
     }
 

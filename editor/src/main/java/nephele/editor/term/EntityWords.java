@@ -49,6 +49,7 @@ public final class EntityWords {
         kind("environment.sky", Group.SKY);
         kind("environment.fog", Group.SKY);
         kind("environment.lightning", Group.SKY);
+        kind("terrains", Group.SCENE);
         kind("models", Group.SCENE);
         kind("cameras", Group.SCENE);
         kind("materials", Group.SCENE);

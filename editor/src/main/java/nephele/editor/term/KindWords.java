@@ -32,6 +32,7 @@ public final class KindWords {
             word("sphere", "Sphere", "Esfera", "Esfera"),
             word("spot", "Spot light", "Refletor", "Projetor"),
             word("sun", "Sun", "Sol", "Sol"),
+            word("terrain", "Terrain", "Terreno", "Terreno"),
             word("wedge", "Wedge", "Cunha", "Cunha"));
 
     private KindWords() {}

@@ -5,8 +5,8 @@ import java.io.InputStream;
 
 /** The size limit of assets, enforced before their content is parsed. */
 final class AssetLimits {
-    /** Maximum bytes of any asset file. */
-    static final int MAX_FILE_BYTES = 128 << 20;
+    /** Maximum bytes of any asset file; raw heights of 8193 x 8193 samples need a little more than 128 MiB. */
+    static final int MAX_FILE_BYTES = 129 << 20;
 
     private AssetLimits() {}
 

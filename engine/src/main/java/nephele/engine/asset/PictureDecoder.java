@@ -4,11 +4,8 @@ import java.io.IOException;
 
 /** Decodes picture files in pure Java; size limits are enforced before pixels are allocated. */
 public final class PictureDecoder {
-    /** Maximum width and height in pixels. */
+    /** Maximum width and height in pixels of pictures that are drawn. */
     public static final int MAX_SIDE_PIXELS = 8192;
-
-    private static final long MAX_PIXELS = 64L << 20;
-    private static final int MAX_FILE_BYTES = 64 << 20;
 
     /** Maximum plausible ratio of pixel bytes to file bytes; OpenImageIO's limit (its pull request 5319). */
     private static final int MAX_EXPANSION = 10_000;
@@ -22,16 +19,23 @@ public final class PictureDecoder {
      * @throws AssetException if the format is unknown, or the picture is damaged or too large
      */
     public static Picture decode(String assetId, byte[] bytes) throws AssetException {
+        return decode(assetId, bytes, PictureLimits.DRAWN);
+    }
+
+    static Picture decode(String assetId, byte[] bytes, PictureLimits limits) throws AssetException {
         PictureFormat format = PictureFormat.of(assetId, bytes);
         if (format == null) {
             throw new AssetException(assetId, "is not a picture", "use a PNG, JPEG, BMP or TGA file");
         }
-        checkHeader(assetId, format, bytes);
+        checkHeader(assetId, format, bytes, limits);
         try {
             return format == PictureFormat.PNG ? png(bytes) : ImageIoPictures.decode(format, bytes);
         } catch (IOException | RuntimeException problem) {
             throw new AssetException(
-                    assetId, "is damaged or of an unknown kind of " + format, "save it again as 8-bit PNG", problem);
+                    assetId,
+                    "is damaged or of an unknown kind of " + format,
+                    "save it again as " + limits.saved(),
+                    problem);
         } catch (OutOfMemoryError tooLarge) {
             throw new AssetException(assetId, "does not fit into memory", "make the picture smaller");
         }
@@ -44,9 +48,10 @@ public final class PictureDecoder {
                 : ImageIoPictures.decode(PictureFormat.PNG, file.withoutAncillaryChunks());
     }
 
-    private static void checkHeader(String assetId, PictureFormat format, byte[] bytes) {
-        if (bytes.length > MAX_FILE_BYTES) {
-            throw new AssetException(assetId, "has more than 64 MiB", "make the picture smaller");
+    private static void checkHeader(String assetId, PictureFormat format, byte[] bytes, PictureLimits limits) {
+        if (bytes.length > limits.fileBytes()) {
+            throw new AssetException(
+                    assetId, "has more than " + (limits.fileBytes() >> 20) + " MiB", "make the picture smaller");
         }
         PictureFormat.Size size = format.size(bytes);
         if (size == null) {
@@ -56,11 +61,11 @@ public final class PictureDecoder {
         if (size.width() < 1 || size.height() < 1) {
             throw new AssetException(assetId, "has no pixels", "save it with a width and height of at least 1");
         }
-        if (size.width() > MAX_SIDE_PIXELS || size.height() > MAX_SIDE_PIXELS || pixels > MAX_PIXELS) {
+        if (Math.max(size.width(), size.height()) > limits.sidePixels() || pixels > limits.pixels()) {
             throw new AssetException(
                     assetId,
                     "claims " + size.width() + " x " + size.height() + " pixels",
-                    "at most " + MAX_SIDE_PIXELS + " on a side are read");
+                    "at most " + limits.sidePixels() + " on a side are read");
         }
         if (4 * pixels > (long) MAX_EXPANSION * bytes.length) {
             throw new AssetException(

@@ -13,13 +13,14 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /**
- * The level of {@code --set debug=ids}: each solid, then each body, then each model has a unique flat colour, for plain
+ * The level of {@code --set debug=ids}: each solid, then each body, then each model, then each terrain has a unique flat colour, for plain
  * output. Mirrors stay mirrors.
  */
 public final class IdLevel {
@@ -59,6 +60,12 @@ public final class IdLevel {
             models.add(new ModelPlacement(
                     model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
         }
+        var terrains = new ArrayList<Terrain>();
+        for (var terrain : level.terrains()) {
+            var material = flat("id-" + materials.size(), colour(materials.size()));
+            materials.add(material);
+            terrains.add(terrain.withLayers(List.of(Terrain.Layer.everywhere(material.id()))));
+        }
         if (!mirrors.isEmpty()) {
             materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
@@ -66,14 +73,15 @@ public final class IdLevel {
         return level.with(flatLight, List.of())
                 .with(materials, solids, bodies, models)
                 .withExits(List.of())
-                .withEmitters(List.of());
+                .withEmitters(List.of())
+                .withTerrains(terrains);
     }
 
     /**
      * Returns the 8-bit colour of a surface, 0xRRGGBB; black means no surface.
      *
      * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a
-     *     model
+     *     model, or of all three plus that of a terrain
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;

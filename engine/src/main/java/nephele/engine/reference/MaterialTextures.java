@@ -74,15 +74,20 @@ final class MaterialTextures {
         return byId.getOrDefault(material, GREY);
     }
 
-    static SurfacePoint covered(Bare bare, Skin skin, Spot spot) {
-        Material material = skin.material();
+    /** Returns the base colour of a material at a place of its pictures. */
+    static Vector3d colour(Skin skin, double s, double t) {
         double[] rgba = {1, 1, 1, 1};
         if (skin.colour() != null) {
-            skin.colour().read(spot.s(), spot.t(), rgba);
+            skin.colour().read(s, t, rgba);
         }
-        Vector3d colour = material.baseColour().toVector().mul(rgba[0], rgba[1], rgba[2]);
+        return skin.material().baseColour().toVector().mul(rgba[0], rgba[1], rgba[2]);
+    }
+
+    static SurfacePoint covered(Bare bare, Skin skin, Spot spot) {
+        Material material = skin.material();
+        Vector3d colour = colour(skin, spot.s(), spot.t());
+        double[] rgba = {1, 1, 1, 1};
         Vector3dc normal = bare.normal();
-        rgba[3] = 1;
         if (skin.normals() != null) {
             skin.normals().read(spot.s(), spot.t(), rgba);
             normal = NormalMap.mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), bare.normal(), spot.across(), spot.up());

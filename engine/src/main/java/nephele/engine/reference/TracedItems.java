@@ -13,7 +13,8 @@ import nephele.engine.math.bvh.SpatialIndex;
 import org.joml.Vector3dc;
 
 /**
- * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models.
+ * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models, then
+ * terrains.
  * Safe to share between threads.
  */
 final class TracedItems {
@@ -36,12 +37,17 @@ final class TracedItems {
         List<TracedShape> all = new ArrayList<>(traced.solids());
         all.addAll(pieces);
         all.addAll(traced.models());
+        all.addAll(traced.grounds());
         items = all.toArray(TracedShape[]::new);
         solids = traced.solids().size();
         surfaces = IntStream.concat(
                         IntStream.concat(
                                 IntStream.range(0, solids), pieces.stream().mapToInt(piece -> solids + piece.body())),
-                        IntStream.range(0, traced.models().size()).map(model -> solids + bodies + model))
+                        IntStream.range(
+                                        0,
+                                        traced.models().size()
+                                                + traced.grounds().size())
+                                .map(other -> solids + bodies + other))
                 .toArray();
         List<Aabb> boxes = all.stream().map(TracedShape::bounds).toList();
         bounds = boxes.stream()
@@ -65,7 +71,8 @@ final class TracedItems {
         return item < 0 || items[item].shadesItself() ? -1 : item;
     }
 
-    /** Returns the index of a solid, the number of solids plus that of a body, or of both plus that of a model. */
+    /** Returns the index of a solid, the number of solids plus that of a body, or of all three plus that of
+     * a terrain. */
     int surface(int item) {
         return surfaces[item];
     }

@@ -10,6 +10,8 @@ final class TracedStatics implements StaticShape.Cases {
     private final List<TracedSolid> solids = new ArrayList<>();
     private final List<TriangleMeshShape> models = new ArrayList<>();
 
+    private final List<GroundShape> grounds = new ArrayList<>();
+
     TracedStatics(StaticShapes statics) {
         statics.all().forEach(shape -> shape.select(this));
     }
@@ -26,7 +28,7 @@ final class TracedStatics implements StaticShape.Cases {
 
     @Override
     public void heightGrid(StaticShape.HeightGrid grid) {
-        // Height grids are not traced yet.
+        grounds.add(new GroundShape(grid));
     }
 
     List<TracedSolid> solids() {
@@ -35,5 +37,9 @@ final class TracedStatics implements StaticShape.Cases {
 
     List<TriangleMeshShape> models() {
         return models;
+    }
+
+    List<GroundShape> grounds() {
+        return grounds;
     }
 }

@@ -30,6 +30,7 @@ import nephele.engine.render.pass.sky.AtmospherePass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
+import nephele.engine.render.pass.terrain.TerrainPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 import nephele.engine.render.pass.upscale.UpscalePass;
 
@@ -54,6 +55,7 @@ public final class RenderFeatures {
             ShaftPass.FEATURE,
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
+            TerrainPass.FEATURE,
             DynamicPass.FEATURE,
             GradientSkyPass.FEATURE,
             AtmospherePass.FEATURE,

@@ -48,6 +48,7 @@ public final class WorldRules {
     private static boolean hasShapes(Level level) {
         return !level.solids().isEmpty()
                 || !level.models().isEmpty()
+                || !level.terrains().isEmpty()
                 || !level.bodies().isEmpty()
                 || !level.portals().isEmpty();
     }

@@ -41,6 +41,7 @@ import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 import nephele.lab.prove.sky.SkyTableProof;
+import nephele.lab.prove.terrain.TerrainProof;
 import nephele.lab.technique.CloudAutoProof;
 import nephele.lab.technique.CloudRadianceProof;
 
@@ -64,6 +65,7 @@ public final class Proofs {
             new RayProof(),
             new HeightFieldProof(4097),
             new CollisionBoundsProof(),
+            new TerrainProof(),
             new RotationProof(),
             new PlacementProof(),
             new RetriangulationProof(),

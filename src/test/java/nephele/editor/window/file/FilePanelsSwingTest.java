@@ -49,7 +49,7 @@ import nephele.editor.window.WindowLook;
 import nephele.editor.window.viewport.ViewportPanel;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;

@@ -16,6 +16,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 
@@ -61,6 +62,10 @@ public final class LevelRepair implements LevelDerivation {
                 IdentityDiff.list(level.solids(), solids),
                 level.bodies(),
                 models(level.models()));
+        List<Terrain> terrains = level.terrains().stream()
+                .filter(terrain -> !isUnusable(terrain.heightMap()))
+                .toList();
+        repaired = terrains.size() == level.terrains().size() ? repaired : repaired.withTerrains(terrains);
         Environment environment = usable(level.environment());
         return environment == level.environment() ? repaired : repaired.with(environment, level.lights());
     }
@@ -144,7 +149,8 @@ public final class LevelRepair implements LevelDerivation {
         boolean isClouds = level.environment().clouds().stream()
                 .anyMatch(cloud ->
                         cloud.density().assetId().filter(assetId::equals).isPresent());
-        return isMaterials || isModels || isSky || isClouds;
+        boolean isTerrains = level.terrains().stream().anyMatch(terrain -> isUnusable(terrain.heightMap()));
+        return isMaterials || isModels || isTerrains || isSky || isClouds;
     }
 
     private boolean learnSolids(Level level) {

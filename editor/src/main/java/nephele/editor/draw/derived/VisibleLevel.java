@@ -13,6 +13,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.IdentityDiff;
 
 /**
@@ -42,6 +43,7 @@ public final class VisibleLevel implements LevelDerivation {
         shown = shown.withPortals(shown(level.portals(), "portals/", PortalSpec::id, hidden));
         shown = shown.withExits(shown(level.exits(), "exits/", Exit::id, hidden));
         shown = shown.withEmitters(shown(level.emitters(), "emitters/", Emitter::id, hidden));
+        shown = shown.withTerrains(shown(level.terrains(), "terrains/", Terrain::id, hidden));
         Environment environment = level.environment();
         List<Cloud> clouds = shown(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
         if (clouds.size() < environment.clouds().size()) {

@@ -3,8 +3,8 @@ package nephele.editor.tool.paint;
 import java.util.Objects;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.TexturePlacement;
+import nephele.engine.level.appearance.SolidFaces;
 
 /** Gives faces of solids a material; {@code null} is grey. */
 public final class FacePaint {

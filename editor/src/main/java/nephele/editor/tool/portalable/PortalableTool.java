@@ -18,8 +18,8 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.appearance.SolidFaces;
 
 /** Decides which faces take portals: a click changes a face, a drag makes all faces that it touches like the first. */
 public final class PortalableTool implements Tool {

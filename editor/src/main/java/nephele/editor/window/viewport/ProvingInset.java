@@ -55,8 +55,15 @@ final class ProvingInset {
         return switch (text) {
             case FITS -> new LegendLine(MarkColour.ALLOWED, Pattern.PLAIN, words);
             case SLIDES -> new LegendLine(MarkColour.SLIDES, Pattern.SLANTED, words);
-            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE, NOT_PORTALABLE, OVERLAPS_OTHER, TOO_SMALL, EDGE, OCCUPIED ->
-                new LegendLine(MarkColour.REFUSED, Pattern.CROSSED, words);
+            case NOTHING_HIT,
+                    OUT_OF_RANGE,
+                    MOVING_SURFACE,
+                    NOT_PORTALABLE,
+                    NOT_FLAT,
+                    OVERLAPS_OTHER,
+                    TOO_SMALL,
+                    EDGE,
+                    OCCUPIED -> new LegendLine(MarkColour.REFUSED, Pattern.CROSSED, words);
         };
     }
 }

@@ -7,7 +7,6 @@ import java.util.function.Predicate;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /** Finds the faces of a level's solids that are mirrors. */

@@ -3,10 +3,18 @@ package nephele.engine.level.layout;
 import java.util.List;
 import nephele.engine.level.placed.PlacedRule;
 
-/** The rules on the layout of shapes, in the order in which their problems are reported; all give warnings. */
+/**
+ * The rules on the layout of shapes, in the order in which their problems are reported; only starts below
+ * the ground are errors.
+ */
 public final class LayoutRules {
-    public static final List<PlacedRule> ALL =
-            List.of(BrushRules.THICK, BrushRules.IN_SIGHT, FaceRules.APART, BuriedRules.LIGHTS, LeakRules.CLOSED);
+    public static final List<PlacedRule> ALL = List.of(
+            BrushRules.THICK,
+            BrushRules.IN_SIGHT,
+            FaceRules.APART,
+            BuriedRules.LIGHTS,
+            LeakRules.CLOSED,
+            GroundRules.ABOVE);
 
     private LayoutRules() {}
 }

@@ -1,6 +1,7 @@
 package nephele.engine.level.placed;
 
 import nephele.engine.level.Brush;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.heightfield.HeightField;
 
@@ -53,8 +54,16 @@ public sealed interface StaticShape {
         }
     }
 
-    /** A height field. It is solid; no level has one yet, and no part of the program draws, traces or shades it. */
-    record HeightGrid(String id, HeightField field) implements StaticShape {
+    /**
+     * A terrain of the level. It is solid.
+     *
+     * @param index in the level's list
+     */
+    record HeightGrid(int index, Terrain said, HeightField field) implements StaticShape {
+        public String id() {
+            return said.id();
+        }
+
         @Override
         public Aabb bounds() {
             return field.bounds();

@@ -23,22 +23,22 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
     }
 
     /**
-     * Derives the shapes and reads the level's meshes.
+     * Derives the shapes and reads the level's meshes and height maps.
      *
-     * @throws nephele.engine.asset.AssetException that names a mesh that is missing or cannot be used
+     * @throws nephele.engine.asset.AssetException that names a mesh or height map that is missing or cannot be used
      */
     public static StaticShapes of(Level level, AssetSource assets) {
-        return new StaticShapes(brushes(level), PlacedModels.of(level, assets), List.of());
+        return new StaticShapes(brushes(level), PlacedModels.of(level, assets), Grounds.of(level, assets));
     }
 
     /**
-     * Derives the shapes of a level without models.
+     * Derives the shapes of a level without models and terrains.
      *
-     * @throws IllegalArgumentException if it has models, which need their files
+     * @throws IllegalArgumentException if it has any, which need their files
      */
     public static StaticShapes of(Level level) {
-        if (!level.models().isEmpty()) {
-            throw new IllegalArgumentException("a level with models is nothing without their files");
+        if (!level.models().isEmpty() || !level.terrains().isEmpty()) {
+            throw new IllegalArgumentException("a level with models or terrains is nothing without their files");
         }
         return of(brushes(level));
     }
@@ -71,7 +71,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         }
         List<Brush> others = IdentityDiff.list(solids, brushes);
         PlacedModels placed = models.edited(level, assets);
-        return others == solids && placed == models ? this : new StaticShapes(others, placed, ground);
+        List<StaticShape.HeightGrid> grids = Grounds.edited(ground, level, assets);
+        return others == solids && placed == models && grids == ground ? this : new StaticShapes(others, placed, grids);
     }
 
     /** Returns these shapes with other models. */

@@ -19,7 +19,8 @@ import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.Terrain;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.level.json.WrittenMaterials;
 
 /** Every id is unique in its section, and every reference names an existing record. */
@@ -35,6 +36,7 @@ final class IdRules {
         unique("bodies", level.bodies(), Body::id, report);
         unique("exits", level.exits(), Exit::id, report);
         unique("emitters", level.emitters(), Emitter::id, report);
+        unique("terrains", level.terrains(), Terrain::id, report);
     };
 
     static final LevelRule MATERIALS = (level, assets, report) -> {
@@ -44,6 +46,10 @@ final class IdRules {
         LevelRule.each("solids", level.solids(), references::solid);
         LevelRule.each("models", level.models(), (path, model) -> references.material(path, model.material()));
         LevelRule.each("bodies", level.bodies(), (path, body) -> references.material(path, body.material()));
+        LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
+            LevelRule.each(
+                    path + ".layers", terrain.layers(), (at, layer) -> references.material(at, layer.material()));
+        });
     };
 
     private IdRules() {}

@@ -33,10 +33,11 @@ public final class LevelRules {
             ExitRules.REACHABLE,
             EmitterRules.COUNT,
             EmitterRules.USED,
+            TerrainRules.LAYERS,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 
-    /** All rules; the last ones read every picture and every mesh. */
+    /** All rules; the last ones read every picture, mesh and height map. */
     public static final List<LevelRule> ALL = all();
 
     private LevelRules() {}
@@ -45,6 +46,7 @@ public final class LevelRules {
         List<LevelRule> all = new ArrayList<>(STRUCTURE);
         all.add(AssetRules.READABLE);
         all.add(ModelRules.READABLE);
+        all.add(TerrainRules.READABLE);
         return List.copyOf(all);
     }
 

@@ -17,6 +17,12 @@ final class MirrorRules {
         LevelRule.each("materials", level.materials(), (path, material) -> bare(path, material, report));
         LevelRule.each("models", level.models(), (path, model) -> onlySolids(path, model.material(), mirrors, report));
         LevelRule.each("bodies", level.bodies(), (path, body) -> onlySolids(path, body.material(), mirrors, report));
+        LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
+            LevelRule.each(
+                    path + ".layers",
+                    terrain.layers(),
+                    (at, layer) -> onlySolids(at, layer.material(), mirrors, report));
+        });
     };
 
     private MirrorRules() {}

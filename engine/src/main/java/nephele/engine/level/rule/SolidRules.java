@@ -7,7 +7,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
-import nephele.engine.level.SolidFaces;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 

@@ -2,8 +2,8 @@ package nephele.engine.level.rule;
 
 import java.util.function.Consumer;
 import nephele.engine.level.Problem;
-import nephele.engine.level.SolidFaces;
 import nephele.engine.level.TexturePlacement;
+import nephele.engine.level.appearance.SolidFaces;
 
 /** The placement of a picture on a face can be inverted. */
 final class TextureRules {

@@ -12,7 +12,7 @@ import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SweptAabb;
 
 /**
- * A surface over a regular grid of heights. Each cell is split into two triangles along the diagonal from its corner of
+ * A surface over a regular grid of heights, which are stored as floats. Each cell is split into two triangles along the diagonal from its corner of
  * least x and z to that of greatest x and z. Cells and triangles are not stored; they are computed, and found through a
  * min-max pyramid of the heights. Triangle 2 (row · cells per row + column) is the half of a cell with the greater z,
  * the next number the half with the greater x; their front faces point up. Immutable and thread-safe.
@@ -27,15 +27,17 @@ public final class HeightField {
     /** About ninety ε. */
     private static final double RELATIVE_ROUNDING = 1e-14;
 
-    private static final double LEAST_CELL_METRES = 1e-3;
+    /** The least edge length of a cell. */
+    public static final double LEAST_CELL_METRES = 1e-3;
 
     private static final double FARTHEST_METRES = 1e7;
 
     private final Vec3 origin;
-    private final double cellMetres;
+    private final double cellX;
+    private final double cellZ;
     private final int columns;
     private final int rows;
-    private final double[] heights;
+    private final float[] heights;
     private final MinMaxPyramid pyramid;
 
     /** A function that returns the height of each sample, in metres above the origin. */
@@ -44,48 +46,84 @@ public final class HeightField {
         double metres(int column, int row);
     }
 
-    private HeightField(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
+    private HeightField(Vec3 origin, double cellX, double cellZ, int columns, int rows, Heights source) {
         this.origin = origin;
-        this.cellMetres = cellMetres;
+        this.cellX = cellX;
+        this.cellZ = cellZ;
         this.columns = columns;
         this.rows = rows;
-        heights = new double[columns * rows];
+        heights = new float[columns * rows];
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
-                heights[row * columns + column] = checked(source.metres(column, row), column, row);
+                heights[row * columns + column] = (float) checked(source.metres(column, row), column, row);
             }
         }
         pyramid = new MinMaxPyramid(heights, columns, rows);
+    }
+
+    /** Creates a height field with square cells, as {@link #of(Vec3, double, double, int, int, Heights)} does. */
+    public static HeightField of(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
+        return of(origin, cellMetres, cellMetres, columns, rows, source);
     }
 
     /**
      * Creates a height field.
      *
      * @param origin position of the sample at column 0 and row 0 for height 0; columns run along x, rows along z
-     * @param cellMetres edge length of a cell, 1e-3 to 1e7
+     * @param cellX edge length of a cell along x in metres, 1e-3 to 1e7
+     * @param cellZ the same along z
      * @param columns samples along x, 2 to {@link #MOST_SAMPLES}
      * @param rows samples along z, 2 to {@link #MOST_SAMPLES}
-     * @param source called once for each sample
+     * @param source called once for each sample; the result is rounded to a float
      * @throws IllegalArgumentException with the reason if the grid is too small or too large, extends beyond 1e7 m, or
      *     a height is NaN or beyond 1e7 m
      */
-    public static HeightField of(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
+    public static HeightField of(Vec3 origin, double cellX, double cellZ, int columns, int rows, Heights source) {
         if (Math.min(columns, rows) < 2 || Math.max(columns, rows) > MOST_SAMPLES) {
             throw new IllegalArgumentException("a height field has 2 to " + MOST_SAMPLES
                     + " samples along each side, not " + columns + " × " + rows);
         }
-        if (!(cellMetres >= LEAST_CELL_METRES && cellMetres <= FARTHEST_METRES)) {
-            throw new IllegalArgumentException("a height field's cells are " + LEAST_CELL_METRES + " m to "
-                    + FARTHEST_METRES + " m wide, not " + cellMetres + " m");
-        }
+        requireCell(cellX);
+        requireCell(cellZ);
+        requireNear(origin, (columns - 1) * cellX, (rows - 1) * cellZ);
+        return new HeightField(origin, cellX, cellZ, columns, rows, source);
+    }
+
+    private HeightField(Vec3 origin, HeightField other) {
+        this.origin = origin;
+        cellX = other.cellX;
+        cellZ = other.cellZ;
+        columns = other.columns;
+        rows = other.rows;
+        heights = other.heights;
+        pyramid = other.pyramid;
+    }
+
+    /**
+     * Returns this field at another place; shares the heights.
+     *
+     * @throws IllegalArgumentException if it then extends beyond 1e7 m
+     */
+    public HeightField at(Vec3 place) {
+        requireNear(place, (columns - 1) * cellX, (rows - 1) * cellZ);
+        return new HeightField(place, this);
+    }
+
+    private static void requireNear(Vec3 origin, double width, double depth) {
         double farthest = Math.max(
-                Math.max(Math.abs(origin.x()), Math.abs(origin.x() + (columns - 1) * cellMetres)),
-                Math.max(Math.abs(origin.z()), Math.abs(origin.z() + (rows - 1) * cellMetres)));
+                Math.max(Math.abs(origin.x()), Math.abs(origin.x() + width)),
+                Math.max(Math.abs(origin.z()), Math.abs(origin.z() + depth)));
         if (!(Math.max(farthest, Math.abs(origin.y())) <= FARTHEST_METRES)) {
             throw new IllegalArgumentException("a height field reaches no farther than " + FARTHEST_METRES
                     + " m from the world's origin; this one begins at " + origin);
         }
-        return new HeightField(origin, cellMetres, columns, rows, source);
+    }
+
+    private static void requireCell(double metres) {
+        if (!(metres >= LEAST_CELL_METRES && metres <= FARTHEST_METRES)) {
+            throw new IllegalArgumentException("a height field's cells are " + LEAST_CELL_METRES + " m to "
+                    + FARTHEST_METRES + " m wide, not " + metres + " m");
+        }
     }
 
     private static double checked(double height, int column, int row) {
@@ -101,16 +139,28 @@ public final class HeightField {
         return 2 * (columns - 1) * (rows - 1);
     }
 
-    /** Returns the edge length of a cell in metres. */
-    public double cellMetres() {
-        return cellMetres;
+    /** Returns the position of the sample at column 0 and row 0 for height 0. */
+    public Vec3 origin() {
+        return origin;
     }
 
-    int cellColumns() {
+    /** Returns the edge length of a cell along x in metres. */
+    public double cellX() {
+        return cellX;
+    }
+
+    /** Returns the edge length of a cell along z in metres. */
+    public double cellZ() {
+        return cellZ;
+    }
+
+    /** Returns the number of cells along x, one less than that of samples. */
+    public int cellColumns() {
         return columns - 1;
     }
 
-    int cellRows() {
+    /** Returns the number of cells along z, one less than that of samples. */
+    public int cellRows() {
         return rows - 1;
     }
 
@@ -118,21 +168,51 @@ public final class HeightField {
         return pyramid;
     }
 
-    double x(int column) {
-        return origin.x() + column * cellMetres;
+    /** Returns the world x of a column. */
+    public double x(int column) {
+        return origin.x() + column * cellX;
     }
 
-    double z(int row) {
-        return origin.z() + row * cellMetres;
+    /** Returns the world z of a row. */
+    public double z(int row) {
+        return origin.z() + row * cellZ;
     }
 
     /** Returns the world y of a height. */
-    double y(double height) {
+    public double y(double height) {
         return origin.y() + height;
     }
 
-    double height(int column, int row) {
+    /** Returns the height of a sample in metres above the origin. */
+    public float height(int column, int row) {
         return heights[row * columns + column];
+    }
+
+    /** Returns the least level of blocks, see {@link #writeBlock}, that are at least so many cells wide. */
+    public int blockLevel(int cells) {
+        int level = 0;
+        while (MinMaxPyramid.BLOCK_CELLS << level < cells && level < pyramid.top()) {
+            level++;
+        }
+        return level;
+    }
+
+    /**
+     * Writes the bounds of a block of cells: three minima, three maxima. Blocks of level 0 are four cells wide, those of
+     * each further level twice as wide.
+     */
+    public void writeBlock(int level, int column, int row, double[] bounds) {
+        HeightFieldBoxQuery.writeBlock(this, level, column, row, 0, bounds);
+    }
+
+    /** Returns the number of blocks of a level along x. */
+    public int blockColumns(int level) {
+        return pyramid.columns(level);
+    }
+
+    /** Returns the number of blocks of a level along z. */
+    public int blockRows(int level) {
+        return pyramid.rows(level);
     }
 
     /** Returns the box that contains the whole field. */
@@ -175,8 +255,8 @@ public final class HeightField {
         boolean isGreaterZ = (triangle & 1) == 0;
         double between = isGreaterZ ? height(column, row + 1) : height(column + 1, row);
         return isGreaterZ
-                ? new Vec3(between - greatest, cellMetres, least - between)
-                : new Vec3(least - between, cellMetres, between - greatest);
+                ? new Vec3(between - greatest, cellX, (least - between) * (cellX / cellZ))
+                : new Vec3(least - between, cellX, (between - greatest) * (cellX / cellZ));
     }
 
     /** Returns the unit normal of a triangle's front face. */
@@ -244,14 +324,14 @@ public final class HeightField {
         double farthest = farther(ray.originX(), all.minX(), all.maxX())
                 + farther(ray.originY(), all.minY(), all.maxY())
                 + farther(ray.originZ(), all.minZ(), all.maxZ());
-        return RELATIVE_ROUNDING * farthest * (1 + farthest / cellMetres);
+        return RELATIVE_ROUNDING * farthest * (1 + farthest / Math.min(cellX, cellZ));
     }
 
     private static double farther(double from, double a, double b) {
         return Math.max(Math.abs(a - from), Math.abs(b - from));
     }
 
-    /** Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order. */
+    /** Finds the nearest hit by the caller's own test, the triangle of lowest number among equally near ones. */
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         hit.reset(limit);
         if (ray.isCastable()) {

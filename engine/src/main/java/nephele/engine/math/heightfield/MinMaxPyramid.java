@@ -6,17 +6,17 @@ package nephele.engine.math.heightfield;
  * there are no nodes.
  */
 final class MinMaxPyramid {
-    /** Cells along a side of a block of the lowest level; with this size the pyramid adds 1.4 bytes per sample. */
+    /** Cells along a side of a block of the lowest level; with this size the pyramid adds 0.7 bytes per sample. */
     static final int BLOCK_CELLS = 4;
 
     private final int[] columns;
     private final int[] rows;
     private final int[] first;
     /** Least and greatest height of each block, by level, then row. */
-    private final double[] ranges;
+    private final float[] ranges;
 
     /** @param samples in row-major order */
-    MinMaxPyramid(double[] samples, int sampleColumns, int sampleRows) {
+    MinMaxPyramid(float[] samples, int sampleColumns, int sampleRows) {
         int width = blocks(sampleColumns - 1, BLOCK_CELLS);
         int depth = blocks(sampleRows - 1, BLOCK_CELLS);
         int levels = 1 + 32 - Integer.numberOfLeadingZeros(Math.max(width, depth) - 1);
@@ -30,7 +30,7 @@ final class MinMaxPyramid {
             width = blocks(width, 2);
             depth = blocks(depth, 2);
         }
-        ranges = new double[2 * first[levels]];
+        ranges = new float[2 * first[levels]];
         for (int row = 0; row < rows[0]; row++) {
             for (int column = 0; column < columns[0]; column++) {
                 fillFromSamples(column, row, samples, sampleColumns, sampleRows);
@@ -47,14 +47,14 @@ final class MinMaxPyramid {
         return (parts + partsOfBlock - 1) / partsOfBlock;
     }
 
-    private void fillFromSamples(int column, int row, double[] samples, int sampleColumns, int sampleRows) {
-        double least = Double.POSITIVE_INFINITY;
-        double greatest = Double.NEGATIVE_INFINITY;
+    private void fillFromSamples(int column, int row, float[] samples, int sampleColumns, int sampleRows) {
+        float least = Float.POSITIVE_INFINITY;
+        float greatest = Float.NEGATIVE_INFINITY;
         int endRow = Math.min((row + 1) * BLOCK_CELLS, sampleRows - 1);
         int endColumn = Math.min((column + 1) * BLOCK_CELLS, sampleColumns - 1);
         for (int z = row * BLOCK_CELLS; z <= endRow; z++) {
             for (int x = column * BLOCK_CELLS; x <= endColumn; x++) {
-                double height = samples[z * sampleColumns + x];
+                float height = samples[z * sampleColumns + x];
                 least = Math.min(least, height);
                 greatest = Math.max(greatest, height);
             }
@@ -63,8 +63,8 @@ final class MinMaxPyramid {
     }
 
     private void fillFromBelow(int level, int column, int row) {
-        double least = Double.POSITIVE_INFINITY;
-        double greatest = Double.NEGATIVE_INFINITY;
+        float least = Float.POSITIVE_INFINITY;
+        float greatest = Float.NEGATIVE_INFINITY;
         for (int child = 0; child < 4; child++) {
             int x = 2 * column + (child & 1);
             int z = 2 * row + (child >> 1);
@@ -76,7 +76,7 @@ final class MinMaxPyramid {
         keep(level, column, row, least, greatest);
     }
 
-    private void keep(int level, int column, int row, double least, double greatest) {
+    private void keep(int level, int column, int row, float least, float greatest) {
         int at = at(level, column, row);
         ranges[at] = least;
         ranges[at + 1] = greatest;
@@ -91,15 +91,23 @@ final class MinMaxPyramid {
         return columns.length - 1;
     }
 
+    int columns(int level) {
+        return columns[level];
+    }
+
+    int rows(int level) {
+        return rows[level];
+    }
+
     boolean has(int level, int column, int row) {
         return column < columns[level] && row < rows[level];
     }
 
-    double least(int level, int column, int row) {
+    float least(int level, int column, int row) {
         return ranges[at(level, column, row)];
     }
 
-    double greatest(int level, int column, int row) {
+    float greatest(int level, int column, int row) {
         return ranges[at(level, column, row) + 1];
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
@@ -69,12 +70,30 @@ public final class Placement {
             return new PlacementResult.Refused(
                     hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
         }
-        Region region = surfaces.region(ray, hit.item());
         Vec3 where = ray.at(hit.distance());
+        StaticShape.HeightGrid ground = surfaces.ground(hit.item());
+        if (ground != null && ground.said().portalable()) {
+            return onGround(id, ray, where, aim.view(), others);
+        }
+        Region region = ground != null ? null : surfaces.region(ray, hit.item());
         if (region == null) {
             return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
         return fitOnRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
+    }
+
+    /** Fits on a terrain: only its part around the hit is known, so there is no place farther away. */
+    private PlacementResult onGround(String id, Ray ray, Vec3 where, Basis view, List<Portal> others) {
+        Aperture aperture = gun.aperture();
+        double reach = gun.slideMetres() + aperture.widthMetres() + aperture.heightMetres();
+        Region region = surfaces.groundRegion(ray, hit, reach, aperture.widthMetres() * aperture.heightMetres());
+        if (region == null) {
+            return new PlacementResult.Refused(Refusal.NOT_FLAT, where);
+        }
+        PlacementResult result = fitOnRegion(id, region, onPlane(region.frame(), ray, where), view, others);
+        boolean isUneven = result instanceof PlacementResult.Refused refused
+                && (refused.reason() == Refusal.TOO_SMALL || refused.reason() == Refusal.EDGE);
+        return isUneven ? new PlacementResult.Refused(Refusal.NOT_FLAT, where) : result;
     }
 
     /** Returns true if a shot straight at a portal's centre would place it where it is, among the current surfaces. */

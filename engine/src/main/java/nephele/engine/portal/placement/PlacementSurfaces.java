@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Ray;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
  * The fixed surfaces of a level, prepared for any number of placements: obstacles of shots, and the regions that take
@@ -18,8 +20,10 @@ public final class PlacementSurfaces {
     private final SpatialIndex blockerIndex;
     private final int[] regionOfPatch;
     private final List<Region> regions;
+    private final List<StaticShape.HeightGrid> grounds;
 
-    private PlacementSurfaces(List<Blocker> blockers, List<Patch> patches) {
+    private PlacementSurfaces(List<Blocker> blockers, List<Patch> patches, List<StaticShape.HeightGrid> grounds) {
+        this.grounds = List.copyOf(grounds);
         this.blockers = List.copyOf(blockers);
         blockerIndex = SpatialIndex.of(blockers.stream().map(Blocker::bounds).toList());
         List<Patch> portalable = new ArrayList<>();
@@ -31,7 +35,10 @@ public final class PlacementSurfaces {
         regions = new RegionLimits(this.blockers, blockerIndex, patches).regions(growth.regions());
     }
 
-    /** Prepares solids and models: convex models as solids, the others as sheets. */
+    /**
+     * Prepares solids and models: convex models as solids, the others as sheets. Terrains stop shots, and {@link
+     * GroundRegion} looks for flat parts where one hits.
+     */
     public static PlacementSurfaces of(StaticShapes statics) {
         List<Brush> solids = new ArrayList<>(statics.solids());
         solids.addAll(statics.models().solids());
@@ -41,7 +48,7 @@ public final class PlacementSurfaces {
                 sheets.add(SurfacePolygon.of(model, i));
             }
         }
-        return of(solids, sheets);
+        return of(solids, sheets, statics.ground());
     }
 
     /**
@@ -50,6 +57,11 @@ public final class PlacementSurfaces {
      * @param sheets flat pieces of meshes
      */
     public static PlacementSurfaces of(List<Brush> solids, List<SurfacePolygon> sheets) {
+        return of(solids, sheets, List.of());
+    }
+
+    private static PlacementSurfaces of(
+            List<Brush> solids, List<SurfacePolygon> sheets, List<StaticShape.HeightGrid> grounds) {
         List<Blocker> blockers = new ArrayList<>();
         List<Patch> patches = new ArrayList<>();
         for (Brush solid : solids) {
@@ -64,11 +76,60 @@ public final class PlacementSurfaces {
             }
             patches.add(patch);
         }
-        return new PlacementSurfaces(blockers, patches);
+        return new PlacementSurfaces(blockers, patches, grounds);
     }
 
-    /** Finds the first surface along a ray; returns false for none. */
+    /** Finds the first surface along a ray, of a terrain its triangle; returns false for none. */
     boolean first(Ray ray, RayHit hit) {
+        boolean isHit = firstBlocker(ray, hit);
+        double nearest = isHit ? hit.distance() : Double.POSITIVE_INFINITY;
+        RayHit onGround = new RayHit();
+        int first = blockers.size();
+        for (StaticShape.HeightGrid ground : grounds) {
+            HeightField field = ground.field();
+            if (field.nearest(ray, nearest, (r, triangle, limit) -> field.entry(r, triangle), onGround)
+                    && onGround.distance() < nearest) {
+                nearest = onGround.distance();
+                hit.reset(Double.POSITIVE_INFINITY);
+                hit.offer(first + onGround.item(), nearest);
+                isHit = true;
+            }
+            first += field.triangles();
+        }
+        return isHit;
+    }
+
+    /** Returns the terrain that a hit is on; {@code null} if it is on another surface. */
+    StaticShape.HeightGrid ground(int item) {
+        int first = blockers.size();
+        for (StaticShape.HeightGrid ground : grounds) {
+            if (item >= first && item < first + ground.field().triangles()) {
+                return ground;
+            }
+            first += ground.field().triangles();
+        }
+        return null;
+    }
+
+    /**
+     * Returns the flat part of a terrain that a ray hits; {@code null} if the ground is not flat there.
+     *
+     * @param reach greatest distance from the hit that matters
+     * @param leastArea of the aperture
+     */
+    Region groundRegion(Ray ray, RayHit hit, double reach, double leastArea) {
+        int triangle = hit.item() - blockers.size();
+        for (StaticShape.HeightGrid ground : grounds) {
+            HeightField field = ground.field();
+            if (triangle < field.triangles()) {
+                return GroundRegion.of(field, triangle, ray, ray.at(hit.distance()), reach, leastArea, blockers);
+            }
+            triangle -= field.triangles();
+        }
+        return null;
+    }
+
+    private boolean firstBlocker(Ray ray, RayHit hit) {
         return blockerIndex.nearest(
                 ray,
                 Double.POSITIVE_INFINITY,

@@ -10,6 +10,8 @@ public enum Refusal {
     MOVING_SURFACE,
     /** The first surface permits no portal. */
     NOT_PORTALABLE,
+    /** The ground of a terrain is not flat where the aperture would be. */
+    NOT_FLAT,
     /** The aperture would fit without the other portal. */
     OVERLAPS_OTHER,
     /** The surface has no place for the aperture at any distance. */

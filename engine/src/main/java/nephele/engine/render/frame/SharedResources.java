@@ -28,6 +28,7 @@ import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.SceneMaterials.PictureArray;
@@ -58,6 +59,7 @@ public final class SharedResources implements GlObject {
     private final ShaftTables shafts;
 
     private SolidMesh solids;
+    private List<TerrainMesh> terrains;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
     private SurfaceLight surfaceLight;
@@ -219,6 +221,17 @@ public final class SharedResources implements GlObject {
             solids = share(SolidMesh.class, new Same(scene.solids()), () -> new SolidMesh(gl, scene.solids()));
         }
         return solids;
+    }
+
+    /** Returns the level's terrains on the GPU, in its order. */
+    public List<TerrainMesh> terrains() {
+        if (terrains == null) {
+            terrains = scene.statics().ground().stream()
+                    .map(grid ->
+                            share(TerrainMesh.class, new Same(grid.field()), () -> new TerrainMesh(gl, grid.field())))
+                    .toList();
+        }
+        return terrains;
     }
 
     /** Returns the level's static shapes. */

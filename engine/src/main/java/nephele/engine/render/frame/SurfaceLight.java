@@ -164,7 +164,8 @@ public final class SurfaceLight implements GlObject {
 
     /** Returns the world position that is the origin of positions in light shaders. */
     public Vec3 anchor() {
-        return scene.solids().isEmpty() ? Vec3.ZERO : scene.solids().origin();
+        boolean isBare = scene.solids().isEmpty() && scene.statics().ground().isEmpty();
+        return isBare ? Vec3.ZERO : scene.solids().origin();
     }
 
     /** Returns the shadows of dynamic objects. */

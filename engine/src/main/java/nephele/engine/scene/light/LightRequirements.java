@@ -1,5 +1,7 @@
 package nephele.engine.scene.light;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
@@ -19,19 +21,24 @@ public final class LightRequirements {
     }
 
     /**
-     * Returns true if the sun casts shadows and there are a model or several solids: a shadow is possible, and
+     * Returns true if the sun casts shadows and there are a model, a terrain or several solids: a shadow is possible, and
      * {@link ShadowCasters} decides if there is one.
      */
     public static boolean sunCasts(Level level) {
         return sun(level)
                 && level.environment().sun().castsShadow()
-                && (level.solids().size() > 1 || !level.models().isEmpty());
+                && (level.solids().size() > 1 || shadesItself(level));
     }
 
-    /** Returns true if the sun casts shadows and there is a model or a solid that another one can shade. */
+    /** Returns true if there are shapes of which one part can shade another. */
+    private static boolean shadesItself(Level level) {
+        return !level.models().isEmpty() || !level.terrains().isEmpty();
+    }
+
+    /** Returns true if the sun casts shadows and there is a model, a terrain or a solid that another one can shade. */
     public static boolean sunShadow(Level level, StaticShapes statics) {
         return sunCasts(level)
-                && (!level.models().isEmpty()
+                && (shadesItself(level)
                         || Daylight.moves(level.environment())
                         || ShadowCasters.any(
                                 statics.solids(),
@@ -45,12 +52,11 @@ public final class LightRequirements {
     }
 
     /**
-     * Returns true if a punctual light casts shadows and there are a model or several solids or bodies; a single convex
+     * Returns true if a punctual light casts shadows and there are a model, a terrain or several solids or bodies; a single convex
      * shape does not shade itself.
      */
     public static boolean lightShadow(Level level) {
-        boolean several = level.solids().size() + level.bodies().size() > 1
-                || !level.models().isEmpty();
+        boolean several = level.solids().size() + level.bodies().size() > 1 || shadesItself(level);
         return several && lights(level) && level.lights().stream().anyMatch(LightRequirements::casts);
     }
 
@@ -61,19 +67,31 @@ public final class LightRequirements {
 
     /** Returns true if the sky emits light, there are solids or models to receive it, and no constant replaces it. */
     public static boolean skyVisibility(Level level) {
-        return hasSurfaces(level) && skyShines(level);
+        return hasMeshes(level) && skyShines(level);
     }
 
     /** Returns the names of the kinds of surfaces, for the explanation of a need. */
     public static String surfaces(Level level) {
-        if (level.models().isEmpty()) {
-            return "solids";
+        List<String> kinds = new ArrayList<>();
+        if (!level.solids().isEmpty()) {
+            kinds.add("solids");
         }
-        return level.solids().isEmpty() ? "models" : "solids, models";
+        if (!level.models().isEmpty()) {
+            kinds.add("models");
+        }
+        if (!level.terrains().isEmpty()) {
+            kinds.add("terrains");
+        }
+        return kinds.isEmpty() ? "solids" : String.join(", ", kinds);
     }
 
     /** Returns true if there is static geometry to light. */
     public static boolean hasSurfaces(Level level) {
+        return hasMeshes(level) || !level.terrains().isEmpty();
+    }
+
+    /** Returns true if there are solids or models. */
+    public static boolean hasMeshes(Level level) {
         return !level.solids().isEmpty() || !level.models().isEmpty();
     }
 

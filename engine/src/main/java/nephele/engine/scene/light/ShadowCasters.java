@@ -14,13 +14,17 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.SpatialIndex;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
  * The solids that can cast a shadow on another shape; a ground that is behind everything need not be in the depth map.
- * Models always can, because even a single one shades itself.
+ * Models and terrains always can, because even a single one shades itself.
  */
 public final class ShadowCasters {
     private static final double TOUCH_METRES = 1e-6;
+
+    /** Parts of a terrain along a side whose boxes bound its shadows. */
+    private static final int GROUND_BLOCKS = 32;
 
     private final List<Brush> brushes;
     private final List<StaticShape> shapes;
@@ -68,7 +72,25 @@ public final class ShadowCasters {
                 corners.add(mesh.corner(i / 3, i % 3));
             }
         }
+        for (StaticShape.HeightGrid grid : statics.ground()) {
+            addBlocks(grid.field(), corners);
+        }
         return corners;
+    }
+
+    /** Adds the corners of boxes around parts of a terrain. */
+    private static void addBlocks(HeightField field, List<Vec3> corners) {
+        int level = field.blockLevel(Math.max(field.cellColumns(), field.cellRows()) / GROUND_BLOCKS);
+        double[] box = new double[6];
+        for (int row = 0; row < field.blockRows(level); row++) {
+            for (int column = 0; column < field.blockColumns(level); column++) {
+                field.writeBlock(level, column, row, box);
+                for (int corner = 0; corner < 8; corner++) {
+                    corners.add(new Vec3(
+                            box[(corner & 1) * 3], box[1 + (corner >> 1 & 1) * 3], box[2 + (corner >> 2) * 3]));
+                }
+            }
+        }
     }
 
     /** Returns true if {@link #of} is not empty; stops at the first caster. */
@@ -160,7 +182,13 @@ public final class ShadowCasters {
 
         @Override
         public void heightGrid(StaticShape.HeightGrid grid) {
-            // Height grids neither cast nor receive shadows yet.
+            Aabb box = grid.bounds();
+            for (int corner = 0; corner < 8 && !isFound; corner++) {
+                isFound = isBelow(new Vec3(
+                        (corner & 1) == 0 ? box.minX() : box.maxX(),
+                        (corner & 2) == 0 ? box.minY() : box.maxY(),
+                        (corner & 4) == 0 ? box.minZ() : box.maxZ()));
+            }
         }
 
         private boolean isBelow(Vec3 p) {

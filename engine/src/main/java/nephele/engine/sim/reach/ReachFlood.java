@@ -11,11 +11,13 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RayCast;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.Simulation;
@@ -34,6 +36,9 @@ final class ReachFlood {
 
     private static final double LEAST_GAIN_METRES = 0.05;
     private static final double CLEAR_METRES = 0.05;
+
+    /** Places along a side of a terrain that takes portals. */
+    private static final int GROUND_PLACES = 24;
 
     private final CollisionWorld world;
     private final Aabb domain;
@@ -136,11 +141,30 @@ final class ReachFlood {
                 }
             }
         }
+        for (StaticShape.HeightGrid grid : statics.ground()) {
+            if (grid.said().portalable()) {
+                addPlaces(grid.field(), places);
+            }
+        }
         List<Passage> passages = new ArrayList<>();
         for (Vec3 to : places) {
             passages.add(new Passage(null, to, cellMetres));
         }
         return passages;
+    }
+
+    /** Adds places over a terrain, as if it were flat everywhere. */
+    private static void addPlaces(HeightField field, List<Vec3> places) {
+        int columns = Math.min(field.cellColumns(), GROUND_PLACES);
+        int rows = Math.min(field.cellRows(), GROUND_PLACES);
+        for (int row = 0; row <= rows; row++) {
+            for (int column = 0; column <= columns; column++) {
+                int sampleColumn = column * field.cellColumns() / columns;
+                int sampleRow = row * field.cellRows() / rows;
+                double y = field.y(field.height(sampleColumn, sampleRow)) + CLEAR_METRES;
+                places.add(new Vec3(field.x(sampleColumn), y, field.z(sampleRow)));
+            }
+        }
     }
 
     private static Vec3 middle(List<Vec3> polygon) {

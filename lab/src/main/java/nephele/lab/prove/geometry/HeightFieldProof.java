@@ -12,7 +12,6 @@ import nephele.engine.collision.RayCast;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
 import nephele.engine.level.placed.PlacedModels;
-import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -213,7 +212,7 @@ public final class HeightFieldProof implements Proof {
 
         Ground(HeightField field) {
             this.field = field;
-            var grid = new StaticShape.HeightGrid("ground", field);
+            var grid = HeightFieldSample.grid(field);
             world = CollisionWorld.of(new StaticShapes(List.of(), PlacedModels.NONE, List.of(grid)));
             alone = new CollisionWorld[field.triangles() <= 2 * 128 * 128 ? field.triangles() : 0];
         }
@@ -235,11 +234,11 @@ public final class HeightFieldProof implements Proof {
         /** Returns the triangles of all cells that touch a box. */
         int[] within(Aabb box) {
             Aabb all = field.bounds();
-            int cells = (int) Math.round((all.maxX() - all.minX()) / field.cellMetres());
-            int firstColumn = clamp((box.minX() - all.minX()) / field.cellMetres() - 1, cells);
-            int endColumn = clamp((box.maxX() - all.minX()) / field.cellMetres() + 2, cells);
-            int firstRow = clamp((box.minZ() - all.minZ()) / field.cellMetres() - 1, cells);
-            int endRow = clamp((box.maxZ() - all.minZ()) / field.cellMetres() + 2, cells);
+            int cells = field.cellColumns();
+            int firstColumn = clamp((box.minX() - all.minX()) / field.cellX() - 1, cells);
+            int endColumn = clamp((box.maxX() - all.minX()) / field.cellX() + 2, cells);
+            int firstRow = clamp((box.minZ() - all.minZ()) / field.cellZ() - 1, field.cellRows());
+            int endRow = clamp((box.maxZ() - all.minZ()) / field.cellZ() + 2, field.cellRows());
             var found = IntStream.builder();
             for (int row = firstRow; row < endRow; row++) {
                 for (int triangle = 2 * (row * cells + firstColumn);

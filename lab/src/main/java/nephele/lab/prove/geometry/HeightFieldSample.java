@@ -3,6 +3,8 @@ package nephele.lab.prove.geometry;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.level.Terrain;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -40,6 +42,13 @@ final class HeightFieldSample {
     /** Returns hills of so many samples along each side, a metre apart. */
     static HeightField large(int side) {
         return field(Relief.HILLS, 0, 1, side, side);
+    }
+
+    /** Returns a field as the ground of a level. */
+    static StaticShape.HeightGrid grid(HeightField field) {
+        var said = new Terrain(
+                "ground", "none", Vec3.ZERO, new Terrain.Sides(1, 1), new Terrain.HeightRange(0, 1), List.of(), false);
+        return new StaticShape.HeightGrid(0, said, field);
     }
 
     private static HeightField field(Relief relief, double out, double cellMetres, int columns, int rows) {

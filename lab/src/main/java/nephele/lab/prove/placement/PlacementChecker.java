@@ -43,7 +43,7 @@ final class PlacementChecker {
             case OVERLAPS_OTHER -> overlapsOther();
             case EDGE -> edge();
             case TOO_SMALL -> nearer(alone, 20, null) == null ? null : "there is a place";
-            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE, OCCUPIED ->
+            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE, NOT_FLAT, OCCUPIED ->
                 "the wall is in range and nobody near: " + reason;
         };
     }

@@ -56,6 +56,9 @@ public enum TextureUnit {
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),
     VIEW_COLOUR(13),
+    /** The heights and slopes of a terrain, which is drawn before there are copies of a view. */
+    TERRAIN_HEIGHTS(12),
+    TERRAIN_SLOPES(13),
     /** The metered exposure, bound throughout a frame. */
     EXPOSURE(15),
 

@@ -19,7 +19,7 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.VisibleSet;
 import org.joml.Matrix4d;
 
-/** Draws the depth of all solids under a projection; both sides of every face, to close cracks. */
+/** Draws the depth of all solids, models and terrains under a projection; both sides of every face, to close cracks. */
 final class DepthDraw {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
@@ -28,6 +28,7 @@ final class DepthDraw {
     private final LoadContext context;
     private final GlProgram<DepthUniforms> program;
     private final VisibleSet visible;
+    private final TerrainDepthDraw terrains;
 
     DepthDraw(LoadContext context) {
         this.context = context;
@@ -37,6 +38,7 @@ final class DepthDraw {
                 ShaderSource.load(FOLDER + "depth.frag", Map.of()),
                 uniforms -> new DepthUniforms(uniforms.matrix4("clipFromCell"), uniforms.scalar("depthPerMetre")));
         visible = new VisibleSet(context.scene().solids());
+        terrains = new TerrainDepthDraw(context);
     }
 
     /** Returns the layers of one kind that all renderers of an opened level share. */
@@ -52,6 +54,7 @@ final class DepthDraw {
     void drawAll(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor) {
         visible.selectAll();
         draw(target, clipFromAnchor, anchor, 0);
+        terrains.draw(Frustum.everything(), clipFromAnchor, anchor, 0);
     }
 
     /**
@@ -60,8 +63,10 @@ final class DepthDraw {
      * @param depthPerMetre 1 / the light's range
      */
     void drawInFrustum(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
-        visible.find(Frustum.of(clipFromAnchor, anchor));
+        Frustum lit = Frustum.of(clipFromAnchor, anchor);
+        visible.find(lit);
         draw(target, clipFromAnchor, anchor, depthPerMetre);
+        terrains.draw(lit, clipFromAnchor, anchor, depthPerMetre);
     }
 
     private void draw(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {

@@ -67,7 +67,7 @@ public final class SolidPass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Level level = request.level();
-        if (!LightRequirements.hasSurfaces(level)) {
+        if (!LightRequirements.hasMeshes(level)) {
             return List.of();
         }
         String what = LightRequirements.surfaces(level);

@@ -1,6 +1,10 @@
 package nephele.engine.scene.light.bake;
 
+import nephele.engine.math.Ray;
 import nephele.engine.math.RayTriangleIntersection;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /** A shape that blocks rays. */
 sealed interface Occluder {
@@ -58,6 +62,20 @@ sealed interface Occluder {
         @Override
         public boolean contains(double[] p) {
             return false;
+        }
+    }
+
+    /** A terrain; below it everything is inside. */
+    record Ground(HeightField field) implements Occluder {
+        @Override
+        public boolean intersects(double[] o, double[] d, double length) {
+            Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
+            return field.nearest(ray, length, (r, triangle, most) -> field.intersection(r, triangle), new RayHit());
+        }
+
+        @Override
+        public boolean contains(double[] p) {
+            return p[1] <= HeightFieldSurface.y(field, p[0], p[2]);
         }
     }
 }

@@ -20,6 +20,8 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
 
 /** The encoding of a baked sky visibility, and its file name, which depends on the geometry. */
 public final class SkyVisibilityFile {
@@ -47,6 +49,7 @@ public final class SkyVisibilityFile {
             }
         }
         statics.models().all().forEach(model -> addMesh(model.triangles(), digest));
+        statics.ground().forEach(grid -> addGround(grid.field(), digest));
         return "sky-visibility-" + HexFormat.of().formatHex(digest.digest(), 0, 10) + ".bin";
     }
 
@@ -61,6 +64,21 @@ public final class SkyVisibilityFile {
             bytes.putDouble(mesh.positions()[i] + 0.0).putDouble(mesh.normals()[i] + 0.0);
         }
         digest.update(bytes.array());
+    }
+
+    private static void addGround(HeightField field, MessageDigest digest) {
+        Vec3 origin = field.origin();
+        ByteBuffer place = ByteBuffer.allocate(4 * Double.BYTES);
+        digest.update(bytes(place, origin.x(), origin.y(), origin.z(), field.cellX()));
+        digest.update(bytes(place, field.cellZ(), field.cellColumns(), field.cellRows(), 0));
+        ByteBuffer heights = ByteBuffer.allocate(Float.BYTES * (field.cellColumns() + 1));
+        for (int row = 0; row <= field.cellRows(); row++) {
+            heights.clear();
+            for (int column = 0; column <= field.cellColumns(); column++) {
+                heights.putFloat(field.height(column, row) + 0.0f);
+            }
+            digest.update(heights.array());
+        }
     }
 
     private static byte[] bytes(ByteBuffer buffer, double a, double b, double c, double d) {

@@ -10,12 +10,15 @@ import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
 
-/** Sorts static shapes for ray tests: convex ones as a whole, others triangle by triangle. */
+/** Sorts static shapes for ray tests: convex ones and terrains as a whole, others triangle by
+ * triangle. */
 final class SortedOccluders implements StaticShape.Cases {
     private final List<ConvexPolyhedron> convex = new ArrayList<>();
     private final Map<Integer, Integer> itemOfModel = new TreeMap<>();
     private final List<double[]> sheets = new ArrayList<>();
+    private final List<HeightField> grounds = new ArrayList<>();
 
     @Override
     public void convexHull(StaticShape.ConvexHull hull) {
@@ -36,7 +39,7 @@ final class SortedOccluders implements StaticShape.Cases {
 
     @Override
     public void heightGrid(StaticShape.HeightGrid grid) {
-        // Height grids cast no shadows yet.
+        grounds.add(grid.field());
     }
 
     /** Returns the item of each convex model, by its index in the level. */
@@ -44,7 +47,7 @@ final class SortedOccluders implements StaticShape.Cases {
         return itemOfModel;
     }
 
-    /** Returns the convex shapes, then the triangles; appends the box of each to {@code boxes}. */
+    /** Returns the convex shapes, then the triangles, then terrains; appends the box of each to {@code boxes}. */
     List<Occluder> items(List<Aabb> boxes) {
         List<Occluder> items = new ArrayList<>();
         for (ConvexPolyhedron shape : convex) {
@@ -56,6 +59,10 @@ final class SortedOccluders implements StaticShape.Cases {
                 items.add(new Occluder.Triangle(corners, at));
                 boxes.add(Aabb.of(List.of(corner(corners, at), corner(corners, at + 3), corner(corners, at + 6))));
             }
+        }
+        for (HeightField field : grounds) {
+            items.add(new Occluder.Ground(field));
+            boxes.add(field.bounds());
         }
         return items;
     }

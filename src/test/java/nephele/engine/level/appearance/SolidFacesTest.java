@@ -1,4 +1,4 @@
-package nephele.engine.level;
+package nephele.engine.level.appearance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -6,6 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.level.TexturePlacement;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.math.Vec3;

@@ -1,4 +1,4 @@
-package nephele.engine.level;
+package nephele.engine.level.appearance;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -7,6 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TexturePlacement;
 
 /** Reads and writes the face entries of every kind of solid, by the names of {@link Brush.BrushFace}. */
 public final class SolidFaces {

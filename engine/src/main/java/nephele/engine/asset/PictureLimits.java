@@ -1,0 +1,19 @@
+package nephele.engine.asset;
+
+/**
+ * The largest picture that is decoded.
+ *
+ * @param saved the kind of file that messages recommend
+ */
+record PictureLimits(int sidePixels, long pixels, int fileBytes, String saved) {
+    /** The limits of pictures that are drawn. */
+    static final PictureLimits DRAWN =
+            new PictureLimits(PictureDecoder.MAX_SIDE_PIXELS, 64L << 20, 64 << 20, "8-bit PNG");
+
+    /** The limits of height maps. */
+    static final PictureLimits HEIGHTS = new PictureLimits(
+            HeightMap.MOST_SAMPLES,
+            (long) HeightMap.MOST_SAMPLES * HeightMap.MOST_SAMPLES,
+            AssetLimits.MAX_FILE_BYTES,
+            "16-bit PNG");
+}

@@ -1,0 +1,76 @@
+package nephele.engine.level.terrain;
+
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.level.Terrain;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+
+/** Makes the height field of a terrain. Collision, rays, pictures and the reference path tracer all use its heights. */
+public final class TerrainField {
+    private TerrainField() {}
+
+    /**
+     * Returns the field of a terrain's map.
+     *
+     * @throws AssetException if the map has more cells than fit into the terrain's size, or does not fit into memory
+     */
+    public static HeightField of(Terrain said, HeightMap map) {
+        double low = said.heightRangeMetres().low();
+        double perValue = (said.heightRangeMetres().high() - low) / HeightMap.FULL_SCALE;
+        double cellX = said.sizeMetres().x() / (map.columns() - 1);
+        double cellZ = said.sizeMetres().z() / (map.rows() - 1);
+        try {
+            return HeightField.of(
+                    origin(said),
+                    cellX,
+                    cellZ,
+                    map.columns(),
+                    map.rows(),
+                    (column, row) -> low + perValue * map.value(column, row));
+        } catch (IllegalArgumentException unusable) {
+            throw new AssetException(
+                    said.heightMap(),
+                    "cannot be the ground of '" + said.id() + "': " + unusable.getMessage(),
+                    "change sizeMetres or centre, or scale the map");
+        } catch (OutOfMemoryError tooLarge) {
+            throw new AssetException(said.heightMap(), "does not fit into memory", "make the height map smaller");
+        }
+    }
+
+    /**
+     * Checks that a map has cells of a usable size in a terrain.
+     *
+     * @throws AssetException if it has not
+     */
+    public static void requireSize(Terrain said, HeightMap map) {
+        of(said, new HeightMap(2, 2, map.bits(), new short[4]));
+        double cell = Math.min(
+                said.sizeMetres().x() / (map.columns() - 1), said.sizeMetres().z() / (map.rows() - 1));
+        if (cell < HeightField.LEAST_CELL_METRES) {
+            throw new AssetException(
+                    said.heightMap(),
+                    "has cells of " + cell + " m in '" + said.id() + "', at least " + HeightField.LEAST_CELL_METRES
+                            + " m are needed",
+                    "enlarge sizeMetres, or scale the map");
+        }
+    }
+
+    /** Returns the position of the first sample for height 0. */
+    static Vec3 origin(Terrain said) {
+        return said.centre()
+                .plus(new Vec3(-said.sizeMetres().x() / 2, 0, -said.sizeMetres().z() / 2));
+    }
+
+    /** Returns the field of a terrain that differs in its place alone from the one of {@code field}. */
+    public static HeightField moved(HeightField field, Terrain said) {
+        return field.at(origin(said));
+    }
+
+    /** Returns true if two terrains have the same heights at the same distances. */
+    public static boolean isSameShape(Terrain a, Terrain b) {
+        return a.heightMap().equals(b.heightMap())
+                && a.sizeMetres().equals(b.sizeMetres())
+                && a.heightRangeMetres().equals(b.heightRangeMetres());
+    }
+}

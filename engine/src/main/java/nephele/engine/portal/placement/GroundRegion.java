@@ -1,0 +1,78 @@
+package nephele.engine.portal.placement;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.heightfield.HeightField;
+
+/**
+ * Finds the flat part of a terrain around a shot. The triangles near the shot are made into surfaces, like those of a
+ * mesh; the other ones are too far away to matter.
+ */
+final class GroundRegion {
+    /** With more triangles in reach, the cells are so small that bumps between them are, too. */
+    private static final int MOST_TRIANGLES = 20_000;
+
+    /** Cosine of a degree, the greatest angle of a triangle against the one that is hit. */
+    private static final double LIKE_COSINE = 0.99984769515639124;
+
+    /** Greatest distance of a triangle from the plane of the one that is hit. */
+    private static final double LIKE_METRES = 0.02;
+
+    private GroundRegion() {}
+
+    /**
+     * Returns the region around the triangle that a ray hits; {@code null} if the ground is not flat there.
+     *
+     * @param where the ray hits
+     * @param reach greatest distance that matters, metres
+     * @param leastArea area of the aperture, square metres
+     * @param near the level's other surfaces
+     */
+    static Region of(
+            HeightField field, int hit, Ray ray, Vec3 where, double reach, double leastArea, List<Blocker> near) {
+        Aabb box = Aabb.around(where, new Vec3(2 * reach, 2 * reach, 2 * reach));
+        List<Integer> triangles = new ArrayList<>();
+        field.passing((bounds, at) -> triangles.size() <= MOST_TRIANGLES && box.overlaps(bounds, at), triangles::add);
+        if (triangles.size() > MOST_TRIANGLES) {
+            return null;
+        }
+        triangles.sort(null);
+        Vec3 normal = field.normal(hit);
+        Vec3 on = field.corner(hit, 0);
+        List<SurfacePolygon> sheets = new ArrayList<>();
+        double area = 0;
+        for (int triangle : triangles) {
+            List<Vec3> corners =
+                    List.of(field.corner(triangle, 0), field.corner(triangle, 1), field.corner(triangle, 2));
+            boolean isLike = field.normal(triangle).dot(normal) >= LIKE_COSINE
+                    && corners.stream().allMatch(p -> Math.abs(p.minus(on).dot(normal)) <= LIKE_METRES);
+            Patch patch = Patch.of(corners, isLike);
+            area += isLike && patch != null ? patch.areaSquareMetres() : 0;
+            sheets.add(new SurfacePolygon(corners, isLike));
+        }
+        return area < leastArea ? null : grown(ray, sheets, near, box);
+    }
+
+    private static Region grown(Ray ray, List<SurfacePolygon> ground, List<Blocker> near, Aabb box) {
+        List<Brush> solids = new ArrayList<>();
+        List<SurfacePolygon> sheets = new ArrayList<>(ground);
+        for (Blocker blocker : near) {
+            if (!blocker.bounds().overlaps(box)) {
+                continue;
+            }
+            if (blocker instanceof Blocker.Convex convex) {
+                solids.add(convex.brush());
+            } else if (blocker instanceof Blocker.Sheet sheet) {
+                sheets.add(new SurfacePolygon(sheet.shape().corners(), false));
+            }
+        }
+        PlacementSurfaces local = PlacementSurfaces.of(solids, sheets);
+        RayHit again = new RayHit();
+        return local.first(ray, again) ? local.region(ray, again.item()) : null;
+    }
+}

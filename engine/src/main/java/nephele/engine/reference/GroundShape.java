@@ -1,0 +1,143 @@
+package nephele.engine.reference;
+
+import nephele.engine.level.Material;
+import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.NormalMap;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.terrain.TerrainLayers;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
+import nephele.engine.reference.MaterialTextures.Skin;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * The triangles of a terrain. Only their upper sides are visible; both sides cast shadows. Pictures lie on the ground as
+ * seen from above, their right along +x, their upper side towards −z.
+ */
+final class GroundShape implements TracedShape {
+    private static final Vector3dc ACROSS = new Vector3d(1, 0, 0);
+    private static final Vector3dc UP = new Vector3d(0, 0, -1);
+
+    private final StaticShape.HeightGrid grid;
+    private final HeightField field;
+    private final TerrainLayers layers;
+
+    GroundShape(StaticShape.HeightGrid grid) {
+        this.grid = grid;
+        field = grid.field();
+        layers = TerrainLayers.of(grid.said());
+    }
+
+    @Override
+    public Aabb bounds() {
+        return field.bounds();
+    }
+
+    /** Returns the parameter of the first upper side. */
+    @Override
+    public double entry(Ray ray, double least) {
+        RayHit hit = new RayHit();
+        return nearest(ray, least, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
+    }
+
+    private boolean nearest(Ray ray, double least, RayHit hit) {
+        return field.nearest(
+                ray,
+                Double.POSITIVE_INFINITY,
+                (r, triangle, limit) -> {
+                    double parameter = field.entry(r, triangle);
+                    return parameter >= least ? parameter : Double.POSITIVE_INFINITY;
+                },
+                hit);
+    }
+
+    @Override
+    public boolean intersects(Ray ray, double limit) {
+        return field.nearest(ray, limit, (r, triangle, most) -> field.intersection(r, triangle), new RayHit());
+    }
+
+    @Override
+    public boolean shadesItself() {
+        return true;
+    }
+
+    @Override
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
+        RayHit hit = new RayHit();
+        nearest(path.ray(), path.end(), hit);
+        Vector3d faceNormal = field.normal(hit.item()).toVector();
+        Vec3 smooth = HeightFieldSurface.normal(field, place.x(), place.z());
+        Mixture mixture = new Mixture(smooth.toVector());
+        double[] weights = new double[layers.count()];
+        layers.weights(place.y() - grid.said().centre().y(), smooth.y(), weights);
+        for (int i = 0; i < weights.length; i++) {
+            if (weights[i] > 0) {
+                mixture.add(weights[i], looks.textures().skin(layers.material(i)), place);
+            }
+        }
+        if (weights.length == 0) {
+            mixture.add(1, looks.textures().skin(null), place);
+        }
+        return mixture.point(path.item(), place, faceNormal, toEye, isGlossy(looks.textures()));
+    }
+
+    private boolean isGlossy(MaterialTextures textures) {
+        for (int i = 0; i < layers.count(); i++) {
+            if (!textures.skin(layers.material(i)).material().lambert()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The weighted mean of the layers' materials at a point. */
+    private static final class Mixture {
+        private final Vector3dc smooth;
+        private final Vector3d colour = new Vector3d();
+        private final Vector3d normal = new Vector3d();
+        private final Vector3d emission = new Vector3d();
+        private double roughness;
+        private double metallic;
+
+        Mixture(Vector3dc smooth) {
+            this.smooth = smooth;
+        }
+
+        void add(double weight, Skin skin, Vec3 place) {
+            Material material = skin.material();
+            double s = place.x() / material.textureMetres();
+            double t = place.z() / material.textureMetres();
+            colour.fma(weight, MaterialTextures.colour(skin, s, t));
+            emission.fma(weight, material.emission().toVector());
+            double rough = material.roughness() == null ? 1 : material.roughness();
+            metallic += weight * (material.metallic() == null ? 0 : material.metallic());
+            Vector3dc mapped = smooth;
+            if (skin.normals() != null) {
+                double[] rgba = {1, 1, 1, 1};
+                skin.normals().read(s, t, rgba);
+                Vector3d across = along(ACROSS);
+                Vector3d up = along(UP);
+                mapped = NormalMap.mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), smooth, across, up);
+                rough *= rgba[3];
+            }
+            roughness += weight * rough;
+            normal.fma(weight, mapped);
+        }
+
+        private Vector3d along(Vector3dc direction) {
+            Vector3d tangent = new Vector3d(direction).fma(-smooth.dot(direction), smooth);
+            return tangent.normalize();
+        }
+
+        SurfacePoint point(int item, Vec3 place, Vector3dc faceNormal, Vector3dc toEye, boolean isGlossy) {
+            normal.normalize();
+            Brdf gloss = isGlossy ? Brdf.of(colour, roughness, metallic, normal.dot(toEye)) : null;
+            return new SurfacePoint(item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission));
+        }
+    }
+}

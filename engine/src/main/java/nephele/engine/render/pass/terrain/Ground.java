@@ -1,0 +1,113 @@
+package nephele.engine.render.pass.terrain;
+
+import java.nio.ByteBuffer;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.TerrainMesh;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.TerrainSky;
+
+/** One terrain with its program, materials and sky visibility. */
+final class Ground {
+    private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
+
+    private final TerrainMesh mesh;
+    private final GroundLook look;
+    private final SurfaceLight light;
+    private final MaterialBlocks materials;
+    private final GlProgram<GroundUniforms> program;
+    /** {@code null} if the sky does not shine. */
+    private final Texture sky;
+
+    /** {@code null} without pictures. */
+    private final Texture colours;
+
+    Ground(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
+        this.mesh = mesh;
+        look = GroundLook.of(grid, context.scene().materials());
+        light = context.shared().surfaceLight();
+        materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
+        program = program(context);
+        sky = LightRequirements.skyShines(context.scene().level())
+                ? context.share(Texture.class, new SkyOf(new Same(grid.field())), () -> sky(context.gl(), grid))
+                : null;
+        colours = look.kind().isTextured()
+                ? context.shared().colourPictures().get(look.kind().colourArray())
+                : null;
+    }
+
+    private record SkyOf(Same field) {}
+
+    private GlProgram<GroundUniforms> program(LoadContext context) {
+        SurfaceVariant surface = SurfaceVariant.of(look.kind(), context.quality());
+        var defines = surface.addTo(
+                        light.addForDynamicObjects(Defines.of(context))
+                                .with("LAYERS", look.surfaces().size()),
+                        materials.materialsPerBlock())
+                .values();
+        return new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "terrain.vert", defines),
+                ShaderSource.load(FOLDER + "terrain.frag", defines),
+                uniforms -> uniforms(context, surface, uniforms));
+    }
+
+    private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
+        surface.set(uniforms);
+        light.tieForDynamicObjects(uniforms);
+        uniforms.sampler("terrainSlopes", TextureUnit.TERRAIN_SLOPES);
+        if (LightRequirements.skyShines(context.scene().level())) {
+            uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
+        }
+        return GroundUniforms.of(uniforms, look.surfaces().size(), look.kind(), light);
+    }
+
+    private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {
+        TerrainSky open = TerrainSky.of(grid.field());
+        Texture texture = new Texture(
+                gl,
+                "terrain sky visibility",
+                Texture.Shape.FLAT,
+                PixelFormat.R8,
+                Texture.Extent.flat(open.columns(), open.rows()),
+                Sampling.LINEAR_CLAMP);
+        ByteBuffer texels = ByteBuffer.allocateDirect(open.values().length);
+        texture.upload(0, texels.put(open.values()).flip());
+        return texture;
+    }
+
+    void draw(FrameContext frame) {
+        program.use();
+        GroundUniforms uniforms = program.uniforms();
+        uniforms.set(mesh.field(), look, light.anchor());
+        uniforms.place()
+                .set(
+                        mesh.field(),
+                        frame.view().eyeX(),
+                        frame.view().eyeY(),
+                        frame.view().eyeZ());
+        materials.bind(0);
+        mesh.bind();
+        if (sky != null) {
+            sky.bind(TextureUnit.SKY_VISIBILITY);
+        }
+        if (colours != null) {
+            colours.bind(TextureUnit.COLOURS);
+        }
+        mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
+    }
+}

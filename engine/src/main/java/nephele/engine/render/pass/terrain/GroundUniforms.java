@@ -1,0 +1,68 @@
+package nephele.engine.render.pass.terrain;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import nephele.engine.level.terrain.TerrainLayers;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Vector2;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.resource.TerrainUniforms;
+import nephele.engine.scene.SolidBatch;
+
+/**
+ * The uniforms of a terrain's program.
+ *
+ * @param cell absent without pictures
+ * @param originFromAnchor absent if no light needs positions
+ * @param origins empty without pictures
+ */
+record GroundUniforms(
+        TerrainUniforms place,
+        Optional<Vector2> cell,
+        Optional<Vector3> originFromAnchor,
+        List<Vector4> heights,
+        List<Vector4> slopes,
+        List<Vector2> origins) {
+    static GroundUniforms of(Uniforms uniforms, int layers, SolidBatch.Kind kind, SurfaceLight light) {
+        List<Vector4> heights = new ArrayList<>();
+        List<Vector4> slopes = new ArrayList<>();
+        List<Vector2> origins = new ArrayList<>();
+        for (int i = 0; i < layers; i++) {
+            heights.add(uniforms.vector4("layerHeights[" + i + "]"));
+            slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
+            if (kind.isTextured()) {
+                origins.add(uniforms.vector2("layerOrigins[" + i + "]"));
+            }
+        }
+        return new GroundUniforms(
+                TerrainUniforms.of(uniforms),
+                kind.isTextured() ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
+                light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
+                heights,
+                slopes,
+                origins);
+    }
+
+    void set(HeightField field, GroundLook look, Vec3 anchor) {
+        cell.ifPresent(lengths -> lengths.set((float) field.cellX(), (float) field.cellZ()));
+        Vec3 origin = field.origin().minus(anchor);
+        originFromAnchor.ifPresent(at -> at.set((float) origin.x(), (float) origin.y(), (float) origin.z()));
+        double[] limits = look.limits();
+        for (int i = 0; i < heights.size(); i++) {
+            set(heights.get(i), limits, TerrainLayers.LIMITS * i);
+            set(slopes.get(i), limits, TerrainLayers.LIMITS * i + 4);
+        }
+        for (int i = 0; i < origins.size(); i++) {
+            origins.get(i).set((float) look.origins()[2 * i], (float) look.origins()[2 * i + 1]);
+        }
+    }
+
+    private static void set(Vector4 uniform, double[] values, int at) {
+        uniform.set((float) values[at], (float) values[at + 1], (float) values[at + 2], (float) values[at + 3]);
+    }
+}

@@ -1,0 +1,58 @@
+#define MODEL
+#define CURVED_RECEIVER
+#include "output.glsl"
+#include "materials.glsl"
+#include "surface-light.glsl"
+#include "covered-position.glsl"
+#include "terrain-layers.glsl"
+#ifdef SKY_AMBIENT
+uniform sampler2D terrainSky;
+#endif
+
+uniform sampler2D terrainSlopes;
+uniform vec2 cellMetres;
+
+in vec2 fieldPosition;
+in float height;
+in vec3 relativePosition;
+#ifdef ANCHOR_POSITION
+in vec3 anchorPosition;
+#endif
+
+// Returns the smooth normal; twin: nephele.engine.math.heightfield.HeightFieldSurface.
+vec3 smoothNormalAt(vec2 place) {
+    vec2 rise = texture(terrainSlopes, (place + 0.5) / vec2(textureSize(terrainSlopes, 0))).rg;
+    return normalize(vec3(-rise.x, 1.0, -rise.y));
+}
+
+// Returns the normal of the drawn triangle.
+vec3 triangleNormal() {
+    vec3 n = normalize(cross(dFdx(relativePosition), dFdy(relativePosition)));
+    return n.y < 0.0 ? -n : n;
+}
+
+void main() {
+    vec3 n = smoothNormalAt(fieldPosition);
+    GroundMaterial ground = groundAt(height, n.y, fieldPosition * cellMetres);
+    Surface s;
+    s.baseColour = ground.baseColour;
+    s.normal = n;
+    s.smoothNormal = n;
+    s.faceNormal = triangleNormal();
+#ifdef METALLIC_ROUGHNESS
+    s.roughness = ground.roughness;
+    s.toEye = -normalize(relativePosition);
+#endif
+#if defined(METALLIC_ROUGHNESS) || defined(ALL_DIFFUSE)
+    s.metallic = ground.metallic;
+#endif
+#ifdef ANCHOR_POSITION
+    s.anchorPosition = atCovered(anchorPosition, coveredOffset());
+#endif
+#ifdef SKY_AMBIENT
+    vec2 last = vec2(textureSize(terrainSlopes, 0) - 1);
+    vec2 points = vec2(textureSize(terrainSky, 0));
+    s.skyVisibility = texture(terrainSky, (fieldPosition / last * (points - 1.0) + 0.5) / points).r;
+#endif
+    writeRadiance(surfaceRadiance(s) + ground.emission, relativePosition);
+}

@@ -1,0 +1,140 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.asset.TestAssets;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Terrain;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.TestTerrain;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.ReferencePicture;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.reference.VisibleSurface;
+import nephele.engine.render.frame.Output;
+import nephele.engine.scene.View;
+import nephele.lab.oracle.PinholeViews;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Drawn terrains equal traced ones pixel by pixel: shapes, layers, normals, lamps, shadows, light of the sky. */
+class TerrainTwinGlTest {
+    private static final int SIZE = 96;
+    private static final TestAssets MAP = TestTerrain.map(70, TestTerrain::wavy);
+
+    private static TestLevel materials() {
+        return new TestLevel()
+                .material("low", new Vec3(0.2, 0.5, 0.1))
+                .material("high", new Vec3(0.7, 0.7, 0.8))
+                .material(new Material("steep", new Vec3(0.5, 0.3, 0.2), null, 0.6, 0.2, null, Vec3.ZERO, 1));
+    }
+
+    private static Level on(TestLevel level, double sizeX, Vec3 centre) {
+        List<Terrain.Layer> layers = List.of(
+                new Terrain.Layer("low", -1e7, 5, 2, 0, 25),
+                new Terrain.Layer("high", 5, 1e7, 2, 0, 25),
+                new Terrain.Layer("steep", -1e7, 1e7, 0, 25, 90));
+        return level.level()
+                .withTerrains(List.of(new Terrain(
+                        "t",
+                        "map.r16",
+                        centre,
+                        new Terrain.Sides(sizeX, 64),
+                        new Terrain.HeightRange(0, 10),
+                        layers,
+                        false)));
+    }
+
+    /** Without shadows, where only rounding differs, at most one value in a hundred, at an edge, differs. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void lightWithoutShadowsIsTheSame(boolean sunny) {
+        TestLevel level = sunny
+                ? materials().ambient(0.2).sun(new Vec3(0.4, 0.7, 0.5), 3)
+                : materials()
+                        .ambient(0.2)
+                        .light(new Light.Point("l", new Vec3(3, 12, 3), TestLevel.grey(90), 60, false));
+        Twins both = Twins.of(on(level, 64, Vec3.ZERO), Vec3.ZERO, 1);
+        int differing = both.differing(0.02);
+        assertTrue(differing < 0.02 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
+    }
+
+    /** With shadows and the sky, the mean agrees, and nearly all pixels. */
+    @Test
+    void shadowsAndSkyAreNearlyTheSame() {
+        TestLevel level = materials()
+                .skyLight()
+                .sky(new Sky.Gradient(new Vec3(0.4, 0.6, 1), TestLevel.grey(0.8), TestLevel.grey(0.2)))
+                .castingSun(new Vec3(0.8, 0.35, 0.3), 3)
+                .box("low", new Vec3(0, 9, -3), new Vec3(2, 4, 2));
+        Twins both = Twins.of(on(level, 64, Vec3.ZERO), Vec3.ZERO, 32);
+        assertEquals(1, both.mean(both.drawn) / both.mean(both.traced), 0.015);
+        int differing = both.differing(0.12);
+        assertTrue(differing < 0.06 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
+    }
+
+    /** Identity colours differ at no pixel that is away from edges: oblong cells, far from the world's origin. */
+    @ParameterizedTest
+    @CsvSource({"64, 0", "20, 0", "64, 100000"})
+    void theSamePixelsShowTheGround(double sizeX, double out) {
+        Vec3 centre = new Vec3(out, 0, -out);
+        Level ids = IdLevel.of(
+                on(materials().box("low", centre.plus(new Vec3(0, 9, -3)), new Vec3(2, 4, 2)), sizeX, centre));
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(centre.plus(new Vec3(2, 13, 14)), centre.plus(new Vec3(0, 6, 0)));
+            int[] drawn = offscreen.pixels(ids, MAP, view, RenderSettings.of(Output.PLAIN));
+            VisibleSurface sight = TracedLevel.of(PlacedLevel.of(ids, MAP), ColourDecoding.AS_STORED)
+                    .sight(PinholeViews.of(view));
+            int differing = 0;
+            int ground = 0;
+            for (int i = 0; i < drawn.length; i++) {
+                int surface = sight.at((i % SIZE + 0.5) / SIZE, (i / SIZE + 0.5) / SIZE);
+                int expected = surface == VisibleSurface.NOTHING ? 0 : IdLevel.colour(surface);
+                ground += surface == 1 ? 1 : 0;
+                differing += expected == drawn[i] ? 0 : 1;
+            }
+            assertTrue(ground > drawn.length / 3, ground + " pixels of ground");
+            assertTrue(differing <= 8, differing + " pixels differ");
+        }
+    }
+
+    /** The drawn and the traced picture. */
+    private record Twins(float[] drawn, float[] traced) {
+        static Twins of(Level level, Vec3 centre, int samples) {
+            try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+                View view = offscreen.view(centre.plus(new Vec3(2, 16, 14)), centre.plus(new Vec3(0, 2, 0)));
+                float[] drawn = offscreen.radiance(level, MAP, view);
+                TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, MAP), ColourDecoding.SRGB);
+                TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
+                return new Twins(drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {}));
+            }
+        }
+
+        int differing(double share) {
+            int differing = 0;
+            for (int i = 0; i < drawn.length; i++) {
+                differing += Math.abs(drawn[i] - traced[i]) > share * Math.max(traced[i], 0.05) ? 1 : 0;
+            }
+            return differing;
+        }
+
+        double mean(float[] picture) {
+            double sum = 0;
+            for (float value : picture) {
+                sum += value;
+            }
+            return sum / picture.length;
+        }
+    }
+}

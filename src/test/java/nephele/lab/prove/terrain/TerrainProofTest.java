@@ -1,0 +1,18 @@
+package nephele.lab.prove.terrain;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+import org.junit.jupiter.api.Test;
+
+/** The proof holds at a small part of the full count. */
+class TerrainProofTest {
+    @Test
+    void nothingFallsThroughTheGround() {
+        ProofResult result = new TerrainProof().run(0, 4000, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+    }
+}
