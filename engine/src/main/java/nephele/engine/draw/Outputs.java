@@ -1,7 +1,7 @@
 package nephele.engine.draw;
 
 import nephele.engine.level.Level;
-import nephele.engine.render.frame.LinearLight;
+import nephele.engine.level.appearance.LinearLight;
 import nephele.engine.render.frame.Output;
 
 /** Chooses the default output of a level. */

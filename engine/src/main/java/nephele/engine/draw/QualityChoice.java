@@ -27,6 +27,7 @@ import nephele.engine.render.frame.Quality.ImpostorChoice;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
 
@@ -129,6 +130,15 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     16,
                     4096,
                     (all, value) -> all.with(all.quality().withCloudSkyboxTexels(value))),
+            SettingKey.word(
+                    "terrainDetail",
+                    TerrainDetail.class,
+                    (all, value) -> all.with(all.quality().withTerrainDetail(value))),
+            SettingKey.number(
+                    "terrainErrorPixels",
+                    0.1,
+                    64,
+                    (all, value) -> all.with(all.quality().withTerrainErrorPixels(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

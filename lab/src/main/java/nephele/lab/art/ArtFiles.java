@@ -16,6 +16,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.lab.art.bench.BenchLevels;
 import nephele.lab.art.bench.BenchPixels;
+import nephele.lab.art.bench.BenchTerrain;
 import nephele.lab.art.cloud.CloudPictures;
 import nephele.lab.art.cloud.SampleGrid;
 import nephele.lab.art.material.TextureRecipe;
@@ -26,6 +27,7 @@ import nephele.lab.art.picture.ScenePictures;
 import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
+import nephele.lab.art.terrain.TerrainFile;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {
@@ -61,6 +63,7 @@ public final class ArtFiles {
             write(assets.resolve(picture.getKey()), picture.getValue());
         }
         write(assets.resolve(SignPainter.FILE), SignPainter.paint());
+        Files.write(assets.resolve(BenchTerrain.MAP), TerrainFile.png(BenchTerrain.map(), BenchTerrain.SIDE));
         Path grid = assets.resolve(SampleGrid.FILE);
         Files.createDirectories(grid.getParent());
         Files.write(grid, SampleGrid.written());
@@ -76,6 +79,7 @@ public final class ArtFiles {
         for (int face = 0; face < 6; face++) {
             pictures.put(BenchLevels.skyFiles().get(face), BenchPixels.sky(face));
         }
+        pictures.put(BenchTerrain.PICTURE, BenchPixels.ground());
         return pictures;
     }
 

@@ -21,6 +21,7 @@ import nephele.lab.prove.geometry.RayProof;
 import nephele.lab.prove.geometry.RotationProof;
 import nephele.lab.prove.geometry.SeparationProof;
 import nephele.lab.prove.geometry.SkinProof;
+import nephele.lab.prove.geometry.TerrainDetailProof;
 import nephele.lab.prove.picture.MirrorsProof;
 import nephele.lab.prove.picture.PortalIdsProof;
 import nephele.lab.prove.picture.PortalLightProof;
@@ -66,6 +67,7 @@ public final class Proofs {
             new HeightFieldProof(4097),
             new CollisionBoundsProof(),
             new TerrainProof(),
+            new TerrainDetailProof(4097),
             new RotationProof(),
             new PlacementProof(),
             new RetriangulationProof(),

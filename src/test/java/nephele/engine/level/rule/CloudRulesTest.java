@@ -85,8 +85,7 @@ class CloudRulesTest {
                 clouds(layer("c", ", 'windMetresPerSecond': [1, 2, 3]")),
                 "clouds[0].windMetresPerSecond[1]",
                 "keeps its altitude");
-        require(
-                clouds(layer("c", ", 'swayMetres': [1, 2, 3]")), "clouds[0].swayMetres[1]", "keeps its altitude");
+        require(clouds(layer("c", ", 'swayMetres': [1, 2, 3]")), "clouds[0].swayMetres[1]", "keeps its altitude");
         require("\"weatherSeed\": 3", "weatherSeed", "warning: has no effect without weather");
     }
 

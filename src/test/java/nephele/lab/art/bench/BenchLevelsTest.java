@@ -39,7 +39,8 @@ class BenchLevelsTest {
                 "boxes-500-stack.json",
                 "bodies-200.json",
                 "boxes-1000-portals.json",
-                "portals-64.json"
+                "portals-64.json",
+                "terrain.json"
             })
     void committedFileIsWhatTheGeneratorMakes(String file) throws IOException {
         assertEquals(LevelJson.write(BenchLevels.all().get(file)), Files.readString(Path.of("levels/bench", file)));

@@ -29,6 +29,8 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param skyplaneShape shape of the sheets of technique {@code skyplane}
  * @param proceduralNoise noise of technique {@code procedural}
  * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
+ * @param terrainDetail triangles of which terrains are drawn
+ * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -56,6 +58,8 @@ public record Quality(
         SkyplaneShape skyplaneShape,
         ProceduralNoise proceduralNoise,
         int cloudSkyboxTexels,
+        TerrainDetail terrainDetail,
+        double terrainErrorPixels,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -85,6 +89,8 @@ public record Quality(
             SkyplaneShape.SHELL,
             ProceduralNoise.SMOOTH,
             512,
+            TerrainDetail.LOD,
+            1,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -154,6 +160,14 @@ public record Quality(
         OFF,
         /** Those whose pictures are right for long enough to be worth their making. */
         AUTO
+    }
+
+    /** The triangles of which terrains are drawn. */
+    public enum TerrainDetail {
+        /** All of the height map. */
+        FULL,
+        /** {@link nephele.engine.math.heightfield.DetailRanges}: fewer where the picture shows no difference. */
+        LOD
     }
 
     /** The filter that scales a picture up. */
@@ -293,6 +307,14 @@ public record Quality(
         return with(draft -> draft.cloudSkyboxTexels = texels);
     }
 
+    public Quality withTerrainDetail(TerrainDetail triangles) {
+        return with(draft -> draft.terrainDetail = triangles);
+    }
+
+    public Quality withTerrainErrorPixels(double pixels) {
+        return with(draft -> draft.terrainErrorPixels = pixels);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -305,94 +327,9 @@ public record Quality(
         return with(draft -> draft.portalResolution = share);
     }
 
-    private Quality with(Consumer<Draft> change) {
-        Draft draft = new Draft(this);
+    private Quality with(Consumer<QualityDraft> change) {
+        QualityDraft draft = new QualityDraft(this);
         change.accept(draft);
         return draft.quality();
-    }
-
-    private static final class Draft {
-        private double pictureResolution;
-        private Upscale upscale;
-        private int anisotropy;
-        private NormalMaps normalMaps;
-        private ReflectionModel brdf;
-        private int shadowTexels;
-        private ShadowSampling shadowFilter;
-        private int lightShadows;
-        private int samples;
-        private EdgeFilter edgeFilter;
-        private double cloudResolution;
-        private CloudHistory cloudHistory;
-        private double cloudStep;
-        private int cloudLightCell;
-        private CloudScattering cloudScattering;
-        private BillboardFacing billboardFacing;
-        private BallLight particleLight;
-        private ImpostorChoice impostors;
-        private double impostorErrorPixels;
-        private SkyplaneShape skyplaneShape;
-        private ProceduralNoise proceduralNoise;
-        private int cloudSkyboxTexels;
-        private PortalTechnique portalTechnique;
-        private int viewBudget;
-        private double portalResolution;
-
-        Draft(Quality from) {
-            pictureResolution = from.pictureResolution;
-            upscale = from.upscale;
-            anisotropy = from.anisotropy;
-            normalMaps = from.normalMaps;
-            brdf = from.brdf;
-            shadowTexels = from.shadowTexels;
-            shadowFilter = from.shadowFilter;
-            lightShadows = from.lightShadows;
-            samples = from.samples;
-            edgeFilter = from.edgeFilter;
-            cloudResolution = from.cloudResolution;
-            cloudHistory = from.cloudHistory;
-            cloudStep = from.cloudStep;
-            cloudLightCell = from.cloudLightCell;
-            cloudScattering = from.cloudScattering;
-            billboardFacing = from.billboardFacing;
-            particleLight = from.particleLight;
-            impostors = from.impostors;
-            impostorErrorPixels = from.impostorErrorPixels;
-            skyplaneShape = from.skyplaneShape;
-            proceduralNoise = from.proceduralNoise;
-            cloudSkyboxTexels = from.cloudSkyboxTexels;
-            portalTechnique = from.portalTechnique;
-            viewBudget = from.viewBudget;
-            portalResolution = from.portalResolution;
-        }
-
-        Quality quality() {
-            return new Quality(
-                    pictureResolution,
-                    upscale,
-                    anisotropy,
-                    normalMaps,
-                    brdf,
-                    shadowTexels,
-                    shadowFilter,
-                    lightShadows,
-                    samples,
-                    edgeFilter,
-                    cloudResolution,
-                    cloudHistory,
-                    cloudStep,
-                    cloudLightCell,
-                    cloudScattering,
-                    billboardFacing,
-                    particleLight,
-                    impostors,
-                    impostorErrorPixels,
-                    skyplaneShape,
-                    proceduralNoise,
-                    cloudSkyboxTexels,
-                    portalTechnique,
-                    viewBudget,
-                    portalResolution);
-        }
     }
 }

@@ -87,7 +87,8 @@ public final class TerrainMesh implements GlObject {
         MemoryUtil.memFree(slope);
     }
 
-    private static ByteBuffer corners(int cellsX, int cellsZ) {
+    /** Returns the columns and rows of a grid of cells, row by row. */
+    static ByteBuffer corners(int cellsX, int cellsZ) {
         ByteBuffer corners =
                 ByteBuffer.allocateDirect(4 * (cellsX + 1) * (cellsZ + 1)).order(ByteOrder.nativeOrder());
         for (int row = 0; row <= cellsZ; row++) {
@@ -99,7 +100,7 @@ public final class TerrainMesh implements GlObject {
     }
 
     /** Returns two triangles for each cell, cut as {@link HeightField} cuts it, counter-clockwise seen from above. */
-    private static IntBuffer cells(int cellsX, int cellsZ) {
+    static IntBuffer cells(int cellsX, int cellsZ) {
         IntBuffer indices = ByteBuffer.allocateDirect(24 * cellsX * cellsZ)
                 .order(ByteOrder.nativeOrder())
                 .asIntBuffer();

@@ -25,6 +25,9 @@ float layerFall(float x, float one, float zero) {
 }
 
 float layerWeight(int layer, float height, float up) {
+#if LAYERS == 1
+    return 1.0;
+#endif
     vec4 h = layerHeights[layer];
     vec4 s = layerSlopes[layer];
     return layerRise(height, h.x, h.y) * layerFall(height, h.z, h.w) * layerFall(up, s.x, s.y)

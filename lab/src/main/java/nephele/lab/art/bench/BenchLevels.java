@@ -20,7 +20,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * The benchmark scenes as levels: clear, skybox, boxes, portals and bodies. The engines that Nephele is compared with
+ * The benchmark scenes as levels: clear, skybox, boxes, portals, bodies and terrain. The engines that Nephele is compared with
  * draw the same scenes.
  */
 public final class BenchLevels {
@@ -42,6 +42,7 @@ public final class BenchLevels {
         levels.put("bodies-200.json", BenchBodies.shaft(sunlit()));
         levels.put("boxes-1000-portals.json", BenchPortals.facing(boxes(1000)));
         levels.put("portals-64.json", BenchPortals.hall(sunlit()));
+        levels.put("terrain.json", terrain());
         return levels;
     }
 
@@ -76,6 +77,14 @@ public final class BenchLevels {
                 path(frame -> BenchPath.boxes(count, frame)));
         Material box = new Material("box", ONE, "textures/bench/box.png", null, null, null, Vec3.ZERO, 1);
         return empty.with(List.of(box), grid(count));
+    }
+
+    private static Level terrain() {
+        return BenchTerrain.on(level(
+                "Bench: terrain",
+                "case E: 1025 × 1025 heights 1 m apart, one texture, one sun",
+                sunlit(),
+                path(BenchPath::terrain)));
     }
 
     private static List<Solid> grid(int count) {

@@ -33,6 +33,12 @@ final class BenchPath {
         return waypoint(new Vec3(x, 3 + 0.02f * extent, 0.25f * extent), swayRadians(frame), -0.15f);
     }
 
+    /** Returns a camera above the middle of the terrain that flies over it. */
+    static Camera.Waypoint terrain(int frame) {
+        float x = (float) (60 * StrictMath.sin(phase(frame)));
+        return waypoint(new Vec3(x, 120, 300 - 4f * frame), swayRadians(frame), -0.25f);
+    }
+
     private static double phase(int frame) {
         return 2 * Math.PI * frame / FRAMES;
     }

@@ -40,6 +40,14 @@ public final class BenchPixels {
         });
     }
 
+    /** Paints the ground: green with coarse and fine noise. */
+    public static BufferedImage ground() {
+        return Pixels.picture(SKY_SIDE, SKY_SIDE, (x, y) -> {
+            int grain = (int) (random(x, y, 2) * 50 + random(x / 8, y / 8, 3) * 40);
+            return rgb(60 + grain, 110 + grain, 40 + grain / 2);
+        });
+    }
+
     private static int rgb(int red, int green, int blue) {
         return clamp(red) << 16 | clamp(green) << 8 | clamp(blue);
     }
@@ -58,7 +66,8 @@ public final class BenchPixels {
         return (hash(x, y, seed) & 0xffffff) / (float) 0x1000000;
     }
 
-    private static float noise(float x, float y, int seed) {
+    /** Returns smooth noise of one octave, 0 to 1. */
+    static float noise(float x, float y, int seed) {
         int column = (int) Math.floor(x);
         int row = (int) Math.floor(y);
         float right = ease(x - column);

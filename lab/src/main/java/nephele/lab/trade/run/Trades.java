@@ -15,6 +15,7 @@ import nephele.lab.trade.subject.PortalSubjects;
 import nephele.lab.trade.subject.QualitySubjects;
 import nephele.lab.trade.subject.SceneSubjects;
 import nephele.lab.trade.subject.ShadowSubject;
+import nephele.lab.trade.subject.TerrainSubjects;
 import nephele.lab.trade.subject.TickRateSubject;
 import nephele.lab.trade.subject.TraversalSubject;
 
@@ -46,6 +47,8 @@ public final class Trades {
             CloudSubjects.SHEET,
             CloudSubjects.NOISE,
             CloudSubjects.SKYBOX,
+            TerrainSubjects.DETAIL,
+            TerrainSubjects.ERROR,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

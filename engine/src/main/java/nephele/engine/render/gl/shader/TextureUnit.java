@@ -52,6 +52,8 @@ public enum TextureUnit {
     /** The shade of clouds that {@code shaft.frag} reads. */
     SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),
+    /** The tiles of a terrain that a view draws. */
+    TERRAIN_TILES(9),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),

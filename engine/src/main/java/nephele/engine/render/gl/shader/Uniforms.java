@@ -106,6 +106,16 @@ public final class Uniforms {
         glProgramUniform1i(program, location(name), unit.number());
     }
 
+    /** Returns true if the program reads a uniform. */
+    public boolean reads(String name) {
+        return glGetUniformLocation(program, name) >= 0;
+    }
+
+    /** Binds a sampler to a texture unit permanently if the program reads it. */
+    public void samplerIfRead(String name, TextureUnit unit) {
+        tie(name, unit);
+    }
+
     /** Binds a uniform block to a binding point permanently. */
     public void block(String name, int bindingPoint) {
         int index = glGetUniformBlockIndex(program, name);

@@ -2,9 +2,11 @@ package nephele.engine.render.pass.terrain;
 
 import java.nio.ByteBuffer;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.GlContext;
@@ -18,6 +20,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.TerrainMesh;
+import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.TerrainSky;
 
@@ -26,6 +29,10 @@ final class Ground {
     private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
 
     private final TerrainMesh mesh;
+    /** {@code null} if all triangles are drawn. */
+    private final TerrainTiles tiles;
+
+    private final double errorPixels;
     private final GroundLook look;
     private final SurfaceLight light;
     private final MaterialBlocks materials;
@@ -38,6 +45,13 @@ final class Ground {
 
     Ground(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
         this.mesh = mesh;
+        errorPixels = context.quality().terrainErrorPixels();
+        tiles = context.quality().terrainDetail() == TerrainDetail.LOD
+                ? context.share(
+                        TerrainTiles.class,
+                        new TilesOf(new Same(grid.field())),
+                        () -> new TerrainTiles(context.gl(), grid.field()))
+                : null;
         look = GroundLook.of(grid, context.scene().materials());
         light = context.shared().surfaceLight();
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
@@ -52,10 +66,13 @@ final class Ground {
 
     private record SkyOf(Same field) {}
 
+    private record TilesOf(Same field) {}
+
     private GlProgram<GroundUniforms> program(LoadContext context) {
         SurfaceVariant surface = SurfaceVariant.of(look.kind(), context.quality());
         var defines = surface.addTo(
                         light.addForDynamicObjects(Defines.of(context))
+                                .withIf(tiles != null, "DETAIL")
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
@@ -69,11 +86,19 @@ final class Ground {
     private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
         surface.set(uniforms);
         light.tieForDynamicObjects(uniforms);
-        uniforms.sampler("terrainSlopes", TextureUnit.TERRAIN_SLOPES);
+        uniforms.samplerIfRead("terrainSlopes", TextureUnit.TERRAIN_SLOPES);
+        if (tiles != null) {
+            uniforms.sampler("terrainTiles", TextureUnit.TERRAIN_TILES);
+        }
         if (LightRequirements.skyShines(context.scene().level())) {
             uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
         }
-        return GroundUniforms.of(uniforms, look.surfaces().size(), look.kind(), light);
+        return GroundUniforms.of(
+                uniforms,
+                look.surfaces().size(),
+                look.kind(),
+                light,
+                context.quality().terrainDetail());
     }
 
     private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {
@@ -108,6 +133,22 @@ final class Ground {
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);
         }
-        mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
+        if (tiles == null) {
+            mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
+        } else {
+            drawTiles(frame, uniforms);
+        }
+    }
+
+    private void drawTiles(FrameContext frame, GroundUniforms uniforms) {
+        DetailView view = TerrainTiles.seenFrom(frame.view());
+        double scale = TerrainTiles.scale(
+                frame.view().projection(),
+                frame.surface().width(),
+                frame.surface().height(),
+                errorPixels);
+        uniforms.place().chunk(mesh.field(), 0, 0);
+        uniforms.setDetail(view);
+        tiles.draw(view, scale, frame.seen());
     }
 }

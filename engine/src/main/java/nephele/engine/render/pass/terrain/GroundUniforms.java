@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
@@ -17,31 +19,40 @@ import nephele.engine.scene.SolidBatch;
 /**
  * The uniforms of a terrain's program.
  *
- * @param cell absent without pictures
+ * @param detailView absent if all triangles are drawn
+ * @param cell absent if no picture or light needs it
+ * @param heights empty for one layer, which is everywhere
+ * @param slopes the same
  * @param originFromAnchor absent if no light needs positions
  * @param origins empty without pictures
  */
 record GroundUniforms(
         TerrainUniforms place,
+        Optional<Vector4> detailView,
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
         List<Vector4> heights,
         List<Vector4> slopes,
         List<Vector2> origins) {
-    static GroundUniforms of(Uniforms uniforms, int layers, SolidBatch.Kind kind, SurfaceLight light) {
+    static GroundUniforms of(
+            Uniforms uniforms, int layers, SolidBatch.Kind kind, SurfaceLight light, TerrainDetail detail) {
         List<Vector4> heights = new ArrayList<>();
         List<Vector4> slopes = new ArrayList<>();
         List<Vector2> origins = new ArrayList<>();
         for (int i = 0; i < layers; i++) {
-            heights.add(uniforms.vector4("layerHeights[" + i + "]"));
-            slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
+            if (layers > 1) {
+                heights.add(uniforms.vector4("layerHeights[" + i + "]"));
+                slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
+            }
             if (kind.isTextured()) {
                 origins.add(uniforms.vector2("layerOrigins[" + i + "]"));
             }
         }
+        boolean isDetailed = detail == TerrainDetail.LOD;
         return new GroundUniforms(
                 TerrainUniforms.of(uniforms),
-                kind.isTextured() ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
+                isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
+                uniforms.reads("cellMetres") ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
                 heights,
                 slopes,
@@ -60,6 +71,12 @@ record GroundUniforms(
         for (int i = 0; i < origins.size(); i++) {
             origins.get(i).set((float) look.origins()[2 * i], (float) look.origins()[2 * i + 1]);
         }
+    }
+
+    void setDetail(DetailView view) {
+        Vec3 forward = view.forward();
+        detailView.ifPresent(
+                at -> at.set((float) forward.x(), (float) forward.y(), (float) forward.z(), (float) view.leastShare()));
     }
 
     private static void set(Vector4 uniform, double[] values, int at) {

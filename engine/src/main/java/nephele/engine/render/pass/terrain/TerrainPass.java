@@ -20,7 +20,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.resource.TerrainMesh;
 
-/** Draws terrains with all their triangles. */
+/** Draws terrains, with all their triangles or with as many as the view needs. */
 public final class TerrainPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy);
 

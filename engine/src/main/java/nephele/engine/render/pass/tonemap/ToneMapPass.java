@@ -2,10 +2,10 @@ package nephele.engine.render.pass.tonemap;
 
 import java.util.List;
 import java.util.Set;
+import nephele.engine.level.appearance.LinearLight;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
-import nephele.engine.render.frame.LinearLight;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;

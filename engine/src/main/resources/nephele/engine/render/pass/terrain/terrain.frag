@@ -13,10 +13,17 @@ uniform sampler2D terrainSlopes;
 uniform vec2 cellMetres;
 
 in vec2 fieldPosition;
-in float height;
 in vec3 relativePosition;
+#ifdef DETAIL
+#include "terrain-surface.glsl"
+#ifdef ANCHOR_POSITION
+uniform vec3 originFromAnchor; // the terrain's origin, metres from the anchor
+#endif
+#else
+in float height;
 #ifdef ANCHOR_POSITION
 in vec3 anchorPosition;
+#endif
 #endif
 
 // Returns the smooth normal; twin: nephele.engine.math.heightfield.HeightFieldSurface.
@@ -33,12 +40,23 @@ vec3 triangleNormal() {
 
 void main() {
     vec3 n = smoothNormalAt(fieldPosition);
-    GroundMaterial ground = groundAt(height, n.y, fieldPosition * cellMetres);
+    vec2 onGround = fieldPosition * cellMetres;
+#ifdef DETAIL
+    GroundPoint point = groundPoint(fieldPosition, cellMetres);
+    float height = point.height;
+    vec3 faceNormal = normalize(vec3(-point.rise.x, 1.0, -point.rise.y));
+#ifdef ANCHOR_POSITION
+    vec3 anchorPosition = vec3(onGround.x, height, onGround.y) + originFromAnchor;
+#endif
+#else
+    vec3 faceNormal = triangleNormal();
+#endif
+    GroundMaterial ground = groundAt(height, n.y, onGround);
     Surface s;
     s.baseColour = ground.baseColour;
     s.normal = n;
     s.smoothNormal = n;
-    s.faceNormal = triangleNormal();
+    s.faceNormal = faceNormal;
 #ifdef METALLIC_ROUGHNESS
     s.roughness = ground.roughness;
     s.toEye = -normalize(relativePosition);

@@ -1,15 +1,24 @@
 #include "view-clip.glsl"
+#ifdef DETAIL
+#include "terrain-detail.glsl"
+#else
 #include "terrain-position.glsl"
+out float height; // metres above the terrain's origin
+#endif
 
 out vec2 fieldPosition; // columns and rows from the terrain's first sample
-out float height; // metres above the terrain's origin
 out vec3 relativePosition;
-#ifdef ANCHOR_POSITION
+#if defined(ANCHOR_POSITION) && !defined(DETAIL)
 uniform vec3 originFromAnchor; // the terrain's origin, metres from the anchor
 out vec3 anchorPosition;
 #endif
 
 void main() {
+#ifdef DETAIL
+    DetailVertex v = detailVertex();
+    fieldPosition = v.column;
+    relativePosition = v.relative;
+#else
     ivec2 column = terrainSample();
     height = terrainHeight(column);
     fieldPosition = vec2(column);
@@ -17,6 +26,7 @@ void main() {
 #ifdef ANCHOR_POSITION
     vec2 cell = cellHighLow.xy + cellHighLow.zw;
     anchorPosition = vec3(column.x * cell.x, height, column.y * cell.y) + originFromAnchor;
+#endif
 #endif
     gl_Position = clipFromRelative * vec4(relativePosition, 1.0);
     clipToView(relativePosition);

@@ -1,10 +1,7 @@
-package nephele.engine.render.frame;
+package nephele.engine.level.appearance;
 
 import java.util.Optional;
 import nephele.engine.level.Level;
-import nephele.engine.level.appearance.FogTransmittance;
-import nephele.engine.level.appearance.MirrorFaces;
-import nephele.engine.level.appearance.WeatherClouds;
 
 /**
  * Decides whether a level's light is accumulated in a linear target before tone mapping, because a pass adds light to

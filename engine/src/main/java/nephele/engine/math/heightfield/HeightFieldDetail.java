@@ -1,0 +1,95 @@
+package nephele.engine.math.heightfield;
+
+import java.util.stream.IntStream;
+
+/**
+ * How far coarser triangles of a {@link HeightField} are from its own. Level l keeps every 2ˡ-th sample and cuts its cells
+ * along the same diagonal. Tiles of level l have {@link #TILE_CELLS} cells of that level along a side; each level's are
+ * twice as wide as those of the level below, up to one that covers the field. Immutable.
+ *
+ * <p>All distances are vertical. Both surfaces are linear between the samples of the finer one, which has the coarser
+ * one's diagonals among its own, so the greatest distance is at a sample.
+ */
+public final class HeightFieldDetail {
+    /** Cells along a side of a tile. */
+    public static final int TILE_CELLS = 8;
+
+    private final HeightField field;
+    private final Tiles[] levels;
+
+    /**
+     * The tiles of one level in row-major order, all lengths in metres.
+     *
+     * @param error greatest distance of the level's triangles from those of the field
+     * @param coarserError the same for the next coarser level; infinite if the field ends within a cell of that level
+     * @param step greatest height of a sample of this level above or below the next coarser level's triangles
+     * @param spread greatest distance of two points of the surface above a cell of the next coarser level
+     */
+    record Tiles(int columns, int rows, float[] error, float[] coarserError, float[] step, float[] spread) {
+        static Tiles empty(int columns, int rows) {
+            int count = columns * rows;
+            return new Tiles(columns, rows, new float[count], new float[count], new float[count], new float[count]);
+        }
+    }
+
+    private HeightFieldDetail(HeightField field, Tiles[] levels) {
+        this.field = field;
+        this.levels = levels;
+    }
+
+    /** Measures all levels of a field: every sample once for each level. */
+    public static HeightFieldDetail of(HeightField field) {
+        int cells = Math.max(field.cellColumns(), field.cellRows());
+        int top = 0;
+        while (TILE_CELLS << top < cells) {
+            top++;
+        }
+        Tiles[] levels = new Tiles[top + 1];
+        for (int level = 0; level <= top; level++) {
+            Tiles tiles = Tiles.empty(tiles(field.cellColumns(), level), tiles(field.cellRows(), level));
+            levels[level] = tiles;
+            if (level > 0) {
+                gatherErrors(levels[level - 1], tiles);
+            }
+            if (level < top) {
+                int its = level;
+                IntStream.range(0, tiles.rows()).parallel().forEach(row -> new DetailMeasure(field, its, tiles)
+                        .measureRow(row));
+            }
+        }
+        return new HeightFieldDetail(field, levels);
+    }
+
+    private static int tiles(int cells, int level) {
+        int width = TILE_CELLS << level;
+        return (cells + width - 1) / width;
+    }
+
+    private static void gatherErrors(Tiles finer, Tiles tiles) {
+        for (int row = 0; row < finer.rows(); row++) {
+            for (int column = 0; column < finer.columns(); column++) {
+                int at = row / 2 * tiles.columns() + column / 2;
+                tiles.error()[at] = Math.max(tiles.error()[at], finer.coarserError()[row * finer.columns() + column]);
+            }
+        }
+    }
+
+    /** Returns the field. */
+    public HeightField field() {
+        return field;
+    }
+
+    /** Returns the level of the one tile that covers the field; level 0 has all samples. */
+    public int top() {
+        return levels.length - 1;
+    }
+
+    /** Returns the greatest distance of a tile's triangles from those of the field, metres. */
+    public double error(int level, int column, int row) {
+        return levels[level].error()[row * levels[level].columns() + column];
+    }
+
+    Tiles tiles(int level) {
+        return levels[level];
+    }
+}

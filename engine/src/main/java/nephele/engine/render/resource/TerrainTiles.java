@@ -1,0 +1,114 @@
+package nephele.engine.render.resource;
+
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Frustum;
+import nephele.engine.math.heightfield.DetailRanges;
+import nephele.engine.math.heightfield.DetailTiles;
+import nephele.engine.math.heightfield.DetailView;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldDetail;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.scene.Projection;
+import nephele.engine.scene.View;
+import org.lwjgl.system.MemoryUtil;
+
+/**
+ * Draws a terrain of few triangles: one mesh of {@link HeightFieldDetail#TILE_CELLS}² cells, one instance for each tile
+ * that {@link DetailTiles} selects for the view. {@code terrain-detail.glsl} places a vertex.
+ */
+public final class TerrainTiles implements GlObject {
+    /** Ranges are made for scales that differ by this factor, the next greater one. */
+    private static final double SCALE_STEP = 1.01;
+
+    /** As many sizes of pictures of views as are kept. */
+    private static final int MOST_RANGES = 4;
+
+    private final HeightFieldDetail detail;
+    private final GpuMesh mesh;
+    private final BufferTexture instances;
+    private final DetailTiles tiles = new DetailTiles();
+    private final List<DetailRanges> ranges = new ArrayList<>();
+    private FloatBuffer values = MemoryUtil.memAllocFloat(DetailTiles.FLOATS * 256);
+
+    public TerrainTiles(GlContext gl, HeightField field) {
+        detail = HeightFieldDetail.of(field);
+        int cells = HeightFieldDetail.TILE_CELLS;
+        mesh = new GpuMesh(
+                gl,
+                "terrain tile",
+                VertexFormat.of(Attribute.UINT16X2),
+                TerrainMesh.corners(cells, cells),
+                TerrainMesh.cells(cells, cells));
+        instances = BufferTexture.changing(gl, "terrain tiles");
+    }
+
+    /** Returns the eye of a view. */
+    public static DetailView seenFrom(View view) {
+        return new DetailView(view.eye(), view.back().negated(), leastShare(view.projection()));
+    }
+
+    private static double leastShare(Projection projection) {
+        double x = projection.tanHalfWidth();
+        double y = projection.tanHalfHeight();
+        return 1 / (1 + x * x + y * y);
+    }
+
+    /**
+     * Returns the greatest number of allowed distances in a picture that a length of 1 at distance 1 covers.
+     *
+     * @param width pixels
+     * @param height pixels
+     */
+    public static double scale(Projection projection, int width, int height, double errorPixels) {
+        double across = width / (2 * projection.tanHalfWidth());
+        double along = height / (2 * projection.tanHalfHeight());
+        return Math.max(across, along) / errorPixels;
+    }
+
+    /** Draws the tiles that a frustum may contain with the current program. @param scale as {@link #scale} returns */
+    public void draw(DetailView view, double scale, Frustum seen) {
+        tiles.select(ranges(scale), view, seen);
+        if (tiles.count() == 0) {
+            return;
+        }
+        int floats = DetailTiles.FLOATS * tiles.count();
+        if (values.capacity() < floats) {
+            values = MemoryUtil.memRealloc(values, 2 * floats);
+        }
+        values.clear();
+        values.put(tiles.values(), 0, floats).flip();
+        instances.upload(values);
+        instances.bind(TextureUnit.TERRAIN_TILES);
+        mesh.drawInstanced(0, 6 * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS, tiles.count());
+    }
+
+    private DetailRanges ranges(double scale) {
+        double stepped = Math.pow(SCALE_STEP, Math.ceil(Math.log(scale) / Math.log(SCALE_STEP)));
+        for (int i = 0; i < ranges.size(); i++) {
+            if (ranges.get(i).scale() == stepped) {
+                return ranges.get(i);
+            }
+        }
+        if (ranges.size() == MOST_RANGES) {
+            ranges.remove(0);
+        }
+        DetailRanges made = DetailRanges.of(detail, stepped);
+        ranges.add(made);
+        return made;
+    }
+
+    @Override
+    public void close() {
+        mesh.close();
+        instances.close();
+        MemoryUtil.memFree(values);
+    }
+}
