@@ -44,7 +44,8 @@ class PrototypesTest {
                         "models",
                         "bodies",
                         "exits",
-                        "emitters"),
+                        "emitters",
+                        "billboards"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(

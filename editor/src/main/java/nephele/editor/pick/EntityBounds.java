@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Exit;
@@ -39,6 +40,8 @@ public final class EntityBounds {
             return Aabb.around(portal.centre(), portal.normal()).union(cube(portal.centre(), half / 2));
         } else if (entity instanceof ModelPlacement model) {
             return cube(origin(model), SYMBOL_METRES);
+        } else if (entity instanceof Billboards billboards) {
+            return billboards.listedBounds();
         }
         return generic(entity);
     }

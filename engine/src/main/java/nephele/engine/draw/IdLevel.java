@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment;
@@ -19,8 +20,8 @@ import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.math.Vec3;
 
 /**
- * The level of {@code --set debug=ids}: each solid, then each body, then each model has a unique flat colour, for plain
- * output. Mirrors stay mirrors.
+ * The level of {@code --set debug=ids}: each solid, then each body, then each model, then each group of billboards has a
+ * unique flat colour, for plain output. Mirrors stay mirrors.
  */
 public final class IdLevel {
     /** Odd, so that 2²⁴ numbers have distinct colours; large, so that neighbours differ. */
@@ -59,6 +60,11 @@ public final class IdLevel {
             models.add(new ModelPlacement(
                     model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
         }
+        int before = materials.size();
+        var billboards = new ArrayList<Billboards>();
+        for (var group : level.billboards()) {
+            billboards.add(group.withEdges(vector(colour(before + billboards.size()))));
+        }
         if (!mirrors.isEmpty()) {
             materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
@@ -66,14 +72,15 @@ public final class IdLevel {
         return level.with(flatLight, List.of())
                 .with(materials, solids, bodies, models)
                 .withExits(List.of())
-                .withEmitters(List.of());
+                .withEmitters(List.of())
+                .withBillboards(billboards);
     }
 
     /**
      * Returns the 8-bit colour of a surface, 0xRRGGBB; black means no surface.
      *
      * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a
-     *     model
+     *     model, or that of all three plus that of a group of billboards
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
@@ -85,8 +92,11 @@ public final class IdLevel {
     }
 
     private static Material flat(String id, int rgb) {
-        var colour = new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-        return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+        return new Material(id, vector(rgb), null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Vec3 vector(int rgb) {
+        return new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
     }
 
     private static Solid painted(Solid solid, String material, Set<String> mirrors) {

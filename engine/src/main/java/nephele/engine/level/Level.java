@@ -26,6 +26,7 @@ public record Level(
         @Written PortalGun portalGun,
         @Written(most = 8) List<Exit> exits,
         @Written(most = 256) List<Emitter> emitters,
+        @Written(most = 1000) List<Billboards> billboards,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
         @Written(absent = "{}") EditorNotes editor) {
     /** Returns a level with an environment and cameras and nothing else. */
@@ -43,6 +44,7 @@ public record Level(
                 List.of(),
                 List.of(),
                 null,
+                List.of(),
                 List.of(),
                 List.of(),
                 Map.of(),
@@ -104,6 +106,11 @@ public record Level(
         return with(draft -> draft.emitters = otherEmitters);
     }
 
+    /** Returns this level with other billboards. */
+    public Level withBillboards(List<Billboards> otherBillboards) {
+        return with(draft -> draft.billboards = otherBillboards);
+    }
+
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
         return with(draft -> draft.editor = notes);
@@ -129,6 +136,7 @@ public record Level(
         private PortalGun portalGun;
         private List<Exit> exits;
         private List<Emitter> emitters;
+        private List<Billboards> billboards;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -144,6 +152,7 @@ public record Level(
             portalGun = from.portalGun;
             exits = from.exits;
             emitters = from.emitters;
+            billboards = from.billboards;
             editor = from.editor;
         }
 
@@ -163,6 +172,7 @@ public record Level(
                     portalGun,
                     exits,
                     emitters,
+                    billboards,
                     from.aim,
                     editor);
         }

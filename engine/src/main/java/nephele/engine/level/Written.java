@@ -32,6 +32,9 @@ public @interface Written {
     /** True if the component's members are written beside its owner's instead of below a key. */
     boolean beside() default false;
 
+    /** True if a record's members are written as an array, in their order and without their names. */
+    boolean array() default false;
+
     /** Section whose ids a text names, such as {@code materials}; empty for a text that names no record. */
     String refersTo() default "";
 

@@ -80,7 +80,7 @@ final class FormatBuilder {
         } else if (type.isEnum()) {
             return WordFormats.Choice.of(type);
         } else if (type.isRecord()) {
-            return record(type);
+            return written.array() ? new TupleFormat(record(type)) : record(type);
         } else if (type.isSealed()) {
             return variants(type);
         }

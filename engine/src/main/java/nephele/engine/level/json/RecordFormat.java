@@ -35,6 +35,10 @@ final class RecordFormat implements MembersFormat {
         }
     }
 
+    int fieldCount() {
+        return fields.size();
+    }
+
     FieldFormat field(int index) {
         return fields.get(index);
     }

@@ -33,6 +33,8 @@ public final class LevelRules {
             ExitRules.REACHABLE,
             EmitterRules.COUNT,
             EmitterRules.USED,
+            BillboardRules.PLACES,
+            BillboardRules.MEANT,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 
@@ -45,6 +47,7 @@ public final class LevelRules {
         List<LevelRule> all = new ArrayList<>(STRUCTURE);
         all.add(AssetRules.READABLE);
         all.add(ModelRules.READABLE);
+        all.add(BillboardRules.ROOM);
         return List.copyOf(all);
     }
 

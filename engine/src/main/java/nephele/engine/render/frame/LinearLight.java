@@ -1,6 +1,7 @@
 package nephele.engine.render.frame;
 
 import java.util.Optional;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.MirrorFaces;
@@ -26,6 +27,9 @@ public final class LinearLight {
         }
         if (level.emitters().stream().anyMatch(emitter -> emitter.ratePerSecond() > 0)) {
             return Optional.of("emitters: particles are blended with what is behind them");
+        }
+        if (level.billboards().stream().anyMatch(Billboards::blended)) {
+            return Optional.of("billboards: some are blended with what is behind them");
         }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()
