@@ -32,7 +32,8 @@ final class BadBillboards {
                     field(3, 1, ", \"heightRangeMetres\": [2, 1]") + SIZE),
             billboards(".field.count", "fit at spacingMetres 4", field(100, 4, "") + SIZE),
             billboards(".field.count", "0 fit at", field(3, 1, ", \"heightRangeMetres\": [5, 9]") + SIZE),
-            billboards(".field.densityMap", "there is no such file", field(3, 1, ", \"densityMap\": \"none.png\"") + SIZE),
+            billboards(
+                    ".field.densityMap", "there is no such file", field(3, 1, ", \"densityMap\": \"none.png\"") + SIZE),
             level(
                     "billboards[0].field",
                     "add a solid or a model",

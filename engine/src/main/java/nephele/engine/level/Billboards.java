@@ -17,6 +17,7 @@ import nephele.engine.math.Vec3;
  * @param framesPerSecond 0 for frames that stand still, one by random for each billboard
  * @param windMetresPerSecond how strongly they sway, towards +x
  * @param blended true for mist, smoke and fire; false for sprites with edges, which are drawn where half covered
+ * @param emission light that they emit, as a factor on the picture's colours; for fire
  * @param colour instead of the picture's colours, linear; {@code null} for those
  */
 public record Billboards(
@@ -32,6 +33,7 @@ public record Billboards(
         @Written(min = 0, max = 240) double framesPerSecond,
         @Written(min = 0, max = 60) double windMetresPerSecond,
         @Written boolean blended,
+        @Written(absent = "[0, 0, 0]", min = 0, max = 1e4) Vec3 emission,
         @Written(min = 0, max = 1e4) Vec3 colour) {
     /** The most billboards of a level, fields included. */
     public static final int MOST = 200_000;
@@ -87,7 +89,8 @@ public record Billboards(
 
     /** Makes opaque billboards of one size that stand still at places. */
     public static Billboards at(String id, String sprite, Facing facing, double width, double height, List<Vec3> at) {
-        return new Billboards(id, sprite, null, facing, new Size(width, height), 0, at, null, 1, 0, 0, false, null);
+        return new Billboards(
+                id, sprite, null, facing, new Size(width, height), 0, at, null, 1, 0, 0, false, Vec3.ZERO, null);
     }
 
     /** Returns these billboards with a picture of several frames. */
@@ -105,6 +108,7 @@ public record Billboards(
                 perSecond,
                 windMetresPerSecond,
                 blended,
+                emission,
                 colour);
     }
 
@@ -132,6 +136,7 @@ public record Billboards(
                 framesPerSecond,
                 windMetresPerSecond,
                 isBlended,
+                oneColour == null ? emission : Vec3.ZERO,
                 oneColour);
     }
 
@@ -150,6 +155,7 @@ public record Billboards(
                 framesPerSecond,
                 wind,
                 blended,
+                emission,
                 colour);
     }
 

@@ -50,6 +50,7 @@ class SpriteTest {
                 0,
                 0,
                 false,
+                Vec3.ZERO,
                 null);
         return Sprite.of(group, new NoFiles(Map.of("s.bmp", file)));
     }

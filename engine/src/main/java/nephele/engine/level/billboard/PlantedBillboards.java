@@ -64,6 +64,29 @@ public record PlantedBillboards(List<Group> groups) {
         }
     }
 
+    /** Returns corners between which all billboards with edges are, without planting them. */
+    public static List<Vec3> reach(Level level, StaticShapes statics) {
+        List<Vec3> corners = new ArrayList<>();
+        for (Billboards said : level.billboards()) {
+            if (!said.blended()) {
+                double reach =
+                        Math.hypot(said.sizeMetres().width(), said.sizeMetres().height());
+                Aabb box = said.field() == null ? said.listedBounds() : statics.bounds();
+                addCorners(box.grown(reach), corners);
+            }
+        }
+        return corners;
+    }
+
+    private static void addCorners(Aabb box, List<Vec3> corners) {
+        for (int i = 0; i < 8 && !box.isEmpty(); i++) {
+            corners.add(new Vec3(
+                    (i & 1) == 0 ? box.minX() : box.maxX(),
+                    (i & 2) == 0 ? box.minY() : box.maxY(),
+                    (i & 4) == 0 ? box.minZ() : box.maxZ()));
+        }
+    }
+
     /**
      * Plants the billboards of a level.
      *

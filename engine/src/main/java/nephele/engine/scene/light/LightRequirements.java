@@ -25,13 +25,19 @@ public final class LightRequirements {
     public static boolean sunCasts(Level level) {
         return sun(level)
                 && level.environment().sun().castsShadow()
-                && (level.solids().size() > 1 || !level.models().isEmpty());
+                && (level.solids().size() > 1 || !level.models().isEmpty() || billboardsCast(level));
+    }
+
+    /** Returns true if there are billboards with edges, and surfaces that they can shade. */
+    public static boolean billboardsCast(Level level) {
+        return hasSurfaces(level) && level.billboards().stream().anyMatch(group -> !group.blended());
     }
 
     /** Returns true if the sun casts shadows and there is a model or a solid that another one can shade. */
     public static boolean sunShadow(Level level, StaticShapes statics) {
         return sunCasts(level)
                 && (!level.models().isEmpty()
+                        || billboardsCast(level)
                         || Daylight.moves(level.environment())
                         || ShadowCasters.any(
                                 statics.solids(),

@@ -52,6 +52,10 @@ public enum TextureUnit {
     /** The shade of clouds that {@code shaft.frag} reads. */
     SHAFT_SHADE(0),
     DYNAMIC_INSTANCES(9),
+    /** Billboards, which are drawn by shaders that read neither normal maps nor light maps. */
+    BILLBOARDS(9),
+    BILLBOARD_ORDER(1),
+    BILLBOARD_GROUPS(4),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),
