@@ -45,7 +45,8 @@ class PrototypesTest {
                         "bodies",
                         "exits",
                         "emitters",
-                        "terrains"),
+                        "terrains",
+                        "billboards"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(

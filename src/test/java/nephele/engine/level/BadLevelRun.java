@@ -22,6 +22,7 @@ final class BadLevelRun {
         List<BadLevel> all = new ArrayList<>(BadDocuments.ALL);
         all.addAll(BadValues.ALL);
         all.addAll(BadRelations.ALL);
+        all.addAll(BadBillboards.ALL);
         return all;
     }
 

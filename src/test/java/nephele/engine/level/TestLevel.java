@@ -13,7 +13,7 @@ public final class TestLevel {
     private Vec3 ambient = Vec3.ZERO;
     private ToneCurve toneCurve = ToneCurve.CLIP;
     private Exposure exposure = Exposure.NEUTRAL;
-    private Fog fog;
+    private Environment.Fog fog;
     private final List<Material> materials = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -22,6 +22,7 @@ public final class TestLevel {
     private final List<ModelPlacement> models = new ArrayList<>();
     private final List<Exit> exits = new ArrayList<>();
     private final List<Emitter> emitters = new ArrayList<>();
+    private final List<Billboards> billboards = new ArrayList<>();
     private final List<Cloud> clouds = new ArrayList<>();
     private Environment.Lightning lightning;
 
@@ -64,7 +65,7 @@ public final class TestLevel {
     }
 
     public TestLevel fog(double extinctionPerMetre, Vec3 radiance) {
-        fog = new Fog(extinctionPerMetre, radiance);
+        fog = new Environment.Fog(extinctionPerMetre, radiance);
         return this;
     }
 
@@ -137,6 +138,11 @@ public final class TestLevel {
         return this;
     }
 
+    public TestLevel billboards(Billboards group) {
+        billboards.add(group);
+        return this;
+    }
+
     public TestLevel emitter(Emitter emitter) {
         emitters.add(emitter);
         return this;
@@ -181,7 +187,8 @@ public final class TestLevel {
                 .with(environment, List.copyOf(lights))
                 .withPortals(List.copyOf(portals))
                 .withExits(List.copyOf(exits))
-                .withEmitters(List.copyOf(emitters));
+                .withEmitters(List.copyOf(emitters))
+                .withBillboards(List.copyOf(billboards));
     }
 
     public static Vec3 grey(double value) {

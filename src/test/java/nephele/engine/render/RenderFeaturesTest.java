@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.draw.Outputs;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
@@ -71,6 +72,11 @@ class RenderFeaturesTest {
                         .castingSun(new Vec3(0, 1, 0), 1)
                         .cube(null, Vec3.ZERO, 1)
                         .level());
+        Billboards bush = Billboards.at("b", "b.png", Billboards.Facing.CYLINDRICAL, 1, 1, List.of(Vec3.ZERO));
+        causes.put("billboard", new TestLevel().billboards(bush).level());
+        causes.put(
+                "billboard.blended",
+                new TestLevel().billboards(bush.asBlended()).level());
         return causes;
     }
 

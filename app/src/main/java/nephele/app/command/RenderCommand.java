@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -133,6 +134,7 @@ final class RenderCommand implements Command {
     private static boolean follows(Level level) {
         Environment environment = level.environment();
         return !level.emitters().isEmpty()
+                || level.billboards().stream().anyMatch(Billboards::moves)
                 || environment.hasLightning()
                 || Daylight.moves(environment)
                 || WeatherCourse.of(environment).changes()

@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Exit;
@@ -42,6 +43,8 @@ public final class EntityBounds {
             return cube(origin(model), SYMBOL_METRES);
         } else if (entity instanceof Terrain terrain) {
             return terrain(terrain);
+        } else if (entity instanceof Billboards billboards) {
+            return billboards.listedBounds();
         }
         return generic(entity);
     }

@@ -26,6 +26,9 @@ public final class Prototypes {
                 value = isTarget ? at.plus(new Vec3(0, 0, -1)) : at;
                 isTarget = true;
             }
+            if (field.spatial() == Spatial.POINT && field.kind() == FieldKind.LIST) {
+                value = List.of(at);
+            }
             values[field.index()] = value;
         }
         return kind.make(values);

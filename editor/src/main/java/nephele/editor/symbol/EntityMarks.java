@@ -7,6 +7,7 @@ import java.util.Set;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.Mark.Visibility;
 import nephele.editor.mark.MarkColour;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
@@ -56,6 +57,7 @@ public final class EntityMarks {
         }
         level.exits().forEach(all::exit);
         level.emitters().forEach(all::emitter);
+        level.billboards().forEach(all::billboards);
         level.cameras().forEach(all::camera);
         level.environment().clouds().forEach(all::cloud);
         level.portals().forEach(portal -> all.portal(portal, level));
@@ -110,6 +112,13 @@ public final class EntityMarks {
             Aabb box = Aabb.around(emitter.centre(), emitter.size());
             wires(name).box(box);
             wires(name).label(new Vec3(box.minX(), box.maxY(), box.maxZ()), emitter.id());
+        }
+    }
+
+    private void billboards(Billboards group) {
+        String name = "billboards/" + group.id();
+        if (selected.contains(name) && !isHidden(name) && !group.at().isEmpty()) {
+            wires(name).box(group.listedBounds());
         }
     }
 

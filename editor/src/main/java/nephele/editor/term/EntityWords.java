@@ -45,6 +45,7 @@ public final class EntityWords {
         kind("lights", Group.LIGHT);
         kind("environment.sun", Group.LIGHT);
         kind("emitters", Group.SCENE);
+        kind("billboards", Group.SCENE);
         kind("environment.clouds", Group.SKY);
         kind("environment.sky", Group.SKY);
         kind("environment.fog", Group.SKY);

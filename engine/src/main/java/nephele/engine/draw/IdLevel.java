@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment;
@@ -20,8 +21,8 @@ import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Vec3;
 
 /**
- * The level of {@code --set debug=ids}: each solid, then each body, then each model, then each terrain has a unique flat colour, for plain
- * output. Mirrors stay mirrors.
+ * The level of {@code --set debug=ids}: each solid, then each body, each model, each terrain and each group of billboards
+ * has a unique flat colour, for plain output. Mirrors stay mirrors.
  */
 public final class IdLevel {
     /** Odd, so that 2²⁴ numbers have distinct colours; large, so that neighbours differ. */
@@ -66,6 +67,11 @@ public final class IdLevel {
             materials.add(material);
             terrains.add(terrain.withLayers(List.of(Terrain.Layer.everywhere(material.id()))));
         }
+        int before = materials.size();
+        var billboards = new ArrayList<Billboards>();
+        for (var group : level.billboards()) {
+            billboards.add(group.withEdges(vector(colour(before + billboards.size()))));
+        }
         if (!mirrors.isEmpty()) {
             materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
@@ -74,14 +80,15 @@ public final class IdLevel {
                 .with(materials, solids, bodies, models)
                 .withExits(List.of())
                 .withEmitters(List.of())
-                .withTerrains(terrains);
+                .withTerrains(terrains)
+                .withBillboards(billboards);
     }
 
     /**
      * Returns the 8-bit colour of a surface, 0xRRGGBB; black means no surface.
      *
      * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a
-     *     model, or of all three plus that of a terrain
+     *     model, of all three plus that of a terrain, or of all four plus that of a group of billboards
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
@@ -93,8 +100,11 @@ public final class IdLevel {
     }
 
     private static Material flat(String id, int rgb) {
-        var colour = new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-        return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+        return new Material(id, vector(rgb), null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Vec3 vector(int rgb) {
+        return new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
     }
 
     private static Solid painted(Solid solid, String material, Set<String> mirrors) {

@@ -27,6 +27,7 @@ public record Level(
         @Written(most = 8) List<Exit> exits,
         @Written(most = 256) List<Emitter> emitters,
         @Written(most = 16) List<Terrain> terrains,
+        @Written(most = 1000) List<Billboards> billboards,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
         @Written(absent = "{}") EditorNotes editor) {
     /** Returns a level with an environment and cameras and nothing else. */
@@ -44,6 +45,7 @@ public record Level(
                 List.of(),
                 List.of(),
                 null,
+                List.of(),
                 List.of(),
                 List.of(),
                 List.of(),
@@ -111,6 +113,11 @@ public record Level(
         return with(draft -> draft.terrains = otherTerrains);
     }
 
+    /** Returns this level with other billboards. */
+    public Level withBillboards(List<Billboards> otherBillboards) {
+        return with(draft -> draft.billboards = otherBillboards);
+    }
+
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
         return with(draft -> draft.editor = notes);
@@ -137,6 +144,7 @@ public record Level(
         private List<Exit> exits;
         private List<Emitter> emitters;
         private List<Terrain> terrains;
+        private List<Billboards> billboards;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -153,6 +161,7 @@ public record Level(
             exits = from.exits;
             emitters = from.emitters;
             terrains = from.terrains;
+            billboards = from.billboards;
             editor = from.editor;
         }
 
@@ -173,6 +182,7 @@ public record Level(
                     exits,
                     emitters,
                     terrains,
+                    billboards,
                     from.aim,
                     editor);
         }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -14,7 +15,7 @@ import org.joml.Vector3dc;
 
 /**
  * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models, then
- * terrains.
+ * terrains, then billboards.
  * Safe to share between threads.
  */
 final class TracedItems {
@@ -32,22 +33,23 @@ final class TracedItems {
      *
      * @param bodies number of bodies, however many pieces portals cut them into
      */
-    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies) {
+    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies, TracedBillboards billboards) {
         TracedStatics traced = new TracedStatics(statics);
         List<TracedShape> all = new ArrayList<>(traced.solids());
         all.addAll(pieces);
         all.addAll(traced.models());
         all.addAll(traced.grounds());
+        all.addAll(billboards.shapes());
         items = all.toArray(TracedShape[]::new);
         solids = traced.solids().size();
-        surfaces = IntStream.concat(
-                        IntStream.concat(
-                                IntStream.range(0, solids), pieces.stream().mapToInt(piece -> solids + piece.body())),
-                        IntStream.range(
-                                        0,
-                                        traced.models().size()
-                                                + traced.grounds().size())
-                                .map(other -> solids + bodies + other))
+        int models = traced.models().size();
+        int grounds = traced.grounds().size();
+        surfaces = Stream.of(
+                        IntStream.range(0, solids),
+                        pieces.stream().mapToInt(piece -> solids + piece.body()),
+                        IntStream.range(0, models + grounds).map(other -> solids + bodies + other),
+                        billboards.groups().stream().mapToInt(group -> solids + bodies + models + grounds + group))
+                .flatMapToInt(numbers -> numbers)
                 .toArray();
         List<Aabb> boxes = all.stream().map(TracedShape::bounds).toList();
         bounds = boxes.stream()
@@ -71,8 +73,10 @@ final class TracedItems {
         return item < 0 || items[item].shadesItself() ? -1 : item;
     }
 
-    /** Returns the index of a solid, the number of solids plus that of a body, or of all three plus that of
-     * a terrain. */
+    /**
+     * Returns the index of a solid, the number of solids plus that of a body, of both plus that of a model, of all three plus
+     * that of a terrain, or of all four plus that of a group of billboards.
+     */
     int surface(int item) {
         return surfaces[item];
     }

@@ -41,7 +41,10 @@ public final class TracedLevel {
         AssetSource assets = placed.assets();
         this.portals = portals;
         rays = new TracedItems(
-                statics, BodyPieces.of(level, portals), level.bodies().size());
+                statics,
+                BodyPieces.of(level, portals),
+                level.bodies().size(),
+                TracedBillboards.of(placed, decoding, seconds));
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new SurfaceAppearance(
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);

@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.billboard.BillboardPass;
 import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
 import nephele.engine.render.pass.cloud.billboard.BillboardTechnique;
@@ -57,6 +58,7 @@ public final class RenderFeatures {
             SolidPass.FEATURE,
             TerrainPass.FEATURE,
             DynamicPass.FEATURE,
+            BillboardPass.FEATURE,
             GradientSkyPass.FEATURE,
             AtmospherePass.FEATURE,
             SkyboxPass.FEATURE,
@@ -66,6 +68,7 @@ public final class RenderFeatures {
             // In each view after its opaque surfaces.
             CloudPass.feature(CLOUD_TECHNIQUES),
             LightningPass.FEATURE,
+            BillboardPass.BLENDED,
             ParticlePass.FEATURE,
             ExitPass.FEATURE,
             DynamicPass.HELD,

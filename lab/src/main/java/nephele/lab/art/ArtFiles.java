@@ -27,6 +27,7 @@ import nephele.lab.art.picture.ScenePictures;
 import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
+import nephele.lab.art.sprite.SpritePictures;
 import nephele.lab.art.terrain.TerrainFile;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
@@ -55,6 +56,9 @@ public final class ArtFiles {
         for (PictureRecipe recipe : CloudPictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
+        for (PictureRecipe recipe : SpritePictures.ALL) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (int face = 0; face < 6; face++) {
             write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
@@ -76,10 +80,11 @@ public final class ArtFiles {
     static Map<String, BufferedImage> benchPictures() {
         Map<String, BufferedImage> pictures = new LinkedHashMap<>();
         pictures.put("textures/bench/box.png", BenchPixels.box());
+        pictures.put("textures/bench/ground.png", BenchPixels.ground());
+        pictures.put("textures/bench/tree.png", BenchPixels.tree());
         for (int face = 0; face < 6; face++) {
             pictures.put(BenchLevels.skyFiles().get(face), BenchPixels.sky(face));
         }
-        pictures.put(BenchTerrain.PICTURE, BenchPixels.ground());
         return pictures;
     }
 

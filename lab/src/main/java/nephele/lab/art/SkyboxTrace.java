@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Fog;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
@@ -53,7 +52,7 @@ public final class SkyboxTrace {
         this.eye = eye;
         lit = Daylight.lit(opened.level()).environment();
         // No surface needs the sky's irradiance, which is integrated unless the ambient light is a constant.
-        Level alone = Level.of("", "", lit.withFog((Fog) null).withAmbient(Vec3.ZERO), List.of());
+        Level alone = Level.of("", "", lit.withFog((Environment.Fog) null).withAmbient(Vec3.ZERO), List.of());
         sky = AssetProblems.named(
                 opened, () -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
     }

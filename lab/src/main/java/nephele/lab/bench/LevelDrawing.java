@@ -1,13 +1,15 @@
 package nephele.lab.bench;
 
 import java.util.List;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.Level;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
-/** A level drawn by the engine along a camera path; particles move by 1/60 s in each frame of it. */
+/** A level drawn by the engine along a camera path; particles and billboards move by 1/60 s in each frame of it. */
 public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture, FrameState state)
         implements Drawing {
     private static final double FRAMES_PER_SECOND = 60;
@@ -27,7 +29,8 @@ public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget pic
     }
 
     void draw(int frame, StepListener listener) {
-        if (!renderer.scene().level().emitters().isEmpty()) {
+        Level level = renderer.scene().level();
+        if (!level.emitters().isEmpty() || level.billboards().stream().anyMatch(Billboards::moves)) {
             state.seconds(frame / FRAMES_PER_SECOND);
         }
         renderer.draw(views.get(frame), state, picture, listener);

@@ -15,7 +15,6 @@ import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
-import nephele.engine.level.Fog;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
@@ -82,7 +81,7 @@ class CloudTimelineTest {
         Environment edited = written.with(new Sky.Constant(ONE))
                 .with(Exposure.ofStops(2))
                 .withAmbient(ONE)
-                .withFog(new Fog(0.01, ONE));
+                .withFog(new Environment.Fog(0.01, ONE));
         assertEquals(CloudTimeline.causes(written), CloudTimeline.causes(edited));
         List<Environment> others = List.of(
                 with(layer("a", 900, Vec3.ZERO, 0)),

@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Emitter;
@@ -44,6 +45,7 @@ public final class VisibleLevel implements LevelDerivation {
         shown = shown.withExits(shown(level.exits(), "exits/", Exit::id, hidden));
         shown = shown.withEmitters(shown(level.emitters(), "emitters/", Emitter::id, hidden));
         shown = shown.withTerrains(shown(level.terrains(), "terrains/", Terrain::id, hidden));
+        shown = shown.withBillboards(shown(level.billboards(), "billboards/", Billboards::id, hidden));
         Environment environment = level.environment();
         List<Cloud> clouds = shown(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
         if (clouds.size() < environment.clouds().size()) {

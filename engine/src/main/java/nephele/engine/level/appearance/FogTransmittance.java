@@ -2,7 +2,6 @@ package nephele.engine.level.appearance;
 
 import java.util.Optional;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Fog;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -16,7 +15,7 @@ import org.joml.Vector3d;
 public record FogTransmittance(double extinctionPerMetre, Vec3 radiance) {
     /** Returns the fog of an environment; empty if there is none or it attenuates nothing. */
     public static Optional<FogTransmittance> of(Environment environment) {
-        Fog fog = environment.fog();
+        Environment.Fog fog = environment.fog();
         return fog == null || fog.extinctionPerMetre() == 0
                 ? Optional.empty()
                 : Optional.of(new FogTransmittance(fog.extinctionPerMetre(), fog.radiance()));

@@ -1,6 +1,7 @@
 package nephele.engine.level.appearance;
 
 import java.util.Optional;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 
 /**
@@ -23,6 +24,9 @@ public final class LinearLight {
         }
         if (level.emitters().stream().anyMatch(emitter -> emitter.ratePerSecond() > 0)) {
             return Optional.of("emitters: particles are blended with what is behind them");
+        }
+        if (level.billboards().stream().anyMatch(Billboards::blended)) {
+            return Optional.of("billboards: some are blended with what is behind them");
         }
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()

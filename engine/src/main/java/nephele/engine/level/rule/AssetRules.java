@@ -27,6 +27,12 @@ final class AssetRules {
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
             check.skybox("environment.sky.files", skybox);
         }
+        LevelRule.each("billboards", level.billboards(), (path, group) -> {
+            Verdict verdict = check.picture(path + ".sprite", group.sprite());
+            if (verdict != null) {
+                BillboardRules.frames(path, group, verdict.width(), report);
+            }
+        });
         LevelRule.each(
                 "environment.clouds",
                 level.environment().clouds(),

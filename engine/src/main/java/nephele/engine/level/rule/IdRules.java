@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
@@ -37,6 +38,7 @@ final class IdRules {
         unique("exits", level.exits(), Exit::id, report);
         unique("emitters", level.emitters(), Emitter::id, report);
         unique("terrains", level.terrains(), Terrain::id, report);
+        unique("billboards", level.billboards(), Billboards::id, report);
     };
 
     static final LevelRule MATERIALS = (level, assets, report) -> {

@@ -34,6 +34,8 @@ public final class LevelRules {
             EmitterRules.COUNT,
             EmitterRules.USED,
             TerrainRules.LAYERS,
+            BillboardRules.PLACES,
+            BillboardRules.MEANT,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 
@@ -47,6 +49,7 @@ public final class LevelRules {
         all.add(AssetRules.READABLE);
         all.add(ModelRules.READABLE);
         all.add(TerrainRules.READABLE);
+        all.add(BillboardRules.ROOM);
         return List.copyOf(all);
     }
 

@@ -43,6 +43,7 @@ public record FrameRequest(
                 || mayShowCharacter()
                 || !level.exits().isEmpty()
                 || !level.emitters().isEmpty()
+                || !level.billboards().isEmpty()
                 || level.environment().hasLightning()
                 || !WeatherClouds.all(level.environment()).isEmpty()
                 || sky instanceof Sky.Gradient

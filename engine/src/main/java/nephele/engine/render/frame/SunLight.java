@@ -1,7 +1,9 @@
 package nephele.engine.render.frame;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Sun;
+import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.shader.TextureUnit;
@@ -62,7 +64,8 @@ final class SunLight {
     }
 
     private ShadowFrame fitted() {
-        List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
+        List<Vec3> corners = new ArrayList<>(ShadowCasters.corners(statics, towardsSun));
+        corners.addAll(PlantedBillboards.reach(request.level(), statics));
         if (corners.isEmpty()) {
             // The frame plan is made from the level alone, which does not tell that all meshes are empty.
             corners = List.of(anchor);

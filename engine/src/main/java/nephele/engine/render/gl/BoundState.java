@@ -21,6 +21,8 @@ record BoundState(List<Step> steps) {
     private static final int[] SWITCHES = {
         GL_DEPTH_TEST,
         GL_BLEND,
+        GL_SAMPLE_ALPHA_TO_COVERAGE,
+        GL_SAMPLE_ALPHA_TO_ONE,
         GL_CULL_FACE,
         GL_POLYGON_OFFSET_FILL,
         GL_SCISSOR_TEST,

@@ -71,6 +71,8 @@ public final class DrawState {
     /** The blending of a fragment with the target. */
     public enum Blend {
         REPLACE,
+        /** As {@link #REPLACE}, in as many of a pixel's samples as alpha says; alpha becomes 1. */
+        REPLACE_COVERED_SAMPLES,
         /** Source alpha over destination; the destination keeps its alpha. */
         OVER,
         /** Adds source to destination; the destination keeps its alpha. */
@@ -273,9 +275,14 @@ public final class DrawState {
     }
 
     private void setBlend(Blend newBlend) {
-        toggle(GL_BLEND, newBlend != Blend.REPLACE);
+        boolean areSamplesChosen = newBlend == Blend.REPLACE_COVERED_SAMPLES;
+        toggle(GL_BLEND, newBlend != Blend.REPLACE && !areSamplesChosen);
+        if (areSamplesChosen || blend == Blend.REPLACE_COVERED_SAMPLES) {
+            toggle(GL_SAMPLE_ALPHA_TO_COVERAGE, areSamplesChosen);
+            toggle(GL_SAMPLE_ALPHA_TO_ONE, areSamplesChosen);
+        }
         switch (newBlend) {
-            case REPLACE -> {}
+            case REPLACE, REPLACE_COVERED_SAMPLES -> {}
             case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
             case ADD -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
             case OVER_UNMETERED ->

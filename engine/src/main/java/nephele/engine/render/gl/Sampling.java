@@ -6,6 +6,8 @@ import static org.lwjgl.opengl.GL41C.*;
 public enum Sampling {
     /** Trilinear, anisotropic where present, repeating. */
     MIPMAPPED_REPEAT(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT),
+    /** Trilinear, without repeats; for pictures with a border. */
+    MIPMAPPED_CLAMP(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE),
     /** Linear without mipmaps, repeating along every axis; for tiles of noise. */
     LINEAR_REPEAT(GL_LINEAR, GL_LINEAR, GL_REPEAT),
     LINEAR_CLAMP(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE),
@@ -24,7 +26,7 @@ public enum Sampling {
     }
 
     boolean isMipmapped() {
-        return this == MIPMAPPED_REPEAT;
+        return this == MIPMAPPED_REPEAT || this == MIPMAPPED_CLAMP;
     }
 
     void apply(int target) {

@@ -27,7 +27,12 @@ public final class LightRequirements {
     public static boolean sunCasts(Level level) {
         return sun(level)
                 && level.environment().sun().castsShadow()
-                && (level.solids().size() > 1 || shadesItself(level));
+                && (level.solids().size() > 1 || shadesItself(level) || billboardsCast(level));
+    }
+
+    /** Returns true if there are billboards with edges, and surfaces that they can shade. */
+    public static boolean billboardsCast(Level level) {
+        return hasSurfaces(level) && level.billboards().stream().anyMatch(group -> !group.blended());
     }
 
     /** Returns true if there are shapes of which one part can shade another. */
@@ -39,6 +44,7 @@ public final class LightRequirements {
     public static boolean sunShadow(Level level, StaticShapes statics) {
         return sunCasts(level)
                 && (shadesItself(level)
+                        || billboardsCast(level)
                         || Daylight.moves(level.environment())
                         || ShadowCasters.any(
                                 statics.solids(),

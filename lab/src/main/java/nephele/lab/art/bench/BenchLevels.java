@@ -20,7 +20,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * The benchmark scenes as levels: clear, skybox, boxes, portals, bodies and terrain. The engines that Nephele is compared with
+ * The benchmark scenes as levels: clear, skybox, boxes, billboards, portals, bodies and terrain. The engines that Nephele is compared with
  * draw the same scenes.
  */
 public final class BenchLevels {
@@ -41,6 +41,8 @@ public final class BenchLevels {
         levels.put("boxes-500-stack.json", BenchBodies.stack(sunlit()));
         levels.put("bodies-200.json", BenchBodies.shaft(sunlit()));
         levels.put("boxes-1000-portals.json", BenchPortals.facing(boxes(1000)));
+        levels.put("billboards-400.json", billboards(400));
+        levels.put("billboards-10000.json", billboards(10000));
         levels.put("portals-64.json", BenchPortals.hall(sunlit()));
         levels.put("terrain.json", terrain());
         return levels;
@@ -85,6 +87,15 @@ public final class BenchLevels {
                 "case E: 1025 × 1025 heights 1 m apart, one texture, one sun",
                 sunlit(),
                 path(BenchPath::terrain)));
+    }
+
+    private static Level billboards(int count) {
+        Level empty = level(
+                "Bench: " + count + " billboards",
+                "case D: blended trees on a jittered grid of spacing 4 over one textured ground",
+                environment(null, CLEAR_COLOUR, ONE),
+                path(frame -> BenchPath.above(count, 4, frame)));
+        return BenchBillboards.planted(empty, count);
     }
 
     private static List<Solid> grid(int count) {

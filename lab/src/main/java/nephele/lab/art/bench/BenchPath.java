@@ -28,7 +28,12 @@ final class BenchPath {
 
     /** Returns a camera above the grid, a quarter of its extent behind the centre, that moves sideways. */
     static Camera.Waypoint boxes(int count, int frame) {
-        float extent = side(count) * 2f;
+        return above(count, 2, frame);
+    }
+
+    /** As {@link #boxes}, above a grid of another spacing. */
+    static Camera.Waypoint above(int count, float spacing, int frame) {
+        float extent = side(count) * spacing;
         float x = (float) (0.05 * extent * StrictMath.sin(phase(frame)));
         return waypoint(new Vec3(x, 3 + 0.02f * extent, 0.25f * extent), swayRadians(frame), -0.15f);
     }

@@ -7,6 +7,8 @@ import nephele.lab.art.paint.Pixels;
 public final class BenchPixels {
     static final int BOX_SIDE = 256;
     static final int SKY_SIDE = 512;
+    static final int GROUND_SIDE = 512;
+    static final int TREE_SIDE = 64;
 
     /** Base colours of the faces +x, −x, +y, −y, +z, −z. */
     private static final int[][] SKY_BASE = {
@@ -40,12 +42,36 @@ public final class BenchPixels {
         });
     }
 
-    /** Paints the ground: green with coarse and fine noise. */
+    /** Paints the ground: two sizes of green noise. */
     public static BufferedImage ground() {
-        return Pixels.picture(SKY_SIDE, SKY_SIDE, (x, y) -> {
-            int grain = (int) (random(x, y, 2) * 50 + random(x / 8, y / 8, 3) * 40);
-            return rgb(60 + grain, 110 + grain, 40 + grain / 2);
+        return Pixels.picture(GROUND_SIDE, GROUND_SIDE, (x, y) -> {
+            int add = (int) (random(x, y, 2) * 50 + random(x / 8, y / 8, 3) * 40);
+            return rgb(60 + add, 110 + add, 40 + add / 2);
         });
+    }
+
+    /** Paints a tree with straight alpha. */
+    public static BufferedImage tree() {
+        BufferedImage picture = new BufferedImage(TREE_SIDE, TREE_SIDE, BufferedImage.TYPE_INT_ARGB);
+        for (int y = 0; y < TREE_SIDE; y++) {
+            for (int x = 0; x < TREE_SIDE; x++) {
+                picture.setRGB(x, TREE_SIDE - 1 - y, treePixel(x, y));
+            }
+        }
+        return picture;
+    }
+
+    /** @param y from the lower edge */
+    private static int treePixel(int x, int y) {
+        int grain = (int) (random(x, y, 4) * 60);
+        float dx = (x - 31.5f) / 26f;
+        float dy = (y - 40f) / 22f;
+        float r = dx * dx + dy * dy + (random(x / 3, y / 3, 5) - 0.5f) * 0.3f;
+        if (r < 1) {
+            return (int) Math.min(255, (1 - r) * 700) << 24 | rgb(30 + grain, 100 + grain, 30 + grain / 2);
+        }
+        boolean isTrunk = Math.abs(x - 31.5f) < 4 && y < 24;
+        return isTrunk ? 0xff000000 | rgb(90 + grain / 2, 60 + grain / 2, 30) : rgb(40, 110, 40);
     }
 
     private static int rgb(int red, int green, int blue) {
@@ -62,7 +88,7 @@ public final class BenchPixels {
         return h ^ (h >>> 16);
     }
 
-    private static float random(int x, int y, int seed) {
+    static float random(int x, int y, int seed) {
         return (hash(x, y, seed) & 0xffffff) / (float) 0x1000000;
     }
 

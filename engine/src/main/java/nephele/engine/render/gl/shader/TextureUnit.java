@@ -54,6 +54,10 @@ public enum TextureUnit {
     DYNAMIC_INSTANCES(9),
     /** The tiles of a terrain that a view draws. */
     TERRAIN_TILES(9),
+    /** Billboards, which are drawn by shaders that read neither normal maps nor light maps. */
+    BILLBOARDS(9),
+    BILLBOARD_ORDER(1),
+    BILLBOARD_GROUPS(4),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),

@@ -12,6 +12,7 @@ import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightRequirements;
@@ -27,20 +28,27 @@ public final class SunShadowPass implements Pass {
     private final SharedResources shared;
     private final SurfaceLight light;
     private final DepthDraw depth;
+    /** {@code null} if no billboard casts a shadow. */
+    private final BillboardDepth billboards;
+
     private final DepthLayers map;
     private final Same solids;
+    private final Same planted;
     private List<Content> contents = List.of();
     private Texture.Extent size;
 
     /** The data on which a map depends. */
-    private record Content(Same solids, ShadowFrame frame) {}
+    private record Content(Same solids, Same planted, ShadowFrame frame) {}
 
     private SunShadowPass(LoadContext context) {
         shared = context.shared();
         light = shared.surfaceLight();
         depth = new DepthDraw(context);
+        boolean isPlanted = LightRequirements.billboardsCast(context.scene().level());
+        billboards = isPlanted ? new BillboardDepth(context) : null;
         map = DepthDraw.layers(context, "sun shadow");
         solids = new Same(context.scene().solids());
+        planted = new Same(isPlanted ? context.scene().level().billboards() : List.of());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -61,11 +69,17 @@ public final class SunShadowPass implements Pass {
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
         if (contents.isEmpty() || contents.get(0).frame != frame) {
-            contents = List.of(new Content(solids, frame));
+            contents = List.of(new Content(solids, planted, frame));
             size = new Texture.Extent(frame.width(), frame.height(), 1);
         }
-        Texture texture = map.showing(
-                contents, size, (layer, target) -> depth.drawAll(target, frame.clipFromAnchor(), frame.anchor()));
+        Texture texture = map.showing(contents, size, (layer, target) -> draw(target, frame));
         shared.publish(Target.SUN_SHADOW, texture);
+    }
+
+    private void draw(RenderTarget target, ShadowFrame frame) {
+        depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
+        if (billboards != null) {
+            billboards.draw(frame, light.towardsSun());
+        }
     }
 }

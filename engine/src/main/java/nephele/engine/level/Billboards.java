@@ -1,0 +1,180 @@
+package nephele.engine.level;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * Upright pictures of one kind, at places that the author lists or over a field. They are to be looked at: nothing that
+ * is simulated depends on them.
+ *
+ * @param sprite asset id of the picture; with several frames, a row of equal pictures from left to right
+ * @param colourKey colour of the picture, as stored, that is transparent; {@code null} for the alpha of the picture, or
+ *     black if it has none
+ * @param heightVariation share of the size by which the smallest one is smaller: sizes are random from 1 − this to 1
+ * @param at the middles of the lower edges, in metres
+ * @param field plants them instead; {@code null} for the listed places
+ * @param framesPerSecond 0 for frames that stand still, one by random for each billboard
+ * @param windMetresPerSecond how strongly they sway, towards +x
+ * @param blended true for mist, smoke and fire; false for sprites with edges, which are drawn where half covered
+ * @param emission light that they emit, as a factor on the picture's colours; for fire
+ * @param colour instead of the picture's colours, linear; {@code null} for those
+ */
+public record Billboards(
+        @Written(required = true, text = TextKind.ID) String id,
+        @Written(required = true, text = TextKind.ASSET, prototype = "\"textures/sprites/bush.png\"") String sprite,
+        @Written(min = 0, max = 1) Vec3 colourKey,
+        @Written(absent = "\"cylindrical\"") Facing facing,
+        @Written(required = true, array = true, prototype = "[1.4, 1.05]") Size sizeMetres,
+        @Written(min = 0, max = 1) double heightVariation,
+        @Written(most = 100_000, spatial = Spatial.POINT) List<Vec3> at,
+        @Written Field field,
+        @Written(absent = "1", min = 1, max = MOST_FRAMES) int frames,
+        @Written(min = 0, max = 240) double framesPerSecond,
+        @Written(min = 0, max = 60) double windMetresPerSecond,
+        @Written boolean blended,
+        @Written(absent = "[0, 0, 0]", min = 0, max = 1e4) Vec3 emission,
+        @Written(min = 0, max = 1e4) Vec3 colour) {
+    /** The most billboards of a level, fields included. */
+    public static final int MOST = 200_000;
+
+    public static final int MOST_FRAMES = 64;
+
+    /** How a billboard is turned; its word in a level file is the name in lower case. */
+    public enum Facing {
+        /** Towards the eye, about its middle; its upper edge as high as it can be. */
+        SPHERICAL,
+        /** Upright, about its vertical axis towards the eye. */
+        CYLINDRICAL,
+        /** Parallel to the picture. */
+        SCREEN,
+        /** Two upright pictures at right angles that stand still. */
+        CROSSED,
+        /**
+         * By the formula of the monograph on objects on terrain, atan((xe − xp) / (ze − zp)) about the vertical axis: it
+         * faces away on half of the circle and has no angle at equal z.
+         */
+        SOURCE
+    }
+
+    /** Width and height of the largest one. */
+    public record Size(
+            @Written(required = true, min = 0.01, max = 1000, spatial = Spatial.LENGTH) double width,
+            @Written(required = true, min = 0.01, max = 1000, spatial = Spatial.LENGTH) double height) {}
+
+    /**
+     * Random places that keep a distance.
+     *
+     * @param terrain on which they stand; {@code null} for the highest surfaces of solids and models
+     * @param spacingMetres the least horizontal distance between two
+     * @param densityMap a grey picture over the ground: white has most, black none; its left is at the least x, its top
+     *     at the least z. {@code null} for an even field
+     * @param maxSlopeDegrees of the ground below
+     * @param heightRangeMetres of the ground below, above y = 0; {@code null} for all heights
+     */
+    public record Field(
+            @Written(text = TextKind.ID) String terrain,
+            @Written(min = 0, max = 1e9) int seed,
+            @Written(required = true, min = 1, max = MOST, prototype = "20") int count,
+            @Written(required = true, min = 0.01, max = 1e4, spatial = Spatial.LENGTH, prototype = "1")
+                    double spacingMetres,
+            @Written(text = TextKind.ASSET) String densityMap,
+            @Written(absent = "90", min = 0, max = 90) double maxSlopeDegrees,
+            @Written(array = true) HeightLimits heightRangeMetres) {}
+
+    /** The least and the greatest height. */
+    public record HeightLimits(
+            @Written(required = true, spatial = Spatial.LENGTH) double low,
+            @Written(required = true, spatial = Spatial.LENGTH) double high) {}
+
+    /** Makes opaque billboards of one size that stand still at places. */
+    public static Billboards at(String id, String sprite, Facing facing, double width, double height, List<Vec3> at) {
+        return new Billboards(
+                id, sprite, null, facing, new Size(width, height), 0, at, null, 1, 0, 0, false, Vec3.ZERO, null);
+    }
+
+    /** Returns these billboards with a picture of several frames. */
+    public Billboards animated(int frameCount, double perSecond) {
+        return new Billboards(
+                id,
+                sprite,
+                colourKey,
+                facing,
+                sizeMetres,
+                heightVariation,
+                at,
+                field,
+                frameCount,
+                perSecond,
+                windMetresPerSecond,
+                blended,
+                emission,
+                colour);
+    }
+
+    /** Returns these billboards blended over what is behind them. */
+    public Billboards asBlended() {
+        return shown(true, colour);
+    }
+
+    /** Returns these billboards with edges and, if it is not {@code null}, in one colour. */
+    public Billboards withEdges(Vec3 oneColour) {
+        return shown(false, oneColour);
+    }
+
+    private Billboards shown(boolean isBlended, Vec3 oneColour) {
+        return new Billboards(
+                id,
+                sprite,
+                colourKey,
+                facing,
+                sizeMetres,
+                heightVariation,
+                at,
+                field,
+                frames,
+                framesPerSecond,
+                windMetresPerSecond,
+                isBlended,
+                oneColour == null ? emission : Vec3.ZERO,
+                oneColour);
+    }
+
+    /** Returns these billboards over a field instead of the listed places, and in wind. */
+    public Billboards over(Field otherField, double variation, double wind) {
+        return new Billboards(
+                id,
+                sprite,
+                colourKey,
+                facing,
+                sizeMetres,
+                variation,
+                List.of(),
+                otherField,
+                frames,
+                framesPerSecond,
+                wind,
+                blended,
+                emission,
+                colour);
+    }
+
+    /** Returns true if they sway or their picture changes. */
+    public boolean moves() {
+        return windMetresPerSecond > 0 || frames > 1 && framesPerSecond > 0;
+    }
+
+    /** Returns a box around the listed ones; empty for a field. */
+    public Aabb listedBounds() {
+        double width = sizeMetres.width();
+        Vec3 up = new Vec3(0, sizeMetres.height() / 2, 0);
+        return at.stream()
+                .map(foot -> Aabb.around(foot.plus(up), new Vec3(width, sizeMetres.height(), width)))
+                .reduce(Aabb.EMPTY, Aabb::union);
+    }
+
+    /** Returns the number of billboards that the author asks for. */
+    public int count() {
+        return field == null ? at.size() : field.count();
+    }
+}

@@ -1,0 +1,106 @@
+package nephele.engine.level.billboard;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.SeededNoise;
+import nephele.engine.math.Vec3;
+
+/**
+ * The billboards of a level at their places, those of fields included.
+ *
+ * @param groups in the order of the level
+ */
+public record PlantedBillboards(List<Group> groups) {
+    private static final int SIZE = 0;
+    private static final int PHASE = 1;
+    private static final int TURN = 2;
+
+    public PlantedBillboards {
+        groups = List.copyOf(groups);
+    }
+
+    /**
+     * The billboards of one record of the level.
+     *
+     * @param feet the middles of their lower edges
+     */
+    public record Group(Billboards said, List<Vec3> feet) {
+        public Group {
+            feet = List.copyOf(feet);
+        }
+
+        /** Returns the size of a billboard as a share of the largest one's. */
+        public double scale(int index) {
+            return 1 - said.heightVariation() * random(index, SIZE);
+        }
+
+        /** Returns a random part of a turn or of a round of frames, in [0, 1). */
+        public double phase(int index) {
+            return random(index, PHASE);
+        }
+
+        /** Returns the turn about the vertical axis of a crossed one, radians. */
+        public double turn(int index) {
+            return random(index, TURN) * StrictMath.PI;
+        }
+
+        private double random(int index, int purpose) {
+            return new SeededNoise(said.id().hashCode()).unit(index, purpose, 0);
+        }
+
+        /** Returns a box that holds a billboard however it is turned and swayed. */
+        public Aabb bounds(int index) {
+            double scale = scale(index);
+            double width = said.sizeMetres().width() * scale;
+            double height = said.sizeMetres().height() * scale;
+            double reach = Math.hypot(width, height) / 2 + height * Sway.most(said.windMetresPerSecond());
+            Vec3 middle = feet.get(index).plus(new Vec3(0, height / 2, 0));
+            return Aabb.around(middle, new Vec3(2 * reach, 2 * reach, 2 * reach));
+        }
+    }
+
+    /** Returns corners between which all billboards with edges are, without planting them. */
+    public static List<Vec3> reach(Level level, StaticShapes statics) {
+        List<Vec3> corners = new ArrayList<>();
+        for (Billboards said : level.billboards()) {
+            if (!said.blended()) {
+                double reach =
+                        Math.hypot(said.sizeMetres().width(), said.sizeMetres().height());
+                Aabb box = said.field() == null ? said.listedBounds() : statics.bounds();
+                addCorners(box.grown(reach), corners);
+            }
+        }
+        return corners;
+    }
+
+    private static void addCorners(Aabb box, List<Vec3> corners) {
+        for (int i = 0; i < 8 && !box.isEmpty(); i++) {
+            corners.add(new Vec3(
+                    (i & 1) == 0 ? box.minX() : box.maxX(),
+                    (i & 2) == 0 ? box.minY() : box.maxY(),
+                    (i & 4) == 0 ? box.minZ() : box.maxZ()));
+        }
+    }
+
+    /**
+     * Plants the billboards of a level.
+     *
+     * @throws nephele.engine.asset.AssetException that names a density map that cannot be used
+     */
+    public static PlantedBillboards of(Level level, StaticShapes statics, AssetSource assets) {
+        List<Group> groups = new ArrayList<>();
+        Ground ground = level.billboards().stream().anyMatch(group -> group.field() != null)
+                ? new SurfaceGround(statics)
+                : null;
+        for (Billboards said : level.billboards()) {
+            List<Vec3> feet = said.field() == null ? said.at() : BillboardField.plant(said.field(), ground, assets);
+            groups.add(new Group(said, feet));
+        }
+        return new PlantedBillboards(groups);
+    }
+}

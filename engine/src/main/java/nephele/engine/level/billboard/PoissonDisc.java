@@ -1,0 +1,90 @@
+package nephele.engine.level.billboard;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.SeededNoise;
+
+/**
+ * Random points that keep a distance from each other. Points are thrown over the whole area first, so that a few of them
+ * are spread evenly; when throws fail, the gaps are filled around the points that are there (Bridson 2007, "Fast Poisson
+ * Disk Sampling in Arbitrary Dimensions"). Pure: equal arguments give equal points on every machine.
+ */
+public final class PoissonDisc {
+    /** Throws around a point before it has no room beside it; Bridson's k. */
+    private static final int AROUND = 30;
+    /** Throws in succession that fail before the gaps are filled. */
+    private static final int FAILURES = 400;
+
+    private static final double TURN = 2 * StrictMath.PI;
+
+    /** Decides whether a point may be at a place. */
+    @FunctionalInterface
+    public interface Chooser {
+        /** @param chance a random number in [0, 1) that goes with the throw */
+        boolean accepts(double x, double z, double chance);
+    }
+
+    private final double spacing;
+    private final int most;
+    private final SeededNoise noise;
+    private final Ground.Area area;
+    private final Chooser chooser;
+    private final DiscCells cells;
+    private final List<double[]> points = new ArrayList<>();
+    private int thrown;
+
+    private PoissonDisc(Ground.Area area, double spacing, int most, int seed, Chooser chooser) {
+        this.area = area;
+        this.spacing = spacing;
+        this.most = most;
+        this.chooser = chooser;
+        noise = new SeededNoise(seed);
+        cells = new DiscCells(spacing, most);
+    }
+
+    /** Returns at most {@code most} points of the area, each x and z; fewer only if hardly any room is left. */
+    public static List<double[]> points(Ground.Area area, double spacing, int most, int seed, Chooser chooser) {
+        if (area.isEmpty()) {
+            return List.of();
+        }
+        PoissonDisc disc = new PoissonDisc(area, spacing, most, seed, chooser);
+        disc.throwOverAll();
+        disc.fillGaps();
+        return disc.points;
+    }
+
+    private void throwOverAll() {
+        for (int failures = 0; failures < FAILURES && points.size() < most; ) {
+            int at = thrown++;
+            double x = area.minX() + area.width() * noise.unit(at, 0, 1);
+            double z = area.minZ() + area.depth() * noise.unit(at, 0, 2);
+            failures = offer(x, z, noise.unit(at, 0, 3)) ? 0 : failures + 1;
+        }
+    }
+
+    /** Every point is a centre once, new ones too. */
+    private void fillGaps() {
+        for (int centre = 0; centre < points.size() && points.size() < most; centre++) {
+            double[] from = points.get(centre);
+            for (int i = 0; i < AROUND && points.size() < most; i++) {
+                int at = thrown++;
+                double angle = TURN * noise.unit(at, 1, 1);
+                // Even over the ring from one to two distances.
+                double distance = spacing * StrictMath.sqrt(1 + 3 * noise.unit(at, 1, 2));
+                double x = from[0] + distance * StrictMath.cos(angle);
+                double z = from[1] + distance * StrictMath.sin(angle);
+                offer(x, z, noise.unit(at, 1, 3));
+            }
+        }
+    }
+
+    private boolean offer(double x, double z, double chance) {
+        boolean isInside = x >= area.minX() && x <= area.maxX() && z >= area.minZ() && z <= area.maxZ();
+        if (!isInside || !cells.isFree(points, x, z) || !chooser.accepts(x, z, chance)) {
+            return false;
+        }
+        cells.put(points.size(), x, z);
+        points.add(new double[] {x, z});
+        return true;
+    }
+}

@@ -1,0 +1,126 @@
+package nephele.engine.level.rule;
+
+import java.util.function.Consumer;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
+import nephele.engine.level.billboard.BillboardField;
+import nephele.engine.level.billboard.Ground;
+import nephele.engine.level.billboard.SurfaceGround;
+import nephele.engine.level.placed.StaticShapes;
+
+/** Rules for billboards: where they stand, what their pictures hold, and whether fields have room for them. */
+final class BillboardRules {
+    static final LevelRule PLACES = (level, assets, report) -> {
+        long sum = 0;
+        for (int i = 0; i < level.billboards().size(); i++) {
+            Billboards group = level.billboards().get(i);
+            String path = "billboards[" + i + "]";
+            places(path, group, level, report);
+            long before = sum;
+            sum += group.count();
+            if (sum > Billboards.MOST && before <= Billboards.MOST) {
+                report.accept(Problem.error(
+                        path,
+                        "a level shows at most " + Billboards.MOST + " billboards: list fewer, or lower the count"));
+            }
+        }
+    };
+
+    static final LevelRule MEANT = (level, assets, report) ->
+            LevelRule.each("billboards", level.billboards(), (path, group) -> meant(path, group, report));
+
+    /** Plants every field; reports nothing where a file cannot be read, which other rules do. */
+    static final LevelRule ROOM = (level, assets, report) -> {
+        if (level.billboards().stream().anyMatch(group -> group.field() != null)) {
+            room(level, assets, report);
+        }
+    };
+
+    private BillboardRules() {}
+
+    private static void places(String path, Billboards group, Level level, Consumer<Problem> report) {
+        Billboards.Field field = group.field();
+        if (field == null) {
+            if (group.at().isEmpty()) {
+                report.accept(Problem.error(path + ".at", "it stands nowhere: list places in at, or give it a field"));
+            }
+            return;
+        }
+        if (!group.at().isEmpty()) {
+            report.accept(Problem.error(
+                    path + ".field", "the places are in at already: keep one of the two, or split it in two"));
+        }
+        if (field.terrain() != null) {
+            report.accept(Problem.error(
+                    path + ".field.terrain",
+                    "no terrain has the id '" + field.terrain()
+                            + "': leave it out to plant on the highest surfaces of solids and models"));
+        } else if (level.solids().isEmpty() && level.models().isEmpty()) {
+            report.accept(
+                    Problem.error(path + ".field", "there is no ground to plant on: add a solid or a model below it"));
+        }
+        Billboards.HeightLimits heights = field.heightRangeMetres();
+        if (heights != null && heights.low() > heights.high()) {
+            report.accept(Problem.error(
+                    path + ".field.heightRangeMetres", "the lowest height comes first: exchange the two"));
+        }
+    }
+
+    private static void meant(String path, Billboards group, Consumer<Problem> report) {
+        if (group.framesPerSecond() > 0 && group.frames() == 1) {
+            report.accept(Problem.warning(
+                    path + ".framesPerSecond", "a picture of one frame stands still: say how many frames it has"));
+        }
+        if (group.facing() == Billboards.Facing.SOURCE) {
+            report.accept(Problem.warning(
+                    path + ".facing",
+                    "the source's formula faces away on half of the circle: use cylindrical, unless you mean"
+                            + " to show it"));
+        }
+    }
+
+    private static void room(Level level, AssetSource assets, Consumer<Problem> report) {
+        Ground ground;
+        try {
+            ground = new SurfaceGround(StaticShapes.of(level, assets));
+        } catch (AssetException | IllegalArgumentException told) {
+            return;
+        }
+        LevelRule.each("billboards", level.billboards(), (path, group) -> {
+            if (group.field() != null && group.field().terrain() == null) {
+                room(path + ".field", group.field(), ground, assets, report);
+            }
+        });
+    }
+
+    private static void room(
+            String path, Billboards.Field field, Ground ground, AssetSource assets, Consumer<Problem> report) {
+        try {
+            int fit = BillboardField.plant(field, ground, assets).size();
+            if (fit < field.count()) {
+                report.accept(Problem.error(
+                        path + ".count",
+                        fit + " fit at spacingMetres " + field.spacingMetres()
+                                + " within the limits of height, slope and density: lower count or spacingMetres, or"
+                                + " widen the limits"));
+            }
+        } catch (AssetException problem) {
+            report.accept(
+                    Problem.error(path + ".densityMap", problem.getMessage()).about(Topic.MISSING_ASSET));
+        }
+    }
+
+    /** Reports a picture that does not hold its frames. @param width of the picture, pixels */
+    static void frames(String path, Billboards group, int width, Consumer<Problem> report) {
+        if (width % group.frames() != 0) {
+            report.accept(Problem.error(
+                    path + ".frames",
+                    group.sprite() + " is " + width + " pixels wide, which " + group.frames()
+                            + " frames of one width do not fill: give the number of pictures in its row"));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package nephele.engine.reference;
+
+import nephele.engine.asset.Picture;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.Billboards.Facing;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.billboard.AlphaCoverage;
+import nephele.engine.level.billboard.FacingAxes;
+import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * An image of a billboard with edges, without sway. Crossed ones stand still, as drawn. The others face each ray's own
+ * origin at infinity instead of the eye, which behind portals no ray knows: seen at an angle θ off their middle, they are
+ * smaller by θ² / 2 of that distance than drawn ones. Shadow rays meet them turned to the light, as in the sun's map.
+ */
+final class BillboardShape implements TracedShape {
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+    private static final Vec3 SIDE = new Vec3(1, 0, 0);
+    /** As {@code BULGE} in {@code billboard.vert}. */
+    private static final double BULGE = 0.75;
+
+    private final PlantedBillboards.Group group;
+    private final int index;
+    private final Picture picture;
+    private final ColourDecoding decoding;
+    private final double turn;
+    private final Vec3 middle;
+    private final double halfWidth;
+    private final double halfHeight;
+
+    /** @param quarterTurns of a crossed one's image: 0 or 1 */
+    BillboardShape(
+            PlantedBillboards.Group group, int index, int quarterTurns, Picture picture, ColourDecoding decoding) {
+        this.group = group;
+        this.index = index;
+        this.picture = picture;
+        this.decoding = decoding;
+        turn = group.turn(index) + quarterTurns * StrictMath.PI / 2;
+        Billboards.Size size = group.said().sizeMetres();
+        halfWidth = size.width() * group.scale(index) / 2;
+        halfHeight = size.height() * group.scale(index) / 2;
+        middle = group.feet().get(index).plus(new Vec3(0, halfHeight, 0));
+    }
+
+    /** A place on the image; right and up are −1 to 1. */
+    private record Spot(double parameter, double right, double up, FacingAxes axes) {}
+
+    /** Returns the place where a ray meets the image's opaque part; {@code null} if it does not. */
+    private Spot spot(Ray ray) {
+        Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
+        Facing facing = group.said().facing() == Facing.SCREEN
+                ? Facing.SPHERICAL
+                : group.said().facing();
+        FacingAxes axes = FacingAxes.of(facing, direction.negated(), SIDE, UP, turn);
+        Vec3 front = axes.front();
+        Vec3 toMiddle = middle.minus(new Vec3(ray.originX(), ray.originY(), ray.originZ()));
+        double parameter = toMiddle.dot(front) / direction.dot(front);
+        Vec3 at = direction.scaled(parameter).minus(toMiddle);
+        double right = at.dot(axes.right()) / halfWidth;
+        double up = at.dot(axes.up()) / halfHeight;
+        boolean isMet = Math.abs(right) <= 1 && Math.abs(up) <= 1 && sample(right, up, 3) >= 255 * AlphaCoverage.TEST;
+        return isMet ? new Spot(parameter, right, up, axes) : null;
+    }
+
+    /** Returns a channel between the four nearest pixels, 0 to 255. */
+    private double sample(double right, double up, int channel) {
+        double x = (0.5 + 0.5 * right) * picture.width() - 0.5;
+        double y = (0.5 - 0.5 * up) * picture.height() - 0.5;
+        int column = (int) Math.floor(x);
+        int row = (int) Math.floor(y);
+        double upper = between(code(column, row, channel), code(column + 1, row, channel), x - column);
+        double lower = between(code(column, row + 1, channel), code(column + 1, row + 1, channel), x - column);
+        return between(upper, lower, y - row);
+    }
+
+    private static double between(double a, double b, double share) {
+        return a + (b - a) * share;
+    }
+
+    /** Returns a stored value; of colours the linear one, on the same scale. */
+    private double code(int column, int row, int channel) {
+        int x = Math.min(Math.max(column, 0), picture.width() - 1);
+        int y = Math.min(Math.max(row, 0), picture.height() - 1);
+        int code = picture.sample(x, y, channel);
+        return channel == 3 ? code : 255 * decoding.linear(code / 255.0);
+    }
+
+    @Override
+    public Aabb bounds() {
+        return group.bounds(index);
+    }
+
+    @Override
+    public double entry(Ray ray, double least) {
+        Spot spot = spot(ray);
+        return spot != null && spot.parameter() >= least ? spot.parameter() : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public boolean intersects(Ray ray, double limit) {
+        Spot spot = spot(ray);
+        return spot != null && spot.parameter() >= 0 && spot.parameter() <= limit;
+    }
+
+    @Override
+    public boolean shadesItself() {
+        return false;
+    }
+
+    @Override
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
+        Spot spot = spot(path.ray());
+        Vec3 front = spot.axes().front();
+        Vec3 towards = front.dot(Vec3.of(toEye)) < 0 ? front.negated() : front;
+        Vector3d normal = towards.addScaled(BULGE * spot.right(), spot.axes().right())
+                .addScaled(BULGE * spot.up(), spot.axes().up())
+                .toVector()
+                .normalize();
+        Vec3 colour = group.said().colour() != null
+                ? group.said().colour()
+                : new Vec3(
+                        sample(spot.right(), spot.up(), 0) / 255,
+                        sample(spot.right(), spot.up(), 1) / 255,
+                        sample(spot.right(), spot.up(), 2) / 255);
+        Vec3 emission = group.said().emission().times(colour);
+        return new SurfacePoint(path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission);
+    }
+}

@@ -1,0 +1,61 @@
+package nephele.engine.render.pass.billboard;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.BillboardList;
+import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.scene.View;
+
+/** The shaders of billboards. */
+final class BillboardProgram {
+    private static final String FOLDER = "/nephele/engine/render/pass/billboard/";
+
+    private record Eye(Uniforms.Vector3 high, Uniforms.Vector3 low) {}
+
+    private final GlProgram<Eye> program;
+    private final Vec3 anchor;
+    private final float[] eye = new float[6];
+
+    BillboardProgram(LoadContext context, Kind kind) {
+        SurfaceLight light = context.shared().surfaceLight();
+        anchor = light.anchor();
+        boolean isAnimated = context.scene().level().billboards().stream()
+                .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
+        var defines = light.addForDynamicObjects(Defines.of(context))
+                .with("LAMBERT")
+                .with("PER_SHEET", BillboardList.PER_SHEET)
+                .withIf(kind == Kind.BLENDED, "BLENDED")
+                .withIf(isAnimated, "ANIMATED")
+                .values();
+        program = new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "billboard.vert", defines),
+                ShaderSource.load(FOLDER + "billboard.frag", defines),
+                uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    MeteredExposure.tieInView(context, uniforms);
+                    light.tieForDynamicObjects(uniforms);
+                    uniforms.sampler("billboards", TextureUnit.BILLBOARDS);
+                    uniforms.sampler("billboardGroups", TextureUnit.BILLBOARD_GROUPS);
+                    uniforms.sampler("billboardOrder", TextureUnit.BILLBOARD_ORDER);
+                    uniforms.sampler("sprites", TextureUnit.COLOURS);
+                    return new Eye(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"));
+                });
+    }
+
+    void use(View view) {
+        program.use();
+        SolidMesh.eyeInCell(view, anchor, eye);
+        program.uniforms().high().set(eye[0], eye[1], eye[2]);
+        program.uniforms().low().set(eye[3], eye[4], eye[5]);
+    }
+}

@@ -1,0 +1,176 @@
+package nephele.engine.render.resource;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.shader.TextureUnit;
+
+/**
+ * The images of a level's billboards on the GPU, in clusters of near ones. A crossed billboard has two images. Nothing of
+ * them changes from frame to frame but the numbers of their groups.
+ */
+public final class BillboardQuads implements GlObject {
+    private static final int PER_CLUSTER = 64;
+    private static final int FLOATS = 8;
+
+    private final Vec3 anchor;
+    private final BillboardSprites sprites;
+    private final BillboardGroups groups;
+    private final BufferTexture texels;
+    private final List<Cluster> clusters = new ArrayList<>();
+    private final int[] arrays;
+    /** The middles, three numbers each, from the anchor. */
+    private final float[] middles;
+
+    /**
+     * Images from {@code first} to before {@code end} that have pictures of one array.
+     *
+     * @param bounds in the world, however they are turned
+     */
+    public record Cluster(int first, int end, int array, Aabb bounds) {}
+
+    /** An image before it is stored. */
+    private record Image(PlantedBillboards.Group group, int number, int index, double turn, int array) {
+        Vec3 foot() {
+            return group.feet().get(index);
+        }
+    }
+
+    /** @param planted of the level of which {@code source} tells */
+    public BillboardQuads(
+            GlContext gl, PlantedBillboards planted, StaticShapes statics, AssetSource assets, BillboardSource source) {
+        anchor = source.anchor();
+        List<PlantedBillboards.Group> drawn = planted.groups().stream()
+                .filter(group -> group.said().blended() == (source.kind() == BillboardSource.Kind.BLENDED))
+                .toList();
+        List<Billboards> said =
+                drawn.stream().map(PlantedBillboards.Group::said).toList();
+        sprites = new BillboardSprites(gl, said, assets, source);
+        groups = new BillboardGroups(gl, said, sprites);
+        List<Image> images = images(drawn);
+        arrays = images.stream().mapToInt(Image::array).toArray();
+        middles = new float[3 * images.size()];
+        float[] values = new float[FLOATS * images.size()];
+        BillboardSky sky = new BillboardSky(statics, source.isSkyLit(), images.size());
+        for (int i = 0; i < images.size(); i++) {
+            put(images.get(i), sky, i, values);
+        }
+        texels = BufferTexture.ofFloats(gl, "billboards", values);
+        cluster(images);
+    }
+
+    private List<Image> images(List<PlantedBillboards.Group> drawn) {
+        List<Image> images = new ArrayList<>();
+        for (int number = 0; number < drawn.size(); number++) {
+            PlantedBillboards.Group group = drawn.get(number);
+            int array = sprites.place(group.said()).array();
+            for (int i = 0; i < group.feet().size(); i++) {
+                double turn = group.turn(i);
+                images.add(new Image(group, number, i, turn, array));
+                if (group.said().facing() == Billboards.Facing.CROSSED) {
+                    images.add(new Image(group, number, i, turn + StrictMath.PI / 2, array));
+                }
+            }
+        }
+        double side = cellMetres(images);
+        images.sort(Comparator.<Image>comparingInt(Image::array)
+                .thenComparingLong(image -> cell(image.foot(), side))
+                .thenComparingInt(Image::number)
+                .thenComparingInt(Image::index)
+                .thenComparingDouble(Image::turn));
+        return images;
+    }
+
+    /** Returns the side of squares that hold a cluster each, if places are spread evenly. */
+    private static double cellMetres(List<Image> images) {
+        Aabb box = Aabb.of(images.stream().map(Image::foot).toList());
+        double area = box.isEmpty() ? 1 : (box.maxX() - box.minX()) * (box.maxZ() - box.minZ());
+        return Math.max(1, Math.sqrt(area * PER_CLUSTER / Math.max(1, images.size())));
+    }
+
+    private long cell(Vec3 foot, double side) {
+        long x = (long) Math.floor((foot.x() - anchor.x()) / side);
+        long z = (long) Math.floor((foot.z() - anchor.z()) / side);
+        return (x << 32) + z;
+    }
+
+    private void put(Image image, BillboardSky sky, int at, float[] values) {
+        Vec3 foot = image.foot().minus(anchor);
+        double scale = image.group().scale(image.index());
+        double half = image.group().said().sizeMetres().height() * scale / 2;
+        int to = FLOATS * at;
+        foot.put(values, to, image.number());
+        values[to + 4] = (float) scale;
+        values[to + 5] = (float) image.group().phase(image.index());
+        values[to + 6] = sky.seenFrom(image.foot().plus(new Vec3(0, half, 0)));
+        values[to + 7] = (float) image.turn();
+        middles[3 * at] = (float) foot.x();
+        middles[3 * at + 1] = (float) (foot.y() + half);
+        middles[3 * at + 2] = (float) foot.z();
+    }
+
+    private void cluster(List<Image> images) {
+        int first = 0;
+        Aabb bounds = Aabb.EMPTY;
+        for (int i = 0; i < images.size(); i++) {
+            Image image = images.get(i);
+            bounds = bounds.union(image.group().bounds(image.index()));
+            boolean isLast = i + 1 == images.size() || images.get(i + 1).array() != image.array();
+            if (isLast || i + 1 - first == PER_CLUSTER) {
+                clusters.add(new Cluster(first, i + 1, image.array(), bounds));
+                first = i + 1;
+                bounds = Aabb.EMPTY;
+            }
+        }
+    }
+
+    public List<Cluster> clusters() {
+        return clusters;
+    }
+
+    public int count() {
+        return middles.length / 3;
+    }
+
+    /** Returns the array that holds an image's picture. */
+    public int array(int image) {
+        return arrays[image];
+    }
+
+    /** Returns a coordinate of an image's middle from the anchor, metres. */
+    public float middle(int image, int axis) {
+        return middles[3 * image + axis];
+    }
+
+    /** Moves them to a time. */
+    public void follow(double seconds) {
+        groups.follow(seconds);
+    }
+
+    /** Binds the numbers of all images. */
+    public void bind() {
+        texels.bind(TextureUnit.BILLBOARDS);
+        groups.bind();
+    }
+
+    /** Binds the pictures of an array. */
+    public void bindSprites(int array) {
+        sprites.bind(array);
+    }
+
+    @Override
+    public void close() {
+        texels.close();
+        groups.close();
+        sprites.close();
+    }
+}

@@ -1,0 +1,111 @@
+// A billboard, turned to the eye of its view and lit as a bush is: the parts of its image face where those of a ball would.
+#define MOVING_RECEIVER
+#include "frame.glsl"
+#include "view-clip.glsl"
+#ifdef AIR
+#include "air.glsl"
+#endif
+#include "surface-light.glsl"
+#include "billboard.glsl"
+
+uniform vec3 eyeHigh; // from the anchor
+uniform vec3 eyeLow;
+
+out vec2 st;
+flat out vec3 layers; // this frame's, the next one's and its share
+out vec3 litRadiance; // of white
+out vec3 addedRadiance; // by air and fog
+out float passing; // share of the light behind fog
+#ifdef AIR
+out vec3 airPassing;
+#endif
+flat out vec4 oneColour;
+
+// How round a billboard is lit: a corner faces so far to the side and above.
+const float BULGE = 0.75;
+// Leaves let light through: faces are turned towards the sun.
+const float THROUGH = 0.4;
+// The share of the sun's light that leaves which lie behind others receive on the mean.
+const float BETWEEN_LEAVES = 0.75;
+
+vec3 lightAt(Surface s) {
+    REFLECTANCE r = reflectanceOf(s);
+    vec3 sum = vec3(0.0);
+#ifdef PUNCTUAL_LIGHTS
+    sum += allLights(r, s);
+#endif
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+    sum += ambientLight(r, s);
+#endif
+#ifdef FLASH
+    sum += flashLight(r, s);
+#endif
+#ifdef SUN
+    s.normal = normalize(s.normal + THROUGH * sunDirection);
+    s.faceNormal = sunDirection;
+    sum += BETWEEN_LEAVES * sunLight(r, s);
+#endif
+    return min(sum, vec3(MAX_RADIANCE));
+}
+
+// toFront: towards the eye. The shadow is that of a place outside of the billboard on the sun's side, so that it is not in
+// its own.
+vec3 lightOf(Billboard b, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3 toFront, float width) {
+    Surface s;
+    s.baseColour = vec3(1.0);
+    s.normal = normalize(toFront + BULGE * (corner.x * axes.right + corner.y * axes.up));
+    s.faceNormal = s.normal;
+#ifdef ANCHOR_POSITION
+    vec3 outside = vec3(0.0);
+#ifdef SUN
+    outside = 0.6 * width * normalize(vec3(sunDirection.x, 1e-4, sunDirection.z));
+#endif
+    s.anchorPosition = b.foot + middle + 0.9 * fromMiddle + outside;
+#endif
+#ifdef SKY_AMBIENT
+    s.skyVisibility = b.sky;
+#endif
+    return lightAt(s);
+}
+
+void main() {
+    int number = billboardNumber();
+    if (number < 0) {
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+        return;
+    }
+    Billboard b = billboardAt(number);
+    vec4 shape = billboardGroup(b.group, 0);
+    vec2 size = shape.xy * b.scale;
+    vec3 middle = vec3(0.0, 0.5 * size.y, 0.0);
+    vec3 relative = (b.foot - eyeHigh) - eyeLow + middle;
+    BillboardAxes axes =
+            facingAxes(int(shape.z), -relative, normalize(viewRight.xyz), normalize(viewUp.xyz), b.turn);
+    vec3 fromMiddle = cornerFromMiddle(axes, size, swayMetres(billboardGroup(b.group, 2), b, size.y));
+    vec3 position = relative + fromMiddle;
+
+    vec4 frames = billboardGroup(b.group, 1);
+    float frame = billboardFrame(frames, b);
+    float whole = min(floor(frame), frames.y - 1.0);
+    float next = whole + 1.0 < frames.y ? whole + 1.0 : 0.0;
+    layers = vec3(shape.w + whole, shape.w + next, frame - whole);
+    st = vec2(0.5 + 0.5 * corner.x, 0.5 - 0.5 * corner.y);
+    oneColour = billboardGroup(b.group, 3);
+
+    vec3 front = cross(axes.right, axes.up);
+    vec3 toFront = dot(front, relative) > 0.0 ? -front : front;
+    litRadiance = lightOf(b, fromMiddle, middle, axes, toFront, size.x) + billboardGroup(b.group, 4).rgb;
+    addedRadiance = vec3(0.0);
+    passing = 1.0;
+#ifdef AIR
+    Air air = airAlong(relative);
+    airPassing = air.transmittance;
+    addedRadiance = air.inScatter;
+#endif
+#ifdef FOG
+    passing = exp(-fog.a * length(relative));
+    addedRadiance = mix(fog.rgb, addedRadiance, passing);
+#endif
+    clipToView(position);
+    gl_Position = clipFromRelative * vec4(position, 1.0);
+}

@@ -1,0 +1,87 @@
+package nephele.engine.level.billboard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+class BillboardFieldTest {
+    private static Solid box(String id, Vec3 centre, Vec3 size) {
+        return new Solid.Box(id, null, false, TextureMapping.FACE, centre, size, Map.of());
+    }
+
+    private static Ground ground() {
+        Level level = new TestLevel()
+                .solid(box("floor", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20)))
+                .solid(box("block", new Vec3(5, 1, 5), new Vec3(4, 2, 4)))
+                .solid(new Solid.Wedge(
+                        "ramp",
+                        null,
+                        false,
+                        TextureMapping.FACE,
+                        new Vec3(-5, 1, -5),
+                        new Vec3(4, 2, 4),
+                        BoxFace.PLUS_X,
+                        Map.of()))
+                .level();
+        return new SurfaceGround(StaticShapes.of(level));
+    }
+
+    private static Billboards.Field field(int count, double maxSlope, Billboards.HeightLimits heights) {
+        return new Billboards.Field(null, 4, count, 0.6, null, maxSlope, heights);
+    }
+
+    private static List<Vec3> plant(Billboards.Field field) {
+        return BillboardField.plant(field, ground(), NoFiles.AT_ALL);
+    }
+
+    @Test
+    void theGroundIsTheHighestSurface() {
+        assertEquals(0, ground().at(0, 0).at().y(), 1e-12);
+        assertEquals(2, ground().at(5, 5).at().y(), 1e-12);
+        assertEquals(1, ground().at(-5, -5).at().y(), 1e-12);
+        assertEquals(
+                0.4,
+                1
+                        - ground().at(-5, -5).normal().y()
+                                * ground().at(-5, -5).normal().y()
+                        + 0.2,
+                1e-12);
+        assertNull(ground().at(11, 0));
+        assertEquals(new Ground.Area(-10, -10, 10, 10), ground().area());
+    }
+
+    @Test
+    void everyPlaceIsOnTheGround() {
+        Ground ground = ground();
+        List<Vec3> places = plant(field(300, 90, null));
+        assertEquals(300, places.size());
+        places.forEach(p -> assertEquals(ground.at(p.x(), p.z()).at().y(), p.y(), 1e-12));
+        assertTrue(places.stream().anyMatch(p -> p.y() > 1.9));
+    }
+
+    @Test
+    void steepAndHighPlacesStayEmpty() {
+        List<Vec3> flat = plant(field(300, 20, new Billboards.HeightLimits(-0.1, 1.5)));
+        assertEquals(300, flat.size());
+        flat.forEach(p -> assertEquals(0, p.y(), 1e-12));
+    }
+
+    @Test
+    void noMoreThanFitArePlanted() {
+        List<Vec3> onBlock = plant(field(300, 20, new Billboards.HeightLimits(1.9, 2.1)));
+        assertTrue(onBlock.size() > 25 && onBlock.size() < 60, onBlock.size() + " fit");
+    }
+}
