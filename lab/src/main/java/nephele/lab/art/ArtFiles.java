@@ -26,6 +26,7 @@ import nephele.lab.art.picture.ScenePictures;
 import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
+import nephele.lab.art.plant.PlantFiles;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {
@@ -53,6 +54,9 @@ public final class ArtFiles {
         for (PictureRecipe recipe : CloudPictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
+        for (PictureRecipe recipe : PlantFiles.PICTURES) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (int face = 0; face < 6; face++) {
             write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
@@ -65,6 +69,10 @@ public final class ArtFiles {
         Files.createDirectories(grid.getParent());
         Files.write(grid, SampleGrid.written());
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
+        }
+        Files.createDirectories(assets.resolve(PlantFiles.FOLDER));
+        for (Map.Entry<String, byte[]> mesh : PlantFiles.meshes().entrySet()) {
             Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
         }
     }
