@@ -47,7 +47,8 @@ class GenerateCommandTest {
         "sphere 1 8 8 OUT, 112",
         "cylinder 1 2 8 OUT, 32",
         "torus 1 0.3 8 6 OUT, 96",
-        "patch assets/models/teapot.patch 10 OUT, 6320"
+        "patch assets/models/teapot.patch 10 OUT, 6320",
+        "tree grass 7 OUT, 440"
     })
     void everyShapeIsWritten(String line, int triangles) throws IOException {
         var answer = generate(line);
@@ -72,7 +73,11 @@ class GenerateCommandTest {
                 "patch x.patch OUT",
                 "patch assets/models/teapot.patch 512 OUT",
                 "patch assets/models/teapot.patch 0 OUT",
-                "box 1 512 OUT"
+                "box 1 512 OUT",
+                "tree oak OUT",
+                "tree palm 1 OUT",
+                "tree boulder 1 OUT",
+                "rock boulder x OUT"
             })
     void whatCannotBeMadeIsWrongUsageAndWritesNothing(String line) {
         var answer = generate(line);
@@ -96,6 +101,12 @@ class GenerateCommandTest {
         assertEquals(3, generate("box 2 3 OUT").exitCode());
         assertTrue(Files.isDirectory(out()));
         assertArrayEquals(new String[0], out().toFile().list());
+    }
+
+    @Test
+    void anUnknownKindIsToldTheKinds() {
+        assertTrue(generate("tree palm 1 OUT").err().contains("oak, birch, fir, cypress, bush, fern, grass"));
+        assertTrue(generate("rock oak 1 OUT").err().contains("boulder, ledge"));
     }
 
     @Test

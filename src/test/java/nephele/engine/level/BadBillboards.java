@@ -22,8 +22,7 @@ final class BadBillboards {
             billboards(".heightVariation", "must be from 0 to 1", HERE + "\"heightVariation\": 1.5, " + SIZE),
             billboards(".sprite", "there is no such file", HERE + SIZE),
             billboards(".field", "keep one of the two", HERE + field(3, 1, "") + SIZE),
-            billboards(
-                    ".field.terrain", "no terrain has the id 'hills'", field(3, 1, ", \"terrain\": \"hills\"") + SIZE),
+            billboards(".field.terrain", "there is no terrain 'hills'", field(3, 1, ", \"terrain\": \"hills\"") + SIZE),
             billboards(".field.count", "must be from 1 to 200000", field(0, 1, "") + SIZE),
             billboards(".field.spacingMetres", "must be from 0.01", field(3, 0, "") + SIZE),
             billboards(
@@ -36,7 +35,7 @@ final class BadBillboards {
                     ".field.densityMap", "there is no such file", field(3, 1, ", \"densityMap\": \"none.png\"") + SIZE),
             level(
                     "billboards[0].field",
-                    "add a solid or a model",
+                    "add a terrain, a solid or a model",
                     "\"billboards\": [{\"id\": \"b\", \"sprite\": \"s.png\", " + field(3, 1, "") + SIZE + "}]"),
             level(
                     "billboards[1]",

@@ -18,9 +18,11 @@ import nephele.lab.art.bench.BenchPixels;
 import nephele.lab.art.material.TextureRecipe;
 import nephele.lab.art.material.Textures;
 import nephele.lab.art.paint.Surface;
+import nephele.lab.art.picture.PictureRecipe;
 import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
+import nephele.lab.art.plant.PlantFiles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -87,6 +89,19 @@ class ArtFilesTest {
     void committedMeshesAreWhatTheCodeMakes() throws IOException {
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
             assertArrayEquals(mesh.getValue(), Files.readAllBytes(Path.of("assets", mesh.getKey())), mesh.getKey());
+        }
+    }
+
+    @Test
+    void committedPlantsAreWhatTheCodeGrows() throws IOException {
+        for (Map.Entry<String, byte[]> mesh : PlantFiles.meshes().entrySet()) {
+            assertArrayEquals(
+                    mesh.getValue(),
+                    Files.readAllBytes(Path.of("assets", mesh.getKey())),
+                    mesh.getKey() + ": run gradle textures");
+        }
+        for (PictureRecipe recipe : PlantFiles.PICTURES) {
+            assertSamePixels(recipe.file(), recipe.painter().get());
         }
     }
 

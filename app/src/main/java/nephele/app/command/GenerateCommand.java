@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.HeightMap;
@@ -18,12 +19,15 @@ import nephele.engine.model.shape.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
+import nephele.lab.art.plant.PlantKind;
+import nephele.lab.art.plant.PlantKind.Family;
+import nephele.lab.art.plant.PlantKinds;
 import nephele.lab.art.terrain.TerrainFile;
 import nephele.lab.art.terrain.TerrainPainter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Makes a primitive mesh or a height map. */
+/** Makes a mesh (a primitive, a Bézier surface, a tree or a rock) or a height map. */
 @picocli.CommandLine.Command(
         customSynopsis = {
             "nephele generate plane LENGTH DIVISIONS [--two-sided] OUT.3d",
@@ -33,6 +37,8 @@ import picocli.CommandLine.Parameters;
             "       nephele generate cylinder RADIUS HEIGHT SLICES OUT.3d",
             "       nephele generate torus RADIUS TUBE SLICES STACKS OUT.3d",
             "       nephele generate patch FILE.patch TESSELLATION OUT.3d",
+            "       nephele generate tree KIND SEED OUT.3d",
+            "       nephele generate rock KIND SEED OUT.3d",
             "       nephele generate terrain SEED SIZE OUT.png"
         },
         footer = {
@@ -48,7 +54,11 @@ import picocli.CommandLine.Parameters;
             "SEED          whole number; each makes another landscape",
             "SIZE          heights along a side of a height map, 2 to 8193",
             "",
-            "Meshes are centred at the origin; a cone stands on the xz plane.",
+            "KIND          of tree: oak, birch, fir, cypress, bush, fern or grass; of rock: boulder or ledge",
+            "SEED          a whole number; each gives another tree or rock",
+            "",
+            "Trees and rocks stand on the xz plane and take their colours from textures/plants.png.",
+            "Other meshes are centred at the origin; a cone stands on the xz plane.",
             "docs/models.md has the formats."
         })
 final class GenerateCommand implements Command {
@@ -66,18 +76,21 @@ final class GenerateCommand implements Command {
         if (kind.equals("terrain")) {
             return terrain();
         }
+        Optional<Family> family = Family.named(kind);
         boolean patch = kind.equals("patch");
-        if (!patch && ShapeKind.named(kind).isEmpty()) {
-            throw CommandFailure.usage(
-                    kind + " is no shape: use plane, box, cone, sphere, cylinder, torus, patch or terrain. " + help());
+        if (family.isEmpty() && !patch && ShapeKind.named(kind).isEmpty()) {
+            throw CommandFailure.usage(kind
+                    + " is no shape: use plane, box, cone, sphere, cylinder, torus, patch, tree, rock or terrain. "
+                    + help());
         }
         if (words.size() < 3) {
             throw CommandFailure.usage(kind + " needs numbers and a file to write. " + help());
         }
         Path out = out();
         List<String> numbers = words.subList(1, words.size() - 1);
-        Shape shape = patch ? patch(numbers) : primitive(ShapeKind.named(kind).get(), numbers);
-        byte[] text = text(shape);
+        byte[] text = family.isPresent()
+                ? grown(family.get(), numbers)
+                : text(patch ? patch(numbers) : primitive(ShapeKind.named(kind).get(), numbers));
         WrittenFile.write(out, file -> AtomicFile.write(file, text));
         return ExitCode.DONE;
     }
@@ -127,6 +140,25 @@ final class GenerateCommand implements Command {
             throw CommandFailure.usage("--two-sided belongs to plane: a " + kind.word() + " has no second side");
         }
         return new PlaneShape(plane.length(), plane.divisions(), Sides.BOTH);
+    }
+
+    private byte[] grown(Family family, List<String> words) {
+        if (words.size() != 2 || twoSided) {
+            throw CommandFailure.usage(family.word() + " takes KIND, SEED and the file to write. " + help());
+        }
+        PlantKind kind = PlantKinds.named(family, words.get(0))
+                .orElseThrow(() -> CommandFailure.usage(words.get(0) + " is no kind of " + family.word() + ": use "
+                        + PlantKinds.words(family) + ". " + help()));
+        return MeshText.of(kind.grown(seed(words.get(1))));
+    }
+
+    private static long seed(String word) {
+        try {
+            return Long.parseLong(word);
+        } catch (NumberFormatException noNumber) {
+            throw CommandFailure.usage(
+                    "SEED is a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE + ", not " + word);
+        }
     }
 
     private Shape patch(List<String> numbers) {

@@ -65,7 +65,7 @@ public record Billboards(
     /**
      * Random places that keep a distance.
      *
-     * @param terrain on which they stand; {@code null} for the highest surfaces of solids and models
+     * @param terrain on which they stand; {@code null} for the highest surfaces of everything
      * @param spacingMetres the least horizontal distance between two
      * @param densityMap a grey picture over the ground: white has most, black none; its left is at the least x, its top
      *     at the least z. {@code null} for an even field
@@ -73,7 +73,7 @@ public record Billboards(
      * @param heightRangeMetres of the ground below, above y = 0; {@code null} for all heights
      */
     public record Field(
-            @Written(text = TextKind.ID) String terrain,
+            @Written(text = TextKind.ID, refersTo = "terrains") String terrain,
             @Written(min = 0, max = 1e9) int seed,
             @Written(required = true, min = 1, max = MOST, prototype = "20") int count,
             @Written(required = true, min = 0.01, max = 1e4, spatial = Spatial.LENGTH, prototype = "1")

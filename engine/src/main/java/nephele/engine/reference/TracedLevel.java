@@ -22,7 +22,7 @@ import org.joml.Vector3dc;
 /** A level prepared for ray tracing, with its bodies at their initial positions; immutable, shared by all threads. */
 public final class TracedLevel {
     private final TracedItems rays;
-    private final SurfaceAppearance looks;
+    private final TracedShape.SurfaceAppearance looks;
     private final Illumination light;
     private final Shafts shafts;
     private final Optional<SkyRadiance> sky;
@@ -46,7 +46,7 @@ public final class TracedLevel {
                 level.bodies().size(),
                 TracedBillboards.of(placed, decoding, seconds));
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
-        looks = new SurfaceAppearance(
+        looks = new TracedShape.SurfaceAppearance(
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         mirrors = ReflectingFaces.of(statics.solids(), textures);
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);

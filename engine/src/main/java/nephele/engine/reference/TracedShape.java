@@ -24,4 +24,7 @@ sealed interface TracedShape permits TracedSolid, BodyPiece, TriangleMeshShape, 
      * @param toEye unit
      */
     SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks);
+
+    /** The materials of all items. */
+    record SurfaceAppearance(FaceMaterials solids, BodySurfaces bodies, MaterialTextures textures) {}
 }

@@ -27,6 +27,7 @@ import nephele.lab.art.picture.ScenePictures;
 import nephele.lab.art.picture.SignPainter;
 import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
+import nephele.lab.art.plant.PlantFiles;
 import nephele.lab.art.sprite.SpritePictures;
 import nephele.lab.art.terrain.TerrainFile;
 
@@ -56,6 +57,9 @@ public final class ArtFiles {
         for (PictureRecipe recipe : CloudPictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
+        for (PictureRecipe recipe : PlantFiles.PICTURES) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (PictureRecipe recipe : SpritePictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
@@ -72,6 +76,10 @@ public final class ArtFiles {
         Files.createDirectories(grid.getParent());
         Files.write(grid, SampleGrid.written());
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
+        }
+        Files.createDirectories(assets.resolve(PlantFiles.FOLDER));
+        for (Map.Entry<String, byte[]> mesh : PlantFiles.meshes().entrySet()) {
             Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
         }
     }

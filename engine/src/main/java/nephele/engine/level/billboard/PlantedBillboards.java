@@ -94,11 +94,11 @@ public record PlantedBillboards(List<Group> groups) {
      */
     public static PlantedBillboards of(Level level, StaticShapes statics, AssetSource assets) {
         List<Group> groups = new ArrayList<>();
-        Ground ground = level.billboards().stream().anyMatch(group -> group.field() != null)
-                ? new SurfaceGround(statics)
-                : null;
+        var grounds = new FieldGrounds(statics);
         for (Billboards said : level.billboards()) {
-            List<Vec3> feet = said.field() == null ? said.at() : BillboardField.plant(said.field(), ground, assets);
+            List<Vec3> feet = said.field() == null
+                    ? said.at()
+                    : BillboardField.plant(said.field(), grounds.of(said.field()), assets);
             groups.add(new Group(said, feet));
         }
         return new PlantedBillboards(groups);

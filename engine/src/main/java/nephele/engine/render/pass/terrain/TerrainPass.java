@@ -27,7 +27,7 @@ public final class TerrainPass implements Pass {
     private final GlContext gl;
     private final TargetReads reads;
     private final SurfaceLight light;
-    private final List<Ground> grounds = new ArrayList<>();
+    private final List<GroundDrawing> grounds = new ArrayList<>();
 
     private TerrainPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
@@ -36,7 +36,7 @@ public final class TerrainPass implements Pass {
         List<StaticShape.HeightGrid> grids = context.scene().statics().ground();
         List<TerrainMesh> meshes = context.shared().terrains();
         for (int i = 0; i < grids.size(); i++) {
-            grounds.add(new Ground(context, grids.get(i), meshes.get(i)));
+            grounds.add(new GroundDrawing(context, grids.get(i), meshes.get(i)));
         }
     }
 

@@ -25,7 +25,7 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.TerrainSky;
 
 /** One terrain with its program, materials and sky visibility. */
-final class Ground {
+final class GroundDrawing {
     private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
 
     private final TerrainMesh mesh;
@@ -43,7 +43,7 @@ final class Ground {
     /** {@code null} without pictures. */
     private final Texture colours;
 
-    Ground(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
+    GroundDrawing(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
         this.mesh = mesh;
         errorPixels = context.quality().terrainErrorPixels();
         tiles = context.quality().terrainDetail() == TerrainDetail.LOD
