@@ -89,7 +89,7 @@ final class PictureMutants {
                     BLENDING,
                     "blending is never switched on",
                     ENGINE + "render/gl/DrawState.java",
-                    "toggle(GL_BLEND, newBlend != Blend.REPLACE);",
+                    "toggle(GL_BLEND, newBlend != Blend.REPLACE && !areSamplesChosen);",
                     "toggle(GL_BLEND, false);",
                     "OverlayPassGlTest"),
             new Mutant(

@@ -11,7 +11,7 @@ import nephele.editor.text.Words;
 public final class FieldWords {
     private static final Map<String, Words> ALL = Map.ofEntries(
             word("at", "Places", "Lugares", "Lugares"),
-            word("billboards", "Billboards", "Placas com imagem", "Placas com imagem"),
+            word("billboards", "Billboards", "Placas", "Placas"),
             word("blended", "Blended", "Translúcidas", "Translúcidas"),
             word("colour", "One colour", "Cor única", "Cor única"),
             word("colourKey", "Transparent colour", "Cor transparente", "Cor transparente"),

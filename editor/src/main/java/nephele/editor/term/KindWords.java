@@ -10,7 +10,7 @@ import nephele.editor.text.Words;
 public final class KindWords {
     private static final Map<String, Words> ALL = Map.ofEntries(
             word("atmosphere", "Atmosphere", "Atmosfera", "Atmosfera"),
-            word("billboards", "Billboards", "Placas com imagem", "Placas com imagem"),
+            word("billboards", "Billboards", "Placas", "Placas"),
             word("box", "Box", "Caixa", "Caixa"),
             word("camera", "Camera", "Câmera", "Câmara"),
             word("capsule", "Capsule", "Cápsula", "Cápsula"),

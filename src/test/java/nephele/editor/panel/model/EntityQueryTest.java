@@ -75,7 +75,7 @@ class EntityQueryTest {
 
     @Test
     void whatIsWrongIsSaid() {
-        assertEquals("no entity has a component \"colour\"", error("colour:red"));
+        assertEquals("no entity has a component \"flavour\"", error("flavour:red"));
         assertEquals("size> compares with a number, not with \"big\"", error("size>big"));
         assertEquals("size: write a value after it".replace("size:", "size::"), error("size:"));
         assertEquals("hidden: write true or false", error("hidden:no"));
