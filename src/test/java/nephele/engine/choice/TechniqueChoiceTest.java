@@ -156,14 +156,24 @@ class TechniqueChoiceTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 10", "0.1, 10", "10, 30", "100, 30", "3.1622776, 20"})
-    void betweenNodesErrorsAreInterpolatedAndBeyondThemKept(double depth, double expected) {
+    @CsvSource({"1, 10", "0.1, 10", "10, 30", "100, 30", "3.1622776, 25"})
+    void betweenNodesErrorsAreNearerToTheGreatestAndBeyondThemKept(double depth, double expected) {
         var table = new ErrorTable(List.of(
                 new Row(FORM, CloudTechnique.VOLUME, 1, 10, 30, 10, 1),
                 new Row(FORM, CloudTechnique.VOLUME, 10, 10, 30, 30, 1)));
         var at = new CloudSituation(FORM, depth, 10, 80, 1, 5, 0, false, null);
         assertEquals(expected, table.errorPercent(CloudTechnique.VOLUME, at).orElseThrow(), 1e-5);
         assertTrue(table.errorPercent(CloudTechnique.SKYBOX, at).isEmpty());
+    }
+
+    /** The cheapest is 10: one that costs 10.9 and is less wrong is chosen, one that costs 11.1 is not. */
+    @ParameterizedTest
+    @CsvSource({"10.9, BILLBOARD", "11.1, PARTICLES"})
+    void ofTechniquesThatCostTheSameTheLeastWrongOneIsChosen(double cost, CloudTechnique chosen) {
+        var table =
+                new ErrorTable(List.of(row(CloudTechnique.PARTICLES, 9, 10), row(CloudTechnique.BILLBOARD, 2, cost)));
+        var choice = TechniqueChoice.of(cloud(1, 10), situation(100, 1), table);
+        assertEquals(chosen, choice.chosen().technique(), choice.toString());
     }
 
     /** The node of depth 10 at 60 degrees is missing: there the nearest one counts, and beside it those that there are. */

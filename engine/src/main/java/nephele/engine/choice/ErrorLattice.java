@@ -3,7 +3,10 @@ package nephele.engine.choice;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** The measurements of one technique and form on a lattice; linear between its nodes, in the logarithm of the first two axes. Where nodes are missing the nearest one counts. */
+/**
+ * The measurements of one technique and form on a lattice; linear between its nodes, in the logarithm of the first two
+ * axes.
+ */
 final class ErrorLattice {
     private final List<ErrorTable.Row> rows;
     private final double[] depths;
@@ -21,28 +24,55 @@ final class ErrorLattice {
         return rows.stream().mapToDouble(of).distinct().sorted().toArray();
     }
 
+    /** Returns the value at a place of the lattice. */
     double at(double depth, double angle, double sun, ToDoubleFunction<ErrorTable.Row> value) {
+        double[] weights = weights(depth, angle, sun);
+        double sum = 0;
+        double all = 0;
+        for (int i = 0; i < weights.length; i++) {
+            sum += weights[i] * value.applyAsDouble(rows.get(i));
+            all += weights[i];
+        }
+        return sum / all;
+    }
+
+    /** Returns the middle between the value at a place and the greatest of the nodes around it, for values that vary between nodes. */
+    double cautiousAt(double depth, double angle, double sun, ToDoubleFunction<ErrorTable.Row> value) {
+        double[] weights = weights(depth, angle, sun);
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < weights.length; i++) {
+            if (weights[i] > 0) {
+                greatest = Math.max(greatest, value.applyAsDouble(rows.get(i)));
+            }
+        }
+        return (at(depth, angle, sun, value) + greatest) / 2;
+    }
+
+    /** Returns the weight of each row at a place; if no node around it was measured the nearest one has all. */
+    private double[] weights(double depth, double angle, double sun) {
         double alongDepth = place(depths, depth, true);
         double alongAngle = place(angles, angle, true);
         double alongSun = place(suns, sun, false);
-        double sum = 0;
-        double weights = 0;
-        double nearest = 0;
+        double[] weights = new double[rows.size()];
+        double all = 0;
         double least = Double.POSITIVE_INFINITY;
-        for (ErrorTable.Row row : rows) {
+        int nearest = 0;
+        for (int i = 0; i < weights.length; i++) {
+            ErrorTable.Row row = rows.get(i);
             double byDepth = Math.abs(alongDepth - place(depths, row.opticalDepth(), true));
             double byAngle = Math.abs(alongAngle - place(angles, row.angularDegrees(), true));
             double bySun = Math.abs(alongSun - place(suns, row.sunDegrees(), false));
-            double weight = tent(byDepth) * tent(byAngle) * tent(bySun);
-            sum += weight * value.applyAsDouble(row);
-            weights += weight;
-            double distance = byDepth + byAngle + bySun;
-            if (distance < least) {
-                least = distance;
-                nearest = value.applyAsDouble(row);
+            weights[i] = tent(byDepth) * tent(byAngle) * tent(bySun);
+            all += weights[i];
+            if (byDepth + byAngle + bySun < least) {
+                least = byDepth + byAngle + bySun;
+                nearest = i;
             }
         }
-        return weights > 0 ? sum / weights : nearest;
+        if (all == 0) {
+            weights[nearest] = 1;
+        }
+        return weights;
     }
 
     private static double tent(double distance) {

@@ -154,13 +154,16 @@ public final class ErrorTable {
         return new ErrorTable(kept);
     }
 
-    /** Returns the error of a technique in per cent; empty if it was not measured for such clouds. */
+    /**
+     * Returns the error of a technique in per cent; empty if it was not measured for such clouds. Between nodes it is
+     * nearer to the greatest around: errors of clouds in wrong places vary at random.
+     */
     public OptionalDouble errorPercent(CloudTechnique technique, CloudSituation at) {
         ErrorLattice grid = grids.get(key(at.form(), technique));
         return grid == null
                 ? OptionalDouble.empty()
                 : OptionalDouble.of(
-                        grid.at(at.opticalDepth(), at.angularDegrees(), at.sunDegrees(), Row::errorPercent));
+                        grid.cautiousAt(at.opticalDepth(), at.angularDegrees(), at.sunDegrees(), Row::errorPercent));
     }
 
     /** Returns the cost of a technique; empty if it was not measured for such clouds. */

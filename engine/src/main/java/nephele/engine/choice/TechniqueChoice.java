@@ -9,7 +9,7 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 
 /**
- * The choice of the technique of a cloud: the cheapest one whose error is allowed, or the least wrong one. Where the eye can be anywhere it is the
+ * The choice of the technique of a cloud: the cheapest one whose error is allowed (of those that cost the same the least wrong one), or the least wrong one. Where the eye can be anywhere it is the
  * volume, which shows every cloud from everywhere.
  *
  * @param inside whether its error is allowed
@@ -22,6 +22,9 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
 
     /** The techniques through which an eye can pass. */
     private static final Set<CloudTechnique> CROSSABLE = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.VOLUME);
+
+    /** Costs that differ by less count as the same: they were measured no better, and then the least wrong technique is chosen. */
+    private static final double SAME_COST = 1.1;
 
     private static final Set<CloudTechnique> OF_BALLS = EnumSet.of(CloudTechnique.PARTICLES, CloudTechnique.BILLBOARD);
 
@@ -107,11 +110,15 @@ public record TechniqueChoice(CloudSituation situation, boolean inside, Candidat
     }
 
     private static Candidate best(List<Candidate> candidates, Cloud.Tolerance tolerance) {
-        return candidates.stream()
+        double cheapest = candidates.stream()
                 .filter(candidate -> candidate.isAllowed(tolerance))
-                .min(Comparator.comparingDouble(Candidate::cost))
-                .orElseGet(() -> candidates.stream()
-                        .min(Comparator.comparingDouble(candidate -> candidate.excess(tolerance)))
-                        .orElseThrow());
+                .mapToDouble(Candidate::cost)
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        return candidates.stream()
+                .filter(candidate -> Double.isInfinite(cheapest)
+                        || candidate.isAllowed(tolerance) && candidate.cost() <= SAME_COST * cheapest)
+                .min(Comparator.comparingDouble(candidate -> candidate.excess(tolerance)))
+                .orElseThrow();
     }
 }

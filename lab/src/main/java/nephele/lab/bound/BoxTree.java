@@ -7,6 +7,8 @@ import nephele.engine.math.Vec3;
 
 /** The triangles of a model in a binary tree of boxes along the model's axes; a leaf has one triangle. Immutable. */
 final class BoxTree {
+    private static final Pose STILL = new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), Vec3.ZERO);
+
     private final Aabb box;
     /** The corners of a leaf's triangle; {@code null} of a branch. */
     private final Vec3[] triangle;
@@ -68,8 +70,6 @@ final class BoxTree {
     boolean touches(BoxTree other, Pose seen, LeafTest test) {
         return touches(OrientedBox.of(box, STILL), other, OrientedBox.of(other.box, seen), seen, test);
     }
-
-    private static final Pose STILL = new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), Vec3.ZERO);
 
     private boolean touches(OrientedBox own, BoxTree other, OrientedBox others, Pose seen, LeafTest test) {
         if (!own.touches(others)) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
@@ -66,7 +65,7 @@ final class AutoCases {
         var around = Aabb.around(eye, new Vec3(2 * STRIDE_METRES, 2, 2 * STRIDE_METRES));
         return new Case(
                 name + ", sun at " + (int) sun + " degrees, place " + (place + 1),
-                new SeenSky(Level.of(name, "", written, List.of()), opened.assets(), view),
+                SeenSky.alone(name, written, opened.assets(), view),
                 new EyeReach(List.of(new EyeReach.Part(around, EyeReach.Means.WALKING))));
     }
 

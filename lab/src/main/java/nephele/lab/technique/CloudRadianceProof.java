@@ -3,6 +3,7 @@ package nephele.lab.technique;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import nephele.engine.cloud.light.BallLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality;
@@ -17,9 +18,8 @@ public final class CloudRadianceProof implements Proof {
     private static final int SAMPLES = 512;
     private static final double ANGULAR_DEGREES = 30;
     private static final double SUN_DEGREES = 45;
-    private static final double[] BALL_DEPTHS = {0.3, 4, 40};
     private static final double[] SHEET_DEPTHS = {0.3, 2};
-    private static final double[] VOLUME_DEPTHS = {0.3, 4, 40};
+    private static final double[] DEPTHS = {0.3, 4, 40};
     private static final String BALLS = "volume puffs";
     /** The limit of what is only recorded. */
     private static final double NONE = Double.POSITIVE_INFINITY;
@@ -42,12 +42,7 @@ public final class CloudRadianceProof implements Proof {
      */
     private record Drawn(TableCase at, CloudTechnique technique, String way, Quality quality, double mostPercent) {
         String name() {
-            return technique.name().toLowerCase(Locale.ROOT) + way + ", " + at.form() + " of optical depth "
-                    + text(
-                            "%s",
-                            at.opticalDepth() == Math.rint(at.opticalDepth())
-                                    ? Long.toString((long) at.opticalDepth())
-                                    : Double.toString(at.opticalDepth()));
+            return word(technique) + way + ", " + at.form() + " of optical depth " + text("%.1f", at.opticalDepth());
         }
     }
 
@@ -90,13 +85,18 @@ public final class CloudRadianceProof implements Proof {
     private static List<Drawn> all() {
         List<Drawn> all = new ArrayList<>();
         Quality best = Quality.ULTRA;
-        for (TableCase at : TableCases.at(ANGULAR_DEGREES, SUN_DEGREES, VOLUME_DEPTHS)) {
+        for (TableCase at : TableCases.at(ANGULAR_DEGREES, SUN_DEGREES, DEPTHS)) {
             all.add(new Drawn(at, CloudTechnique.VOLUME, "", best, 5));
-        }
-        for (TableCase at : TableCases.at(ANGULAR_DEGREES, SUN_DEGREES, BALL_DEPTHS)) {
-            boolean isSuited = at.form().equals(BALLS);
-            if (isSuited) {
+            if (at.form().equals(BALLS)) {
                 all.add(new Drawn(at, CloudTechnique.PARTICLES, "", best, 10));
+                for (BallLight light : List.of(BallLight.HARRIS, BallLight.DOBASHI)) {
+                    all.add(new Drawn(
+                            at,
+                            CloudTechnique.PARTICLES,
+                            ", light " + word(light),
+                            best.withParticleLight(light),
+                            NONE));
+                }
                 all.add(new Drawn(at, CloudTechnique.BILLBOARD, "", best, 15));
                 Quality source = best.withBillboardFacing(Quality.BillboardFacing.SOURCE);
                 all.add(new Drawn(at, CloudTechnique.BILLBOARD, ", facing of the source", source, NONE));
@@ -107,12 +107,20 @@ public final class CloudRadianceProof implements Proof {
                 all.add(new Drawn(at, CloudTechnique.SKYPLANE, "", best, 10));
                 all.add(new Drawn(at, CloudTechnique.PROCEDURAL, "", best, NONE));
                 for (ProceduralNoise noise : List.of(ProceduralNoise.SOURCE, ProceduralNoise.SOURCE_CODE)) {
-                    String way = ", noise " + noise.name().toLowerCase(Locale.ROOT);
-                    all.add(new Drawn(at, CloudTechnique.PROCEDURAL, way, best.withProceduralNoise(noise), NONE));
+                    all.add(new Drawn(
+                            at,
+                            CloudTechnique.PROCEDURAL,
+                            ", noise " + word(noise),
+                            best.withProceduralNoise(noise),
+                            NONE));
                 }
             }
         }
         return all;
+    }
+
+    private static String word(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT);
     }
 
     private static String text(String format, Object... values) {

@@ -5,7 +5,9 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.level.Camera;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.WeatherClouds;
@@ -28,9 +30,18 @@ record SeenSky(Level level, AssetSource assets, View view) {
     static final int WIDTH = 40;
     static final int HEIGHT = 24;
 
+    private static final double NEAR = 0.1;
+
     private static final double LEAST_DEPTH = 0.01;
     /** How far rays are followed through endless clouds, metres. */
     private static final double FAR = 200_000;
+
+    /** Returns a sky alone, in a level whose camera is where it is seen from: skyboxes are baked from there. */
+    static SeenSky alone(String name, Environment environment, AssetSource assets, View view) {
+        Vec3 ahead = view.eye().minus(view.back());
+        var camera = new Camera("eye", view.eye(), ahead, view.up(), 0, 0, NEAR, FAR, List.of());
+        return new SeenSky(Level.of(name, "", environment, List.of(camera)), assets, view);
+    }
 
     /** Returns the level with all its clouds drawn by a technique. */
     PlacedLevel drawnBy(CloudTechnique technique) {

@@ -12,13 +12,13 @@ import nephele.engine.level.Cloud.Extent;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
-import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.Viewpoints;
+import nephele.engine.scene.View;
 
 /**
  * One node of the table of errors: a cloud of a form with a mean optical depth, at a distance, in the light of a sun.
@@ -85,10 +85,10 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         double depth = CloudColumns.meanDepth(
                 LoadedClouds.of(environment(placed), assets).flat(0));
         Cloud scaled = placed.withExtinction(placed.extinctionPerMetre() * opticalDepth / depth);
-        Level level = Level.of("case", "", environment(scaled), List.of());
         double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
         Vec3 eye = new Vec3(0, EYE_METRES, 0);
-        return new SeenSky(level, assets, Viewpoints.between(eye, eye.plus(ahead()), fovDegrees(), aspect));
+        View view = Viewpoints.between(eye, eye.plus(ahead()), fovDegrees(), aspect);
+        return SeenSky.alone("case", environment(scaled), assets, view);
     }
 
     private static Cloud otherSeed(Cloud cloud) {

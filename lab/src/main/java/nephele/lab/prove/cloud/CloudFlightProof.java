@@ -2,7 +2,6 @@ package nephele.lab.prove.cloud;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.named.LevelName;
@@ -21,7 +20,6 @@ public final class CloudFlightProof implements Proof {
 
     private static final List<String> NAMES = List.of("low", "high");
 
-    private static final double MOST_STEP = 0.02;
     private static final int FROZEN_FRAMES = 16;
     private static final List<Integer> AFTER_CUT = List.of(0, 1, 4, 16);
     private static final CloudFlight.Path PATH = new CloudFlight.Path(new Vec3(0, 1000, 300), 40, 3);
@@ -71,35 +69,19 @@ public final class CloudFlightProof implements Proof {
     }
 
     private ProofResult flown(String preset, CloudFlight flight) {
-        List<String> failures = new ArrayList<>();
-        List<Figure> figures = new ArrayList<>();
-        LinearPicture truthBefore = null;
-        LinearPicture seenBefore = null;
-        double sum = 0;
-        double worst = 0;
-        double beyond = Double.NEGATIVE_INFINITY;
+        var tally = new FlightTally(preset);
         for (int frame = 0; frame < frames; frame++) {
-            LinearPicture truth = flight.truth(frame);
-            LinearPicture seen = flight.seen(frame);
-            double error = CloudFlight.flip(truth, seen);
-            sum += error;
-            worst = Math.max(worst, error);
-            if (frame > 0) {
-                double step = CloudFlight.flip(seenBefore, seen) - CloudFlight.flip(truthBefore, truth);
-                beyond = Math.max(beyond, step);
-                if (!(step <= MOST_STEP)) {
-                    failures.add(String.format(Locale.ROOT, "%s, frame %d: step %.4f beyond", preset, frame, step));
-                }
-            }
-            truthBefore = truth;
-            seenBefore = seen;
+            tally.add(flight.truth(frame), flight.seen(frame));
         }
-        figures.add(Figure.greatest(preset + ", greatest step beyond that of all rays", beyond, "FLIP"));
-        figures.add(Figure.greatest(preset + ", mean error", sum / frames, "FLIP"));
-        figures.add(Figure.greatest(preset + ", greatest error of a frame", worst, "FLIP"));
-        figures.add(Figure.greatest(preset + ", flicker while all is frozen", flicker(flight, seenBefore), "FLIP"));
+        List<Figure> figures = new ArrayList<>();
+        figures.add(Figure.greatest(preset + ", greatest step beyond that of all rays", tally.beyond(), "FLIP"));
+        figures.add(Figure.greatest(preset + ", mean error", tally.mean(), "FLIP"));
+        figures.add(Figure.greatest(preset + ", greatest error of a frame", tally.worst(), "FLIP"));
+        double flicker = flicker(flight, tally.lastSeen());
+        figures.add(Figure.greatest(preset + ", flicker while all is frozen", flicker, "FLIP"));
         figures.addAll(ghosts(preset, flight));
-        List<String> one = failures.isEmpty() ? List.of() : List.of(failures.size() + " steps; " + failures.get(0));
+        List<String> steep = tally.failures();
+        List<String> one = steep.isEmpty() ? List.of() : List.of(steep.size() + " steps; " + steep.get(0));
         return ProofResult.of(1, one, figures);
     }
 

@@ -18,7 +18,6 @@ import nephele.lab.prove.proof.ProofResult;
 
 /** Flies by clouds that are drawn from impostors and compares each frame, and each step, with frames without impostors. */
 public final class CloudImpostorsProof implements Proof {
-    private static final double MOST_STEP = 0.02;
     private static final double LEAST_SHARE = 0.95;
     private static final CloudFlight.Path PATH = new CloudFlight.Path(new Vec3(0, 500, 0), 100, 3);
     private static final List<Quality> QUALITIES =
@@ -72,26 +71,14 @@ public final class CloudImpostorsProof implements Proof {
     }
 
     private ProofResult flown(String name, CloudFlight flight, PixelTolerance tolerance) {
-        List<String> failures = new ArrayList<>();
-        LinearPicture truthBefore = null;
-        LinearPicture seenBefore = null;
-        double sum = 0;
-        double beyond = Double.NEGATIVE_INFINITY;
+        var tally = new FlightTally(name);
         for (int frame = 0; frame < frames; frame++) {
             LinearPicture truth = flight.truth(frame);
             LinearPicture seen = flight.seen(frame);
             tolerance.add(flight.view(frame), truth, seen);
-            sum += CloudFlight.flip(truth, seen);
-            if (frame > 0) {
-                double step = CloudFlight.flip(seenBefore, seen) - CloudFlight.flip(truthBefore, truth);
-                beyond = Math.max(beyond, step);
-                if (!(step <= MOST_STEP)) {
-                    failures.add(String.format(Locale.ROOT, "%s, frame %d: step %.4f beyond", name, frame, step));
-                }
-            }
-            truthBefore = truth;
-            seenBefore = seen;
+            tally.add(truth, seen);
         }
+        List<String> failures = new ArrayList<>(tally.failures());
         if (!(tolerance.share() >= LEAST_SHARE)) {
             failures.add(String.format(Locale.ROOT, "%s: %.4f of pixels inside", name, tolerance.share()));
         }
@@ -100,7 +87,7 @@ public final class CloudImpostorsProof implements Proof {
                 failures.isEmpty() ? List.of() : List.of(failures.size() + " failures; " + failures.get(0)),
                 List.of(
                         Figure.least(name + ", share of pixels inside", tolerance.share(), ""),
-                        Figure.greatest(name + ", mean difference", sum / frames, "FLIP"),
-                        Figure.greatest(name + ", greatest step beyond", beyond, "FLIP")));
+                        Figure.greatest(name + ", mean difference", tally.mean(), "FLIP"),
+                        Figure.greatest(name + ", greatest step beyond", tally.beyond(), "FLIP")));
     }
 }
