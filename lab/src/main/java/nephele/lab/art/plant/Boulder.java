@@ -12,8 +12,11 @@ final class Boulder {
 
     private static final int CUTS = 90;
     private static final int BROAD_CUTS = 11;
-    private static final double SUNK = 0.36;
-    private static final Vector3dc SIZE = new Vector3d(1.3, 0.95, 1.05);
+    private static final Vector3dc SIZE = new Vector3d(1, 1.1, 0.85);
+    /** Height of the ball's middle: a face that looks down would be black, since the ground reflects no light. */
+    private static final double MIDDLE = 0.12;
+
+    private static final double ROOT = 0.25;
 
     private Boulder() {}
 
@@ -34,12 +37,13 @@ final class Boulder {
             double depth = i < BROAD_CUTS ? dice.between(0.74, 0.9) : dice.between(0.93, 1.02);
             cuts.add(new Cut(dice.direction(), depth));
         }
+        cuts.add(new Cut(new Vector3d(0, -1, 0), (MIDDLE + ROOT) / SIZE.y()));
         for (Cut cut : cuts) {
             List<Vector3d> face = square(cut);
             for (Cut other : cuts) {
                 face = other == cut ? face : clipped(face, other);
             }
-            face.forEach(p -> p.mul(SIZE).add(0, 0.8 - SUNK, 0));
+            face.forEach(p -> p.mul(SIZE).add(0, MIDDLE, 0));
             double shade = 0.4 + 0.26 * cut.normal.y() + dice.around(0.08);
             for (int i = 2; i < face.size(); i++) {
                 mesh.facet(face.get(0), face.get(i - 1), face.get(i), PlantPaint.BOULDER, shade);
