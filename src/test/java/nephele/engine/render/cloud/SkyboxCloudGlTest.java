@@ -248,6 +248,22 @@ class SkyboxCloudGlTest {
         }
     }
 
+    /** The eye looks towards -x, and out of the other portal towards -z, 300 m from the bake point. */
+    @Test
+    void aPortalShowsWhatTheEyeBehindItWouldSee() {
+        Level level = sunny().cloud(heap(CloudTechnique.SKYBOX, 0.01, Vec3.ZERO))
+                .portal("a", "b", new Vec3(-2, 0, 0), new Vec3(1, 0, 0), 9, 6)
+                .portal("b", "a", new Vec3(300, 20, -2), new Vec3(0, 0, -1), 9, 6)
+                .level();
+        try (Renderer renderer = load(level, EXACT)) {
+            float[] behind = drawn(renderer, from(Vec3.ZERO, new Vec3(-1, 0, 0)), 0);
+            float[] moved = drawn(renderer, from(new Vec3(300, 20, 0), new Vec3(0, 0, -1)), 0);
+            assertArrayEquals(moved, behind, 1 / 255f);
+            float[] elsewhere = drawn(renderer, from(new Vec3(300, 20, 0), new Vec3(0, 0.1, -1)), 0);
+            assertTrue(flip(moved, elsewhere) > 0.05, "the picture shows nothing");
+        }
+    }
+
     /** A wall in front of the cloud hides it, one behind it does not. */
     @Test
     void surfacesHideWhatIsBehindThem() {

@@ -1,10 +1,13 @@
 package nephele.lab.technique.page;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.lwjgl.opengl.GL20C.*;
 import static org.lwjgl.opengl.GL30C.GL_SAMPLER_2D_ARRAY;
 
 import java.nio.IntBuffer;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -88,6 +91,10 @@ class TechniqueFactsGlTest {
         return programs;
     }
 
+    private static boolean isOfSkybox(int program) {
+        return glGetUniformLocation(program, "skyAxes[0]") >= 0;
+    }
+
     private static int samplers(int program) {
         int count = 0;
         try (MemoryStack stack = MemoryStack.stackPush()) {
@@ -101,11 +108,16 @@ class TechniqueFactsGlTest {
         return count;
     }
 
+    /** The skybox comes last: clouds of no other technique have compiled anything of it. */
     @Test
     void drawsAndTextureUnitsAreAsWritten() {
         long without = draws(null);
-        for (CloudTechnique technique : TechniquePagesTest.built()) {
+        List<CloudTechnique> techniques = new ArrayList<>(TechniquePagesTest.built());
+        techniques.remove(CloudTechnique.SKYBOX);
+        techniques.add(CloudTechnique.SKYBOX);
+        for (CloudTechnique technique : techniques) {
             Set<Integer> before = programs();
+            assertFalse(before.stream().anyMatch(TechniqueFactsGlTest::isOfSkybox), technique + ": a skybox before");
             long draws = draws(technique) - without;
             Set<Integer> added = programs();
             added.removeAll(before);
@@ -117,5 +129,6 @@ class TechniqueFactsGlTest {
             assertEquals(text.one("draws"), Long.toString(draws), technique + ": draws");
             assertEquals(text.one("units"), Integer.toString(units), technique + ": texture units");
         }
+        assertTrue(programs().stream().anyMatch(TechniqueFactsGlTest::isOfSkybox), "a skybox after");
     }
 }
