@@ -11,12 +11,14 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
@@ -36,8 +38,9 @@ class SolutionsReplayTest {
         return Solutions.ALL.stream();
     }
 
-    private static Level level(Solution solution) {
-        return LevelFile.load(LEVELS.resolve(solution.levelFile())).level();
+    private static PlacedLevel level(Solution solution) {
+        LevelFile.Opened opened = LevelFile.load(LEVELS.resolve(solution.levelFile()));
+        return PlacedLevel.of(opened.level(), opened.assets());
     }
 
     private static Replay recorded(Solution solution) throws IOException {
@@ -45,8 +48,12 @@ class SolutionsReplayTest {
         return Replay.read(file.toString(), Files.readAllBytes(file));
     }
 
-    private static SimState play(Replay replay, Level level) {
-        return replay.play(new Simulation(level, replay.settings()), state -> {});
+    private static Simulation simulation(PlacedLevel level, SimSettings settings) {
+        return new Simulation(SimLevel.of(level), settings, FaultLog.SILENT);
+    }
+
+    private static SimState play(Replay replay, PlacedLevel level) {
+        return replay.play(simulation(level, replay.settings()), state -> {});
     }
 
     /** Returns the inputs of a replay without some actions. */
@@ -72,7 +79,7 @@ class SolutionsReplayTest {
         SimState end = play(replay, level(solution));
         assertTrue(solution.isSolvedBy(end.player()), "ends at " + end.player().feet());
         assertEquals(0, end.faults());
-        assertTrue(replay.ticks() <= 60 * 120, replay.ticks() + " ticks");
+        assertTrue(replay.ticks() <= 80 * 120, replay.ticks() + " ticks");
     }
 
     @ParameterizedTest
@@ -80,7 +87,7 @@ class SolutionsReplayTest {
     void theSameWalkWithoutAShotNeverReachesTheGoal(Solution solution) throws IOException {
         Replay walk = without(Set.of(Action.FIRE_FIRST, Action.FIRE_SECOND), recorded(solution));
         walk.play(
-                new Simulation(level(solution), walk.settings()),
+                simulation(level(solution), walk.settings()),
                 state -> assertFalse(solution.isSolvedBy(state.player()), "tick " + state.tick()));
     }
 
@@ -104,11 +111,11 @@ class SolutionsReplayTest {
     @Test
     void withoutTheCrateTheTerraceIsTooHigh() throws IOException {
         Solution solution = Solutions.ALL.get(2);
-        Level level = level(solution);
+        PlacedLevel level = level(solution);
         Vec3 crate = play(recorded(solution), level).world().bodies().state(0).centre();
         assertEquals(0.3, crate.y(), 0.01);
         assertTrue(crate.z() < -2.6 && crate.x() < 2.5 && crate.x() > 1.9, crate.toString());
-        without(Set.of(Action.CARRY), recorded(solution)).play(new Simulation(level, SimSettings.DEFAULT), state -> {
+        without(Set.of(Action.CARRY), recorded(solution)).play(simulation(level, SimSettings.DEFAULT), state -> {
             assertFalse(solution.isSolvedBy(state.player()));
             assertTrue(state.player().feet().y() < 1.2, "tick " + state.tick());
         });

@@ -29,6 +29,8 @@ import nephele.lab.art.picture.SkyLayouts;
 import nephele.lab.art.picture.SkyPainter;
 import nephele.lab.art.plant.PlantFiles;
 import nephele.lab.art.sprite.SpritePictures;
+import nephele.lab.art.terrain.StonesGrowth;
+import nephele.lab.art.terrain.StonesMap;
 import nephele.lab.art.terrain.TerrainFile;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
@@ -63,6 +65,9 @@ public final class ArtFiles {
         for (PictureRecipe recipe : SpritePictures.ALL) {
             write(assets.resolve(recipe.file()), recipe.painter().get());
         }
+        for (PictureRecipe recipe : StonesGrowth.PICTURES) {
+            write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (int face = 0; face < 6; face++) {
             write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
@@ -72,6 +77,7 @@ public final class ArtFiles {
         }
         write(assets.resolve(SignPainter.FILE), SignPainter.paint());
         Files.write(assets.resolve(BenchTerrain.MAP), TerrainFile.png(BenchTerrain.map(), BenchTerrain.SIDE));
+        Files.write(assets.resolve(StonesMap.FILE), TerrainFile.png(StonesMap.heights(), StonesMap.SIDE));
         Path grid = assets.resolve(SampleGrid.FILE);
         Files.createDirectories(grid.getParent());
         Files.write(grid, SampleGrid.written());

@@ -1,14 +1,16 @@
 package nephele.lab.solve;
 
 import java.util.function.Predicate;
-import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.ViewAngles;
@@ -32,8 +34,8 @@ public final class ScriptedPlayer {
     private SimState state;
 
     /** @param levelFile the level's file name in the replay */
-    public ScriptedPlayer(Level level, String levelFile) {
-        simulation = new Simulation(level, SimSettings.DEFAULT);
+    public ScriptedPlayer(PlacedLevel level, String levelFile) {
+        simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT, FaultLog.SILENT);
         recorder = new ReplayRecorder(levelFile, SimSettings.DEFAULT, null);
         state = simulation.start();
     }

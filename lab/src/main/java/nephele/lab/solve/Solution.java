@@ -1,7 +1,7 @@
 package nephele.lab.solve;
 
 import java.util.function.Consumer;
-import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.PlayerState;
@@ -19,10 +19,10 @@ public record Solution(String levelFile, Vec3 goal, Consumer<ScriptedPlayer> pla
 
     private static final double GOAL_DEPTH_METRES = 0.3;
 
-    public Replay playIn(Level level) {
+    public Replay playIn(PlacedLevel level) {
         var player = new ScriptedPlayer(level, levelFile);
         play.accept(player);
-        return player.replay().recordedIn(level);
+        return player.replay().recordedIn(level.level());
     }
 
     /** Returns true if a player stands on the goal. */

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
@@ -15,7 +16,8 @@ public final class Solutions {
             new Solution("02-first-shot.json", new Vec3(4.1, 0.135, -13.4), Solutions::firstShot),
             new Solution("03-momentum.json", new Vec3(0, -3.865, -17), Solutions::momentum),
             new Solution("04-cube.json", new Vec3(4.4, 1.635, -7), Solutions::cube),
-            new Solution("05-above-the-clouds.json", new Vec3(640, 1893.135, -71), Solutions::aboveTheClouds));
+            new Solution("05-above-the-clouds.json", new Vec3(640, 1893.135, -71), Solutions::aboveTheClouds),
+            new Solution("06-standing-stones.json", new Vec3(10, 38.185, -72), Solutions::standingStones));
 
     private Solutions() {}
 
@@ -23,8 +25,8 @@ public final class Solutions {
     public static void main(String[] arguments) throws IOException {
         Path levels = Path.of(arguments.length > 0 ? arguments[0] : "levels");
         for (Solution solution : ALL) {
-            var replay = solution.playIn(
-                    LevelFile.load(levels.resolve(solution.levelFile())).level());
+            LevelFile.Opened opened = LevelFile.load(levels.resolve(solution.levelFile()));
+            var replay = solution.playIn(PlacedLevel.of(opened.level(), opened.assets()));
             Path file = levels.resolve("replays").resolve(solution.levelFile());
             Files.writeString(file, replay.write());
             System.out.println(file + ": " + replay.ticks() + " ticks");
@@ -161,5 +163,42 @@ public final class Solutions {
         player.walkTo(640, fromZ)
                 .lookAt(new Vec3(640, 2012, 2))
                 .doUntil(PlayerInput.NONE.walking(45, 0), now -> !now.isGrounded());
+    }
+
+    /**
+     * Places portals in the temple across the gorge and in the gate, climbs the hill, places one on the leaning stone and
+     * one in the basin below the cliff, and falls through the eye of the tongue.
+     */
+    private static void standingStones(ScriptedPlayer player) {
+        player.pause(0.6)
+                .walkTo(3.5, 57.5)
+                .lookAt(new Vec3(8, 19, -27))
+                .walkTo(3.2, 41)
+                .shoot(Action.FIRE_SECOND, new Vec3(8, 18.96, -27.65))
+                .walkTo(5.5, 57.5)
+                .shoot(Action.FIRE_FIRST, new Vec3(7.2, 17.6, 54.13))
+                .walkTo(7.2, 56.2)
+                .lookAlong(0, -4)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().z() < -20 && now.feet().z() > -26.5)
+                .walkTo(8, -15)
+                .walkTo(-26, -17)
+                .walkTo(-46, -24)
+                .walkTo(-58, -50)
+                .walkTo(-49.5, -63)
+                .walkTo(-40, -69)
+                .walkTo(-40.2, -72)
+                .shoot(Action.FIRE_FIRST, new Vec3(-45.4, 41.55, -72))
+                .walkTo(-34.1, -69.2)
+                .shoot(Action.FIRE_SECOND, new Vec3(-26.1, 16.15, -71.6))
+                .walkTo(-38.2, -71)
+                .walkTo(-37.4, -72)
+                .walkTo(-29, -72)
+                .lookAlong(-90, -40)
+                .doUntil(PlayerInput.NONE.walking(40, 0), now -> !now.isGrounded())
+                .doUntil(PlayerInput.NONE, now -> now.isGrounded())
+                .pause(0.5)
+                .walkTo(10, -72)
+                .lookAlong(0, -2)
+                .pause(1);
     }
 }
