@@ -6,6 +6,7 @@ import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
@@ -43,6 +44,9 @@ final class GroundDrawing {
     /** {@code null} without pictures. */
     private final Texture colours;
 
+    /** {@code null} without normal maps. */
+    private final Texture normals;
+
     GroundDrawing(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
         this.mesh = mesh;
         errorPixels = context.quality().terrainErrorPixels();
@@ -59,9 +63,8 @@ final class GroundDrawing {
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(Texture.class, new SkyOf(new Same(grid.field())), () -> sky(context.gl(), grid))
                 : null;
-        colours = look.kind().isTextured()
-                ? context.shared().colourPictures().get(look.kind().colourArray())
-                : null;
+        colours = look.kind().isTextured() ? colours(context, look.colours()) : null;
+        normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON ? normals(context, look.normals()) : null;
     }
 
     private record SkyOf(Same field) {}
@@ -83,6 +86,18 @@ final class GroundDrawing {
                 uniforms -> uniforms(context, surface, uniforms));
     }
 
+    private static Texture colours(LoadContext context, LayerPictures pictures) {
+        return pictures.array() == LayerPictures.OWN
+                ? context.shared().colourPictures(pictures.own())
+                : context.shared().colourPictures().get(pictures.array());
+    }
+
+    private static Texture normals(LoadContext context, LayerPictures pictures) {
+        return pictures.array() == LayerPictures.OWN
+                ? context.shared().normalPictures(pictures.own())
+                : context.shared().normalPictures().get(pictures.array());
+    }
+
     private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
         surface.set(uniforms);
         light.tieForDynamicObjects(uniforms);
@@ -96,7 +111,7 @@ final class GroundDrawing {
         return GroundUniforms.of(
                 uniforms,
                 look.surfaces().size(),
-                look.kind(),
+                surface,
                 light,
                 context.quality().terrainDetail());
     }
@@ -132,6 +147,9 @@ final class GroundDrawing {
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);
+        }
+        if (normals != null) {
+            normals.bind(TextureUnit.NORMALS);
         }
         if (tiles == null) {
             mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));

@@ -9,12 +9,12 @@ import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.TerrainUniforms;
-import nephele.engine.scene.SolidBatch;
 
 /**
  * The uniforms of a terrain's program.
@@ -33,19 +33,19 @@ record GroundUniforms(
         Optional<Vector3> originFromAnchor,
         List<Vector4> heights,
         List<Vector4> slopes,
-        List<Vector2> origins) {
+        List<Vector3> origins) {
     static GroundUniforms of(
-            Uniforms uniforms, int layers, SolidBatch.Kind kind, SurfaceLight light, TerrainDetail detail) {
+            Uniforms uniforms, int layers, SurfaceVariant surface, SurfaceLight light, TerrainDetail detail) {
         List<Vector4> heights = new ArrayList<>();
         List<Vector4> slopes = new ArrayList<>();
-        List<Vector2> origins = new ArrayList<>();
+        List<Vector3> origins = new ArrayList<>();
         for (int i = 0; i < layers; i++) {
             if (layers > 1) {
                 heights.add(uniforms.vector4("layerHeights[" + i + "]"));
                 slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
             }
-            if (kind.isTextured()) {
-                origins.add(uniforms.vector2("layerOrigins[" + i + "]"));
+            if (surface.textured() || surface.normalMapped()) {
+                origins.add(uniforms.vector3("layerOrigins[" + i + "]"));
             }
         }
         boolean isDetailed = detail == TerrainDetail.LOD;
@@ -69,7 +69,8 @@ record GroundUniforms(
             set(slopes.get(i), limits, TerrainLayers.LIMITS * i + 4);
         }
         for (int i = 0; i < origins.size(); i++) {
-            origins.get(i).set((float) look.origins()[2 * i], (float) look.origins()[2 * i + 1]);
+            Vec3 repeats = look.origins().get(i);
+            origins.get(i).set((float) repeats.x(), (float) repeats.y(), (float) repeats.z());
         }
     }
 
