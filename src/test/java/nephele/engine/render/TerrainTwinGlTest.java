@@ -21,6 +21,8 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
 import nephele.lab.oracle.PinholeViews;
 import org.junit.jupiter.api.Test;
@@ -124,6 +126,16 @@ class TerrainTwinGlTest {
         assertTrue(differing < 0.03 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
     }
 
+    /** Plain colours that are mixed once differ only along the limits of layers, by as much as its pixels are wide. */
+    @Test
+    void theMixtureOfColoursCanBeMadeOnce() {
+        Level level = on(materials().ambient(0.2).sun(new Vec3(0.4, 0.7, 0.5), 3), 64, Vec3.ZERO);
+        Twins both = Twins.of(level, MAP, Vec3.ZERO, 8, Quality.HIGH.withTerrainLayers(LayerMixing.BAKED));
+        assertEquals(1, both.mean(both.drawn) / both.mean(both.traced), 0.005);
+        int differing = both.differing(0.1);
+        assertTrue(differing < 0.08 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
+    }
+
     /** With shadows and the sky, the mean agrees, and nearly all pixels. */
     @Test
     void shadowsAndSkyAreNearlyTheSame() {
@@ -170,9 +182,14 @@ class TerrainTwinGlTest {
         }
 
         static Twins of(Level level, TestAssets assets, Vec3 centre, int samples) {
+            return of(level, assets, centre, samples, Quality.HIGH);
+        }
+
+        static Twins of(Level level, TestAssets assets, Vec3 centre, int samples, Quality quality) {
             try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
                 View view = offscreen.view(centre.plus(new Vec3(2, 16, 14)), centre.plus(new Vec3(0, 2, 0)));
-                float[] drawn = offscreen.radiance(level, assets, view);
+                float[] drawn =
+                        offscreen.radiance(level, assets, List.of(view), quality).get(0);
                 TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
                 TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
                 return new Twins(drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {}));

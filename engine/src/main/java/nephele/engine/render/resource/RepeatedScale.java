@@ -1,21 +1,16 @@
 package nephele.engine.render.resource;
 
-import java.util.Arrays;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.ColourDecoding;
 
 /** Enlarges pictures that repeat: bilinear in linear values, across their edges, rounded once. */
 public final class RepeatedScale {
     private final Picture from;
-    private final double[] linear;
-    private final double[] limits = new double[255];
+    private final StoredCodes codes;
 
     private RepeatedScale(Picture from, ColourDecoding decoding) {
         this.from = from;
-        linear = decoding.table();
-        for (int code = 0; code < limits.length; code++) {
-            limits[code] = decoding.linear((code + 0.5) / 255);
-        }
+        codes = new StoredCodes(decoding);
     }
 
     /**
@@ -47,13 +42,12 @@ public final class RepeatedScale {
         int top = (int) Math.floor(y);
         double upper = mix(at(left, top, channel), at(left + 1, top, channel), x - left);
         double lower = mix(at(left, top + 1, channel), at(left + 1, top + 1, channel), x - left);
-        int place = Arrays.binarySearch(limits, mix(upper, lower, y - top));
-        return (byte) (place < 0 ? -place - 1 : place + 1);
+        return codes.nearest(mix(upper, lower, y - top));
     }
 
     private double at(int x, int y, int channel) {
         int column = Math.floorMod(x, from.width());
-        return linear[from.sample(column, Math.floorMod(y, from.height()), channel)];
+        return codes.linear((byte) from.sample(column, Math.floorMod(y, from.height()), channel));
     }
 
     private static double mix(double a, double b, double share) {

@@ -1,5 +1,5 @@
 // The mixture of a terrain's layers. Twin: nephele.engine.level.terrain.TerrainLayers, which explains the weights. LAYERS
-// is the number of layers, each material at its index.
+// is the number of layers, each material at its index. BAKED: their colours are mixed already.
 
 uniform vec4 layerHeights[LAYERS]; // where the weight begins to rise and is 1, begins to fall and is 0, metres
 uniform vec4 layerSlopes[LAYERS]; // by the upward component of the normal: where it falls from 1 and is 0, rises and is 1
@@ -34,7 +34,10 @@ float layerWeight(int layer, float height, float up) {
             * layerRise(up, s.z, s.w);
 }
 
-#if defined(TEXTURED) || defined(NORMAL_MAP)
+#ifdef BAKED
+uniform vec2 bakedPerMetre; // 1 / the terrain's sides
+uniform sampler2DArray colours; // the mixture, seen from above
+#elif defined(TEXTURED) || defined(NORMAL_MAP)
 // The pictures of layers in three projections. Twin: nephele.engine.level.terrain.GroundProjections.
 #define PICTURES
 uniform vec3 layerOrigins[LAYERS]; // the terrain's origin in repeats of the layer's pictures
@@ -121,6 +124,9 @@ GroundMaterial groundAt(vec3 place, vec3 n) {
         sum.roughness += weights[i] * material.baseColourRoughness.a;
 #endif
     }
+#ifdef BAKED
+    sum.baseColour = texture(colours, vec3(place.xz * bakedPerMetre, 0.0)).rgb;
+#endif
 #ifdef PICTURES
     addPictures(sum, weights, n, place);
 #endif

@@ -1,11 +1,15 @@
 package nephele.engine.render.pass.terrain;
 
 import java.nio.ByteBuffer;
+import java.util.List;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
@@ -34,6 +38,7 @@ final class GroundDrawing {
     private final TerrainTiles tiles;
 
     private final double errorPixels;
+    private final boolean isBaked;
     private final GroundLook look;
     private final SurfaceLight light;
     private final MaterialBlocks materials;
@@ -56,15 +61,19 @@ final class GroundDrawing {
                         new TilesOf(new Same(grid.field())),
                         () -> new TerrainTiles(context.gl(), grid.field()))
                 : null;
-        look = GroundLook.of(grid, context.scene().materials());
+        isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
+        GroundLook said = GroundLook.of(grid, context.scene().materials());
+        look = isBaked ? said.baked() : said;
         light = context.shared().surfaceLight();
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         program = program(context);
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(Texture.class, new SkyOf(new Same(grid.field())), () -> sky(context.gl(), grid))
                 : null;
-        colours = look.kind().isTextured() ? colours(context, look.colours()) : null;
-        normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON ? normals(context, look.normals()) : null;
+        colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
+        normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON
+                ? normals(context, look.normals())
+                : null;
     }
 
     private record SkyOf(Same field) {}
@@ -76,6 +85,7 @@ final class GroundDrawing {
         var defines = surface.addTo(
                         light.addForDynamicObjects(Defines.of(context))
                                 .withIf(tiles != null, "DETAIL")
+                                .withIf(isBaked, "BAKED")
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
@@ -84,6 +94,12 @@ final class GroundDrawing {
                 ShaderSource.load(FOLDER + "terrain.vert", defines),
                 ShaderSource.load(FOLDER + "terrain.frag", defines),
                 uniforms -> uniforms(context, surface, uniforms));
+    }
+
+    private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
+        ColourDecoding decoding = context.output() == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
+        return context.shared()
+                .colourPictures(List.of(BakedLayers.of(grid, context.scene().materials(), decoding)));
     }
 
     private static Texture colours(LoadContext context, LayerPictures pictures) {
@@ -109,11 +125,7 @@ final class GroundDrawing {
             uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
         }
         return GroundUniforms.of(
-                uniforms,
-                look.surfaces().size(),
-                surface,
-                light,
-                context.quality().terrainDetail());
+                uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
     }
 
     private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {

@@ -56,6 +56,14 @@ record GroundLook(
                         .toList());
     }
 
+    /** Returns the look with the colours of all layers in one picture, without normal maps. */
+    GroundLook baked() {
+        LayerPictures colour = new LayerPictures(LayerPictures.OWN, List.of(), List.of());
+        LayerPictures none = new LayerPictures(-1, List.of(), List.of());
+        return new GroundLook(
+                surfaces, new SolidBatch.Kind(kind.lambert(), colour.array(), -1, 0), colour, none, limits, origins);
+    }
+
     /** Whole repeats are left out, so that the numbers stay small far from the world's origin. */
     private static Vec3 repeats(Vec3 origin, double metres) {
         return new Vec3(fraction(origin.x() / metres), fraction(origin.y() / metres), fraction(origin.z() / metres));

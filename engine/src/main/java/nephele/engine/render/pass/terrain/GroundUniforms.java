@@ -9,7 +9,6 @@ import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
@@ -21,6 +20,7 @@ import nephele.engine.render.resource.TerrainUniforms;
  *
  * @param detailView absent if all triangles are drawn
  * @param cell absent if no picture or light needs it
+ * @param bakedPerMetre absent unless layers are mixed into one picture
  * @param heights empty for one layer, which is everywhere
  * @param slopes the same
  * @param originFromAnchor absent if no light needs positions
@@ -31,11 +31,11 @@ record GroundUniforms(
         Optional<Vector4> detailView,
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
+        Optional<Vector2> bakedPerMetre,
         List<Vector4> heights,
         List<Vector4> slopes,
         List<Vector3> origins) {
-    static GroundUniforms of(
-            Uniforms uniforms, int layers, SurfaceVariant surface, SurfaceLight light, TerrainDetail detail) {
+    static GroundUniforms of(Uniforms uniforms, int layers, SurfaceLight light, TerrainDetail detail) {
         List<Vector4> heights = new ArrayList<>();
         List<Vector4> slopes = new ArrayList<>();
         List<Vector3> origins = new ArrayList<>();
@@ -44,7 +44,7 @@ record GroundUniforms(
                 heights.add(uniforms.vector4("layerHeights[" + i + "]"));
                 slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
             }
-            if (surface.textured() || surface.normalMapped()) {
+            if (uniforms.reads("layerOrigins[" + i + "]")) {
                 origins.add(uniforms.vector3("layerOrigins[" + i + "]"));
             }
         }
@@ -54,6 +54,7 @@ record GroundUniforms(
                 isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
                 uniforms.reads("cellMetres") ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
+                uniforms.reads("bakedPerMetre") ? Optional.of(uniforms.vector2("bakedPerMetre")) : Optional.empty(),
                 heights,
                 slopes,
                 origins);
@@ -63,6 +64,8 @@ record GroundUniforms(
         cell.ifPresent(lengths -> lengths.set((float) field.cellX(), (float) field.cellZ()));
         Vec3 origin = field.origin().minus(anchor);
         originFromAnchor.ifPresent(at -> at.set((float) origin.x(), (float) origin.y(), (float) origin.z()));
+        bakedPerMetre.ifPresent(perMetre -> perMetre.set(
+                (float) (1 / (field.cellX() * field.cellColumns())), (float) (1 / (field.cellZ() * field.cellRows()))));
         double[] limits = look.limits();
         for (int i = 0; i < heights.size(); i++) {
             set(heights.get(i), limits, TerrainLayers.LIMITS * i);
