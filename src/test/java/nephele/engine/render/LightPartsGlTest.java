@@ -37,8 +37,7 @@ class LightPartsGlTest {
     void partsSumUpToAll() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(new Vec3(2, 12, 4), Vec3.ZERO);
-            List<float[]> parts = Stream.of(
-                            LightParts.ALL, LightParts.AMBIENT, LightParts.DIFFUSE, LightParts.SPECULAR)
+            List<float[]> parts = Stream.of(LightParts.ALL, LightParts.AMBIENT, LightParts.DIFFUSE, LightParts.SPECULAR)
                     .map(shown -> offscreen
                             .radiance(level(), TestAssets.NONE, List.of(view), Quality.HIGH.withLightParts(shown))
                             .get(0))

@@ -188,8 +188,9 @@ class TerrainTwinGlTest {
         static Twins of(Level level, TestAssets assets, Vec3 centre, int samples, Quality quality) {
             try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
                 View view = offscreen.view(centre.plus(new Vec3(2, 16, 14)), centre.plus(new Vec3(0, 2, 0)));
-                float[] drawn =
-                        offscreen.radiance(level, assets, List.of(view), quality).get(0);
+                float[] drawn = offscreen
+                        .radiance(level, assets, List.of(view), quality)
+                        .get(0);
                 TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
                 TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
                 return new Twins(drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {}));
