@@ -8,6 +8,7 @@ import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -56,7 +57,12 @@ public final class Offscreen implements AutoCloseable {
 
     /** Returns the radiance of each view, drawn by one renderer without history. */
     public List<float[]> radiance(Level level, AssetSource assets, List<View> views) {
-        try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR))) {
+        return radiance(level, assets, views, Quality.HIGH);
+    }
+
+    /** Returns the radiance of some views, drawn with a quality. */
+    public List<float[]> radiance(Level level, AssetSource assets, List<View> views, Quality quality) {
+        try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR, quality))) {
             List<float[]> seen = new ArrayList<>();
             for (View view : views) {
                 renderer.forget();

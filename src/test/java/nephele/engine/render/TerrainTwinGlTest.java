@@ -21,6 +21,8 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
 import nephele.lab.oracle.PinholeViews;
 import org.junit.jupiter.api.Test;
@@ -70,6 +72,70 @@ class TerrainTwinGlTest {
         assertTrue(differing < 0.02 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
     }
 
+    private static int wave(int x, int y, int side) {
+        double turn = 2 * Math.PI / side;
+        int red = (int) (150 + 90 * Math.sin(turn * x) * Math.cos(turn * y));
+        int green = (int) (140 + 80 * Math.cos(turn * x));
+        int blue = (int) (128 + 70 * Math.sin(turn * y + 1));
+        return red << 16 | green << 8 | blue;
+    }
+
+    private static int bumps(int x, int y, int side) {
+        double turn = 2 * Math.PI / side;
+        int red = (int) (128 + 60 * Math.sin(turn * x));
+        int green = (int) (128 + 50 * Math.cos(turn * y));
+        int alpha = (int) (200 + 50 * Math.sin(turn * (x + y)));
+        return alpha << 24 | red << 16 | green << 8 | 230;
+    }
+
+    private static Material pictured(String id, String picture, String normals, Double roughness, double metres) {
+        return new Material(id, TestLevel.grey(0.8), picture, roughness, null, normals, Vec3.ZERO, metres);
+    }
+
+    /** Pictures of two sizes, normal maps and roughness lie on slopes as {@code GroundProjections} says. */
+    @ParameterizedTest
+    @CsvSource({"true, 0.3", "false, 0.3", "false,"})
+    void picturesAreTheSame(boolean ofOneSize, Double roughness) {
+        int other = ofOneSize ? 32 : 16;
+        TestAssets assets = TestTerrain.map(70, TestTerrain::wavy)
+                .picture("a.png", 32, 32, (x, y) -> wave(x, y, 32))
+                .picture("b.png", other, other, (x, y) -> wave(y, x, other))
+                .seeThroughPicture("n.png", 32, 32, (x, y) -> bumps(x, y, 32))
+                .seeThroughPicture("m.png", other, 2 * other, (x, y) -> bumps(x, y, other));
+        TestLevel level = new TestLevel()
+                .material(pictured("low", "a.png", null, roughness, 20))
+                .material(pictured("high", "b.png", "m.png", roughness, 30))
+                .material(pictured("steep", "a.png", "n.png", roughness, 25))
+                .ambient(0.2)
+                .sun(new Vec3(0.4, 0.7, 0.5), 3);
+        Vec3 centre = new Vec3(7, 3, -5);
+        Terrain said = on(level, 64, centre).terrains().get(0);
+        Terrain high = new Terrain(
+                "t",
+                said.heightMap(),
+                centre,
+                said.sizeMetres(),
+                new Terrain.HeightRange(0, 25),
+                List.of(
+                        new Terrain.Layer("low", -1e7, 12, 4, 0, 40),
+                        new Terrain.Layer("high", 12, 1e7, 4, 0, 90),
+                        new Terrain.Layer("steep", -1e7, 1e7, 0, 40, 90)),
+                false);
+        Twins both = Twins.of(level.level().withTerrains(List.of(high)), assets, centre.plus(new Vec3(0, 12, 0)), 1);
+        int differing = both.differing(0.03);
+        assertTrue(differing < 0.03 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
+    }
+
+    /** Plain colours that are mixed once differ only along the limits of layers, by as much as its pixels are wide. */
+    @Test
+    void theMixtureOfColoursCanBeMadeOnce() {
+        Level level = on(materials().ambient(0.2).sun(new Vec3(0.4, 0.7, 0.5), 3), 64, Vec3.ZERO);
+        Twins both = Twins.of(level, MAP, Vec3.ZERO, 8, Quality.HIGH.withTerrainLayers(LayerMixing.BAKED));
+        assertEquals(1, both.mean(both.drawn) / both.mean(both.traced), 0.005);
+        int differing = both.differing(0.1);
+        assertTrue(differing < 0.08 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");
+    }
+
     /** With shadows and the sky, the mean agrees, and nearly all pixels. */
     @Test
     void shadowsAndSkyAreNearlyTheSame() {
@@ -112,10 +178,20 @@ class TerrainTwinGlTest {
     /** The drawn and the traced picture. */
     private record Twins(float[] drawn, float[] traced) {
         static Twins of(Level level, Vec3 centre, int samples) {
+            return of(level, MAP, centre, samples);
+        }
+
+        static Twins of(Level level, TestAssets assets, Vec3 centre, int samples) {
+            return of(level, assets, centre, samples, Quality.HIGH);
+        }
+
+        static Twins of(Level level, TestAssets assets, Vec3 centre, int samples, Quality quality) {
             try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
                 View view = offscreen.view(centre.plus(new Vec3(2, 16, 14)), centre.plus(new Vec3(0, 2, 0)));
-                float[] drawn = offscreen.radiance(level, MAP, view);
-                TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, MAP), ColourDecoding.SRGB);
+                float[] drawn = offscreen
+                        .radiance(level, assets, List.of(view), quality)
+                        .get(0);
+                TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
                 TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
                 return new Twins(drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {}));
             }

@@ -24,6 +24,8 @@ import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.ImpostorChoice;
+import nephele.engine.render.frame.Quality.LayerMixing;
+import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
@@ -139,6 +141,14 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     0.1,
                     64,
                     (all, value) -> all.with(all.quality().withTerrainErrorPixels(value))),
+            SettingKey.word(
+                    "terrainLayers",
+                    LayerMixing.class,
+                    (all, value) -> all.with(all.quality().withTerrainLayers(value))),
+            SettingKey.word(
+                    "lightParts",
+                    LightParts.class,
+                    (all, value) -> all.with(all.quality().withLightParts(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,

@@ -95,68 +95,63 @@ public record Billboards(
 
     /** Returns these billboards with a picture of several frames. */
     public Billboards animated(int frameCount, double perSecond) {
-        return new Billboards(
-                id,
-                sprite,
-                colourKey,
-                facing,
-                sizeMetres,
-                heightVariation,
-                at,
-                field,
-                frameCount,
-                perSecond,
-                windMetresPerSecond,
-                blended,
-                emission,
-                colour);
+        return copy(planted(), new Motion(frameCount, perSecond, windMetresPerSecond), look());
+    }
+
+    /** Returns these billboards without wind. */
+    public Billboards withoutWind() {
+        return copy(planted(), new Motion(frames, framesPerSecond, 0), look());
     }
 
     /** Returns these billboards blended over what is behind them. */
     public Billboards asBlended() {
-        return shown(true, colour);
+        return copy(planted(), motion(), new Look(true, emission, colour));
     }
 
     /** Returns these billboards with edges and, if it is not {@code null}, in one colour. */
     public Billboards withEdges(Vec3 oneColour) {
-        return shown(false, oneColour);
-    }
-
-    private Billboards shown(boolean isBlended, Vec3 oneColour) {
-        return new Billboards(
-                id,
-                sprite,
-                colourKey,
-                facing,
-                sizeMetres,
-                heightVariation,
-                at,
-                field,
-                frames,
-                framesPerSecond,
-                windMetresPerSecond,
-                isBlended,
-                oneColour == null ? emission : Vec3.ZERO,
-                oneColour);
+        return copy(planted(), motion(), new Look(false, oneColour == null ? emission : Vec3.ZERO, oneColour));
     }
 
     /** Returns these billboards over a field instead of the listed places, and in wind. */
     public Billboards over(Field otherField, double variation, double wind) {
+        return copy(new Planted(variation, List.of(), otherField), new Motion(frames, framesPerSecond, wind), look());
+    }
+
+    private record Planted(double heightVariation, List<Vec3> at, Field field) {}
+
+    private record Motion(int frames, double framesPerSecond, double windMetresPerSecond) {}
+
+    private record Look(boolean blended, Vec3 emission, Vec3 colour) {}
+
+    private Planted planted() {
+        return new Planted(heightVariation, at, field);
+    }
+
+    private Motion motion() {
+        return new Motion(frames, framesPerSecond, windMetresPerSecond);
+    }
+
+    private Look look() {
+        return new Look(blended, emission, colour);
+    }
+
+    private Billboards copy(Planted where, Motion motion, Look look) {
         return new Billboards(
                 id,
                 sprite,
                 colourKey,
                 facing,
                 sizeMetres,
-                variation,
-                List.of(),
-                otherField,
-                frames,
-                framesPerSecond,
-                wind,
-                blended,
-                emission,
-                colour);
+                where.heightVariation(),
+                where.at(),
+                where.field(),
+                motion.frames(),
+                motion.framesPerSecond(),
+                motion.windMetresPerSecond(),
+                look.blended(),
+                look.emission(),
+                look.colour());
     }
 
     /** Returns true if they sway or their picture changes. */

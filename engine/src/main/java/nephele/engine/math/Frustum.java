@@ -123,6 +123,11 @@ public final class Frustum {
         return Aabb.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
     }
 
+    /** Returns false only if no part of a bounded box, its six numbers from {@code at} on, can be visible; allocates nothing. */
+    public boolean mayIntersect(double[] bounds, int at) {
+        return classify(bounds, at, allPlanes()) != OUTSIDE;
+    }
+
     /** Returns false only if no part of the bounding sphere of a box can be visible. */
     public boolean maySeeSphere(double[] bounds, int at) {
         double x = (bounds[at] + bounds[at + 3]) / 2;

@@ -4,6 +4,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.NormalMap;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.terrain.GroundProjections;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -16,13 +17,10 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The triangles of a terrain. Only their upper sides are visible; both sides cast shadows. Pictures lie on the ground as
- * seen from above, their right along +x, their upper side towards −z.
+ * The triangles of a terrain. Only their upper sides are visible; both sides cast shadows. Pictures lie on the ground in the
+ * projections of {@link GroundProjections}.
  */
 final class GroundShape implements TracedShape {
-    private static final Vector3dc ACROSS = new Vector3d(1, 0, 0);
-    private static final Vector3dc UP = new Vector3d(0, 0, -1);
-
     private final StaticShape.HeightGrid grid;
     private final HeightField field;
     private final TerrainLayers layers;
@@ -72,7 +70,7 @@ final class GroundShape implements TracedShape {
         nearest(path.ray(), path.end(), hit);
         Vector3d faceNormal = field.normal(hit.item()).toVector();
         Vec3 smooth = HeightFieldSurface.normal(field, place.x(), place.z());
-        Mixture mixture = new Mixture(smooth.toVector());
+        Mixture mixture = new Mixture(smooth);
         double[] weights = new double[layers.count()];
         layers.weights(place.y() - grid.said().centre().y(), smooth.y(), weights);
         for (int i = 0; i < weights.length; i++) {
@@ -98,20 +96,33 @@ final class GroundShape implements TracedShape {
     /** The weighted mean of the layers' materials at a point. */
     private static final class Mixture {
         private final Vector3dc smooth;
+        private final GroundProjections projections;
         private final Vector3d colour = new Vector3d();
         private final Vector3d normal = new Vector3d();
         private final Vector3d emission = new Vector3d();
         private double roughness;
         private double metallic;
 
-        Mixture(Vector3dc smooth) {
-            this.smooth = smooth;
+        Mixture(Vec3 smooth) {
+            this.smooth = smooth.toVector();
+            projections = new GroundProjections(smooth);
         }
 
         void add(double weight, Skin skin, Vec3 place) {
+            for (int axis = 0; axis < GroundProjections.COUNT; axis++) {
+                double share = projections.share(axis);
+                if (share > 0) {
+                    add(weight * share, skin, place, axis);
+                }
+            }
+        }
+
+        private void add(double weight, Skin skin, Vec3 place, int axis) {
             Material material = skin.material();
-            double s = place.x() / material.textureMetres();
-            double t = place.z() / material.textureMetres();
+            Vec3 right = projections.across(axis);
+            Vec3 top = projections.up(axis);
+            double s = right.dot(place) / material.textureMetres();
+            double t = -top.dot(place) / material.textureMetres();
             colour.fma(weight, MaterialTextures.colour(skin, s, t));
             emission.fma(weight, material.emission().toVector());
             double rough = material.roughness() == null ? 1 : material.roughness();
@@ -120,8 +131,8 @@ final class GroundShape implements TracedShape {
             if (skin.normals() != null) {
                 double[] rgba = {1, 1, 1, 1};
                 skin.normals().read(s, t, rgba);
-                Vector3d across = along(ACROSS);
-                Vector3d up = along(UP);
+                Vector3d across = along(right.toVector());
+                Vector3d up = along(top.toVector());
                 mapped = NormalMap.mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), smooth, across, up);
                 rough *= rgba[3];
             }

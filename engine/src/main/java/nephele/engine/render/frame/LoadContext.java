@@ -1,8 +1,12 @@
 package nephele.engine.render.frame;
 
 import java.util.function.Supplier;
+import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.resource.BillboardQuads;
+import nephele.engine.render.resource.BillboardSource;
 import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.scene.Scene;
 
@@ -33,6 +37,22 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
     /** Owns an object as {@link SharedResources#own} does: a pass closes nothing itself. */
     public <T extends GlObject> T own(T object) {
         return owner.own(object);
+    }
+
+    /** Shares the level's billboards of a kind. */
+    public BillboardQuads billboards(BillboardSource.Kind kind) {
+        PixelFormat format = output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+        BillboardSource source = BillboardSource.of(
+                scene.level(), scene.statics(), scene.assets(), kind, shared.surfaceLight().anchor(), format);
+        return share(
+                BillboardQuads.class,
+                source,
+                () -> new BillboardQuads(
+                        gl,
+                        PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()),
+                        scene.statics(),
+                        scene.assets(),
+                        source));
     }
 
     /** Shares an object as {@link SharedResources#share} does. */

@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -9,12 +10,15 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.MipLevels;
+import nephele.engine.render.resource.RepeatedScale;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import org.lwjgl.system.MemoryUtil;
 
 /** The scene's pictures as texture arrays with mipmaps, in the order of {@code SceneMaterials}. */
 public record PictureArrays(List<Texture> textures) {
     private record MadeFrom(Same array, PixelFormat format, int anisotropy) {}
+
+    private record Enlarged(List<Same> pictures, PixelFormat format, int anisotropy) {}
 
     static PictureArrays of(
             GlContext gl, SharedResources shared, List<PictureArray> arrays, PixelFormat format, int anisotropy) {
@@ -26,6 +30,30 @@ public record PictureArrays(List<Texture> textures) {
                 .toList());
     }
 
+    /** Returns pictures of several sizes as one array, all of them as wide and as high as the widest and the highest. */
+    static Texture enlarged(
+            GlContext gl, SharedResources shared, List<Picture> pictures, PixelFormat format, int anisotropy) {
+        int width = pictures.stream().mapToInt(Picture::width).max().orElseThrow();
+        int height = pictures.stream().mapToInt(Picture::height).max().orElseThrow();
+        return shared.share(
+                Texture.class,
+                new Enlarged(pictures.stream().map(Same::new).toList(), format, anisotropy),
+                () -> texture(
+                        gl,
+                        new PictureArray(
+                                width,
+                                height,
+                                pictures.parallelStream()
+                                        .map(picture -> RepeatedScale.of(picture, width, height, decoding(format)))
+                                        .toList()),
+                        format,
+                        anisotropy));
+    }
+
+    private static ColourDecoding decoding(PixelFormat format) {
+        return format == PixelFormat.SRGB8_ALPHA8 ? ColourDecoding.SRGB : ColourDecoding.AS_STORED;
+    }
+
     private static Texture texture(GlContext gl, PictureArray array, PixelFormat format, int anisotropy) {
         Texture texture = new Texture(
                 gl,
@@ -34,7 +62,7 @@ public record PictureArrays(List<Texture> textures) {
                 format,
                 new Texture.Extent(array.width(), array.height(), array.layers().size()),
                 Sampling.MIPMAPPED_REPEAT);
-        ColourDecoding decoding = format == PixelFormat.SRGB8_ALPHA8 ? ColourDecoding.SRGB : ColourDecoding.AS_STORED;
+        ColourDecoding decoding = decoding(format);
         List<List<byte[]>> smaller = array.layers().parallelStream()
                 .map(picture -> MipLevels.below(picture, decoding))
                 .toList();

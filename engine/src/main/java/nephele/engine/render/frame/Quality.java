@@ -31,6 +31,8 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
  * @param terrainDetail triangles of which terrains are drawn
  * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
+ * @param terrainLayers where the layers of terrains are mixed
+ * @param lightParts the light of surfaces that is shown
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -60,6 +62,8 @@ public record Quality(
         int cloudSkyboxTexels,
         TerrainDetail terrainDetail,
         double terrainErrorPixels,
+        LayerMixing terrainLayers,
+        LightParts lightParts,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -91,6 +95,8 @@ public record Quality(
             512,
             TerrainDetail.LOD,
             1,
+            LayerMixing.MIXED,
+            LightParts.ALL,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -168,6 +174,25 @@ public record Quality(
         FULL,
         /** {@link nephele.engine.math.heightfield.DetailRanges}: fewer where the picture shows no difference. */
         LOD
+    }
+
+    /** Where the layers of a terrain are mixed. */
+    public enum LayerMixing {
+        /** At each pixel, in the pictures' own resolution, with normal maps. */
+        MIXED,
+        /** Once, seen from above, into one picture for the whole terrain, as in a source of 2010. */
+        BAKED
+    }
+
+    /** The parts of the light that surfaces reflect; what glows shows always. */
+    public enum LightParts {
+        ALL,
+        /** Of the sky or the constant. */
+        AMBIENT,
+        /** Of sun, lamps and lightning, in all directions. */
+        DIFFUSE,
+        /** Of sun, lamps and lightning, mirrored. */
+        SPECULAR
     }
 
     /** The filter that scales a picture up. */
@@ -313,6 +338,14 @@ public record Quality(
 
     public Quality withTerrainErrorPixels(double pixels) {
         return with(draft -> draft.terrainErrorPixels = pixels);
+    }
+
+    public Quality withTerrainLayers(LayerMixing where) {
+        return with(draft -> draft.terrainLayers = where);
+    }
+
+    public Quality withLightParts(LightParts parts) {
+        return with(draft -> draft.lightParts = parts);
     }
 
     public Quality withPortalTechnique(PortalTechnique technique) {

@@ -8,6 +8,8 @@ import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.ImpostorChoice;
+import nephele.engine.render.frame.Quality.LayerMixing;
+import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
@@ -40,6 +42,8 @@ final class QualityDraft {
     int cloudSkyboxTexels;
     TerrainDetail terrainDetail;
     double terrainErrorPixels;
+    LayerMixing terrainLayers;
+    LightParts lightParts;
     PortalTechnique portalTechnique;
     int viewBudget;
     double portalResolution;
@@ -69,6 +73,8 @@ final class QualityDraft {
         cloudSkyboxTexels = from.cloudSkyboxTexels();
         terrainDetail = from.terrainDetail();
         terrainErrorPixels = from.terrainErrorPixels();
+        terrainLayers = from.terrainLayers();
+        lightParts = from.lightParts();
         portalTechnique = from.portalTechnique();
         viewBudget = from.viewBudget();
         portalResolution = from.portalResolution();
@@ -100,6 +106,8 @@ final class QualityDraft {
                 cloudSkyboxTexels,
                 terrainDetail,
                 terrainErrorPixels,
+                terrainLayers,
+                lightParts,
                 portalTechnique,
                 viewBudget,
                 portalResolution);

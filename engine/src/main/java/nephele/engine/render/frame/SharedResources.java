@@ -310,10 +310,23 @@ public final class SharedResources implements GlObject {
     /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */
     public PictureArrays colourPictures() {
         if (colourPictures == null) {
-            PixelFormat format = request.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-            colourPictures = pictures(scene.materials().colourArrays(), format);
+            colourPictures = pictures(scene.materials().colourArrays(), colourFormat());
         }
         return colourPictures;
+    }
+
+    private PixelFormat colourFormat() {
+        return request.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+    }
+
+    /** Returns base colours of several sizes as one array of the greatest size. */
+    public Texture colourPictures(List<Picture> pictures) {
+        return PictureArrays.enlarged(gl, this, pictures, colourFormat(), anisotropy());
+    }
+
+    /** Returns normal maps of several sizes as one array of the greatest size. */
+    public Texture normalPictures(List<Picture> pictures) {
+        return PictureArrays.enlarged(gl, this, pictures, PixelFormat.RGBA8, anisotropy());
     }
 
     /** Returns normal maps; alpha multiplies roughness. */

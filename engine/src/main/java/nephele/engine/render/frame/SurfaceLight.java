@@ -15,6 +15,7 @@ import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.ShadowSampling;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -43,6 +44,7 @@ public final class SurfaceLight implements GlObject {
     private final SharedResources shared;
     private final LightMaps maps;
     private final ShadowSampling sampling;
+    private final LightParts parts;
     private final LightBlock block;
     private final SunLight sun;
     private final PunctualLighting lights;
@@ -67,9 +69,20 @@ public final class SurfaceLight implements GlObject {
         flash = request.level().environment().hasLightning() ? shared.lightning() : null;
         block = shared.own(new LightBlock(gl, flash != null));
         sampling = request.quality().shadowFilter();
+        parts = request.quality().lightParts();
+        block.parts(shares(parts));
         sun = new SunLight(request, scene.statics(), anchor());
         lights = new PunctualLighting(gl, request, scene.lights(), anchor());
         dynamicShadows = new DynamicShadows(gl, maps);
+    }
+
+    private static Vec3 shares(LightParts shown) {
+        return switch (shown) {
+            case ALL -> new Vec3(1, 1, 1);
+            case AMBIENT -> new Vec3(1, 0, 0);
+            case DIFFUSE -> new Vec3(0, 1, 0);
+            case SPECULAR -> new Vec3(0, 0, 1);
+        };
     }
 
     /**
@@ -226,6 +239,7 @@ public final class SurfaceLight implements GlObject {
     private Defines addLights(Defines defines) {
         return lights.addTo(sun.addTo(dynamicShadows.addTo(defines)))
                 .withIf(flash != null, "FLASH")
+                .withIf(parts != LightParts.ALL, "LIGHT_PARTS")
                 .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }

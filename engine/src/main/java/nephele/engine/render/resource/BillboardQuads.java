@@ -1,6 +1,7 @@
 package nephele.engine.render.resource;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
@@ -8,11 +9,13 @@ import nephele.engine.level.Billboards;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 
 /**
  * The images of a level's billboards on the GPU, in clusters of near ones. A crossed billboard has two images. Nothing of
@@ -31,12 +34,11 @@ public final class BillboardQuads implements GlObject {
     /** The middles, three numbers each, from the anchor. */
     private final float[] middles;
 
-    /**
-     * Images from {@code first} to before {@code end} that have pictures of one array.
-     *
-     * @param bounds in the world, however they are turned
-     */
-    public record Cluster(int first, int end, int array, Aabb bounds) {}
+    /** The bounds of the clusters in the world, however images are turned: six numbers each. */
+    private double[] boxes = new double[0];
+
+    /** Images from {@code first} to before {@code end} that have pictures of one array. */
+    public record Cluster(int first, int end, int array) {}
 
     /** An image before it is stored. */
     private record Image(PlantedBillboards.Group group, int number, int index, double turn, int array) {
@@ -126,11 +128,39 @@ public final class BillboardQuads implements GlObject {
             bounds = bounds.union(image.group().bounds(image.index()));
             boolean isLast = i + 1 == images.size() || images.get(i + 1).array() != image.array();
             if (isLast || i + 1 - first == PER_CLUSTER) {
-                clusters.add(new Cluster(first, i + 1, image.array(), bounds));
+                addBox(bounds);
+                clusters.add(new Cluster(first, i + 1, image.array()));
                 first = i + 1;
                 bounds = Aabb.EMPTY;
             }
         }
+    }
+
+    private void addBox(Aabb b) {
+        int at = 6 * clusters.size();
+        if (boxes.length == at) {
+            boxes = Arrays.copyOf(boxes, 2 * at + 6);
+        }
+        double[] box = {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
+        System.arraycopy(box, 0, boxes, at, 6);
+    }
+
+    /** Collects the clusters that may be visible, by arrays of pictures, then by place. */
+    public void findSeen(Frustum frustum, List<Cluster> seen) {
+        seen.clear();
+        for (int i = 0; i < clusters.size(); i++) {
+            if (frustum.mayIntersect(boxes, 6 * i)) {
+                seen.add(clusters.get(i));
+            }
+        }
+    }
+
+    /** Binds the samplers of {@code billboard.glsl} and of the pictures to their units. */
+    public static void tie(Uniforms uniforms) {
+        uniforms.sampler("billboards", TextureUnit.BILLBOARDS);
+        uniforms.sampler("billboardGroups", TextureUnit.BILLBOARD_GROUPS);
+        uniforms.sampler("billboardOrder", TextureUnit.BILLBOARD_ORDER);
+        uniforms.sampler("sprites", TextureUnit.COLOURS);
     }
 
     public List<Cluster> clusters() {

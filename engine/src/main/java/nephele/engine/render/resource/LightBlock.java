@@ -20,7 +20,8 @@ public final class LightBlock implements GlObject {
     private static final int LIGHT_GRID = 36;
     private static final int CLOUD_SHADE = 48;
     private static final int SKY = 56;
-    private static final int FLOATS = SKY + 4 * SkyIrradiance.TERMS;
+    private static final int PARTS = SKY + 4 * SkyIrradiance.TERMS;
+    private static final int FLOATS = PARTS + 4;
     /** Only in levels with lightning. */
     private static final int FLASH = FLOATS;
 
@@ -75,6 +76,11 @@ public final class LightBlock implements GlObject {
         for (int i = 0; i < SkyIrradiance.TERMS; i++) {
             new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]).put(values, SKY + 4 * i, 0);
         }
+    }
+
+    /** @param shares of ambient, diffuse and specular light that are shown, 0 or 1 */
+    public void parts(Vec3 shares) {
+        shares.put(values, PARTS, 0);
     }
 
     /** @param anchor the origin of positions in shaders */

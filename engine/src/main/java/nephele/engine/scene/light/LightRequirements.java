@@ -51,8 +51,9 @@ public final class LightRequirements {
                                 Daylight.onGround(level.environment()).directionTowardsSun()));
     }
 
+    /** Returns true if a light emits anything, and there are surfaces or billboards to light. */
     public static boolean lights(Level level) {
-        return hasSurfaces(level)
+        return (hasSurfaces(level) || !level.billboards().isEmpty())
                 && level.lights().stream()
                         .anyMatch(light -> PunctualLight.of(light).isPresent());
     }

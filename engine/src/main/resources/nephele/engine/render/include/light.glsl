@@ -12,6 +12,7 @@ layout(std140) uniform Light {
     vec3 cloudShadeMin; // metres from the anchor
     vec3 cloudShadePerMetre; // 1 / size of the region of cloudShade
     vec3 skyCoefficients[9]; // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
+    vec3 lightParts; // shares of ambient, diffuse and specular light that are shown; 1, unless LIGHT_PARTS is defined
 #ifdef FLASH
     vec4 flashPlace; // xyz: of the bolt's middle, metres from the anchor; w: square that softens the light near it
     vec3 flashIntensity; // radiant; zero between flashes

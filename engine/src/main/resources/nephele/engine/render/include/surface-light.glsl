@@ -1,7 +1,7 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
-// faces. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
+// faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
 // as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 struct Surface {
@@ -69,6 +69,13 @@ const float MAX_RADIANCE = 65504.0;
 Brdf reflectanceOf(Surface s) {
     return brdfOf(s.baseColour, s.roughness, s.metallic, dot(s.normal, s.toEye));
 }
+#ifdef LIGHT_PARTS
+Brdf shown(Brdf b) {
+    b.diffuse *= lightParts.y;
+    b.specularGain *= lightParts.z;
+    return b;
+}
+#endif
 vec3 reflected(Brdf b, Surface s, vec3 toLight) {
     return reflectedLight(b, s.normal, s.toEye, toLight);
 }
@@ -82,6 +89,11 @@ vec3 reflectanceOf(Surface s) {
     return s.baseColour;
 #endif
 }
+#ifdef LIGHT_PARTS
+vec3 shown(vec3 albedo) {
+    return albedo * lightParts.y;
+}
+#endif
 vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
     return albedo * (max(dot(s.normal, toLight), 0.0) * (1.0 / PI));
 }
@@ -175,10 +187,14 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 #endif
 #endif
 #ifdef METALLIC_ROUGHNESS
-    return r.diffuse * diffuse + r.ambientSpecular * mirrored;
+    vec3 ambient = r.diffuse * diffuse + r.ambientSpecular * mirrored;
 #else
-    return r * diffuse;
+    vec3 ambient = r * diffuse;
 #endif
+#ifdef LIGHT_PARTS
+    ambient *= lightParts.x;
+#endif
+    return ambient;
 }
 #endif
 
@@ -189,14 +205,17 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 vec3 surfaceRadiance(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+    sum += ambientLight(r, s);
+#endif
+#ifdef LIGHT_PARTS
+    r = shown(r);
+#endif
 #ifdef SUN
     sum += sunLight(r, s);
 #endif
 #ifdef PUNCTUAL_LIGHTS
     sum += allLights(r, s);
-#endif
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
-    sum += ambientLight(r, s);
 #endif
 #ifdef FLASH
     sum += flashLight(r, s);

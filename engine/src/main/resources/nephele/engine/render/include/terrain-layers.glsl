@@ -1,13 +1,13 @@
 // The mixture of a terrain's layers. Twin: nephele.engine.level.terrain.TerrainLayers, which explains the weights. LAYERS
-// is the number of layers, each material at its index.
+// is the number of layers, each material at its index. BAKED: their colours are mixed already.
 
 uniform vec4 layerHeights[LAYERS]; // where the weight begins to rise and is 1, begins to fall and is 0, metres
 uniform vec4 layerSlopes[LAYERS]; // by the upward component of the normal: where it falls from 1 and is 0, rises and is 1
-uniform vec2 layerOrigins[LAYERS]; // the picture's coordinates at the terrain's origin
 
 struct GroundMaterial {
     vec3 baseColour;
     vec3 emission;
+    vec3 normal; // unit, with the normal maps
     float roughness;
     float metallic;
 };
@@ -34,36 +34,106 @@ float layerWeight(int layer, float height, float up) {
             * layerRise(up, s.z, s.w);
 }
 
+#ifdef BAKED
+uniform vec2 bakedPerMetre; // 1 / the terrain's sides
+uniform sampler2DArray colours; // the mixture, seen from above
+#elif defined(TEXTURED) || defined(NORMAL_MAP)
+// The pictures of layers in three projections. Twin: nephele.engine.level.terrain.GroundProjections.
+#define PICTURES
+uniform vec3 layerOrigins[LAYERS]; // the terrain's origin in repeats of the layer's pictures
 #ifdef TEXTURED
 uniform sampler2DArray colours;
+#endif
+#ifdef NORMAL_MAP
+uniform sampler2DArray normals;
+#endif
 
-vec3 layerTexel(int layer, Material material, vec2 onGround) {
-    vec2 st = layerOrigins[layer] + onGround / material.layers.z;
-    // Read unconditionally, so that the derivatives exist.
-    vec3 texel = texture(colours, vec3(st, max(material.layers.x, 0.0))).rgb;
-    return material.layers.x < 0.0 ? vec3(1.0) : texel;
+const float LEAST_COMPONENT = 0.5; // of the normal; a projection along an axis with a smaller one is not seen
+
+// Returns the picture's coordinates of a place or of a change of place; the projection is along x, from above or along z.
+vec2 projected(int axis, vec3 place, vec3 facing) {
+    return axis == 1 ? place.xz : vec2(axis == 0 ? -facing.x * place.z : facing.z * place.x, -place.y);
+}
+
+vec3 alongGround(vec3 direction, vec3 n) {
+    return normalize(direction - n * dot(n, direction));
+}
+#ifdef NORMAL_MAP
+vec3 projectedNormal(vec3 texel, int axis, vec3 n, vec3 facing) {
+    vec3 across = axis == 0 ? vec3(0.0, 0.0, -facing.x) : vec3(axis == 2 ? facing.z : 1.0, 0.0, 0.0);
+    vec3 up = axis == 1 ? vec3(0.0, 0.0, -1.0) : vec3(0.0, 1.0, 0.0);
+    return mappedNormal(texel, n, alongGround(across, n), alongGround(up, n));
 }
 #endif
 
-// Returns the material at a height above the terrain's origin, an upward component of the smooth normal and a place in
-// metres from the origin along x and z.
-GroundMaterial groundAt(float height, float up, vec2 onGround) {
-    GroundMaterial sum = GroundMaterial(vec3(0.0), vec3(0.0), 0.0, 0.0);
+// Adds what the pictures give. A loop over the pictures that are seen takes one turn on flat ground of one layer, also on
+// a processor that executes both branches of a condition. Its turns differ between pixels, so it needs explicit derivatives.
+void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 place) {
+    vec3 shares = max(abs(n) - LEAST_COMPONENT, 0.0);
+    shares /= shares.x + shares.y + shares.z;
+    uint seen = 0u;
+    uint axes = (shares.x > 0.0 ? 1u : 0u) | (shares.y > 0.0 ? 2u : 0u) | (shares.z > 0.0 ? 4u : 0u);
+    for (int i = 0; i < LAYERS; i++) {
+        seen |= weights[i] > 0.0 ? axes << (3 * i) : 0u;
+    }
+    vec3 facing = vec3(n.x < 0.0 ? -1.0 : 1.0, 1.0, n.z < 0.0 ? -1.0 : 1.0);
+    vec3 rightwards = dFdx(place);
+    vec3 upwards = dFdy(place);
+    for (uint rest = seen; rest != 0u; rest &= rest - 1u) {
+        int picture = findLSB(rest);
+        int layer = picture / 3;
+        int axis = picture - 3 * layer;
+        Material material = materialAt(float(layer));
+        float perMetre = 1.0 / material.layers.z;
+        vec2 st = projected(axis, layerOrigins[layer] + place * perMetre, facing);
+        vec2 right = projected(axis, rightwards * perMetre, facing);
+        vec2 up = projected(axis, upwards * perMetre, facing);
+        float weight = weights[layer] * (axis == 0 ? shares.x : axis == 1 ? shares.y : shares.z);
+#ifdef TEXTURED
+        vec3 texel = textureGrad(colours, vec3(st, max(material.layers.x, 0.0)), right, up).rgb;
+        sum.baseColour += weight * material.baseColourRoughness.rgb * (material.layers.x < 0.0 ? vec3(1.0) : texel);
+#endif
+#ifdef NORMAL_MAP
+        vec4 detail = textureGrad(normals, vec3(st, max(material.layers.y, 0.0)), right, up);
+        bool isMapped = material.layers.y >= 0.0;
+        sum.normal += weight * (isMapped ? projectedNormal(detail.rgb, axis, n, facing) : n);
+        sum.roughness += weight * material.baseColourRoughness.a * (isMapped ? detail.a : 1.0);
+#endif
+    }
+}
+#endif
+
+// Returns the material at a place in metres from the terrain's origin, with the smooth normal n.
+GroundMaterial groundAt(vec3 place, vec3 n) {
+    float weights[LAYERS];
     float total = 0.0;
     for (int i = 0; i < LAYERS; i++) {
-        total += layerWeight(i, height, up);
+        weights[i] = layerWeight(i, place.y, n.y);
+        total += weights[i];
     }
+    GroundMaterial sum = GroundMaterial(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
     for (int i = 0; i < LAYERS; i++) {
+        weights[i] = total > 0.0 ? weights[i] / total : (i == 0 ? 1.0 : 0.0);
         Material material = materialAt(float(i));
-        float weight = total > 0.0 ? layerWeight(i, height, up) / total : (i == 0 ? 1.0 : 0.0);
-        vec3 colour = material.baseColourRoughness.rgb;
-#ifdef TEXTURED
-        colour *= layerTexel(i, material, onGround);
+        sum.emission += weights[i] * material.emissionMetallic.rgb;
+        sum.metallic += weights[i] * material.emissionMetallic.a;
+#ifndef TEXTURED
+        sum.baseColour += weights[i] * material.baseColourRoughness.rgb;
 #endif
-        sum.baseColour += weight * colour;
-        sum.emission += weight * material.emissionMetallic.rgb;
-        sum.roughness += weight * material.baseColourRoughness.a;
-        sum.metallic += weight * material.emissionMetallic.a;
+#ifndef NORMAL_MAP
+        sum.roughness += weights[i] * material.baseColourRoughness.a;
+#endif
     }
+#ifdef BAKED
+    sum.baseColour = texture(colours, vec3(place.xz * bakedPerMetre, 0.0)).rgb;
+#endif
+#ifdef PICTURES
+    addPictures(sum, weights, n, place);
+#endif
+#ifdef NORMAL_MAP
+    sum.normal = normalize(sum.normal);
+#else
+    sum.normal = n;
+#endif
     return sum;
 }

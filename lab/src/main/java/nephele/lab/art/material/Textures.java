@@ -23,7 +23,8 @@ public final class Textures {
             new TextureRecipe("metal-plates", 2, MetalPainters::plates),
             new TextureRecipe("metal-frame", 2, MetalPainters::frame),
             new TextureRecipe("hazard", 1, MetalPainters::hazard),
-            new TextureRecipe("grass", 2, GrassPainter::lawn));
+            new TextureRecipe("grass", 2, GrassPainter::lawn),
+            new TextureRecipe("cliff", 4, CliffPainter::cliff));
 
     private Textures() {}
 }

@@ -73,7 +73,7 @@ public final class PortalIdsProof implements Proof {
 
     private static void compare(ComparedCameras.Visit visit, GlContext gl, RenderTarget picture, IdTally tally) {
         var opened = new LevelName(visit.file()).open();
-        var ids = IdLevel.of(opened.level());
+        var ids = IdLevel.of(SeenLevels.compared(opened.level()));
         try (var level = new ComparedLevel<>(gl, ids, opened.assets(), ColourDecoding.AS_STORED, WAYS)) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);

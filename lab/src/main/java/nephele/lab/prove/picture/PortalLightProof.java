@@ -110,7 +110,8 @@ public final class PortalLightProof implements Proof {
         String file = visit.file();
         var opened = new LevelName(file).open();
         String state = LevelHash.key(opened);
-        try (var level = new ComparedLevel<>(gl, opened.level(), opened.assets(), ColourDecoding.SRGB, ways())) {
+        var compared = SeenLevels.compared(opened.level());
+        try (var level = new ComparedLevel<>(gl, compared, opened.assets(), ColourDecoding.SRGB, ways())) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);
                 Pinhole eye = PinholeViews.of(view);

@@ -89,6 +89,23 @@ public final class QualitySubjects {
                     PictureSetting.of("shadowFilter", "nearest", ""),
                     PictureSetting.of("shadowFilter", "bilinear", "all presets")));
 
+    private static final Trade.Text LIGHT_PARTS_TEXT = new Trade.Text(
+            "Parts of light",
+            "Ambient, diffuse and specular light of surfaces, each alone and all together, as a source of 2010 showed"
+                    + " them.",
+            ORACLE);
+
+    public static final Trade LIGHT_PARTS = PictureSubjects.of(
+                    "lightParts",
+                    LIGHT_PARTS_TEXT,
+                    List.of("lightParts"),
+                    "all",
+                    Stream.of("ambient", "diffuse", "specular", "all")
+                            .map(parts ->
+                                    PictureSetting.of("lightParts", parts, parts.equals("all") ? "all presets" : ""))
+                            .toList())
+            .in(LIT_LEVEL, "lightParts", LIGHT_PARTS_TEXT);
+
     private static final Trade.Text LIGHT_SHADOWS_TEXT = new Trade.Text(
             "Lamps with shadows",
             "So many lamps cast shadows at most, the most powerful ones. The light of the others goes through walls.",

@@ -37,6 +37,20 @@ public final class TerrainSubjects {
                             PictureSetting.of("terrainErrorPixels", pixels, pixels.equals("1") ? "all presets" : ""))
                     .toList());
 
+    private static final Trade.Text LAYERS_TEXT = new Trade.Text(
+            "Layers of terrains",
+            "Layers of materials are mixed at each pixel, or once into a picture of the whole terrain, as a source of"
+                    + " 2010 did: then near ground is blurred and cliffs stretch it.",
+            ORACLE);
+
+    public static final Trade LAYERS = subject(
+            "terrainLayers",
+            LAYERS_TEXT,
+            "mixed",
+            List.of(
+                    PictureSetting.of("terrainLayers", "mixed", "all presets"),
+                    PictureSetting.of("terrainLayers", "baked", "")));
+
     private TerrainSubjects() {}
 
     private static Trade subject(String field, Trade.Text text, String usual, List<PictureSetting> settings) {

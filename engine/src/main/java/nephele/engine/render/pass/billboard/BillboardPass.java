@@ -5,12 +5,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import nephele.engine.level.Billboards;
-import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.particle.BackToFront;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -22,18 +20,15 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
-import nephele.engine.render.resource.BillboardSource;
 import nephele.engine.render.resource.BillboardSource.Kind;
-import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 
 /**
- * Draws billboards in each view, turned to its eye. Those with edges are drawn by clusters, the nearest first; blended
- * ones each for itself, the farthest first, equal distances in the order of the level.
+ * Draws billboards in each view, turned to its eye. Those with edges are drawn by clusters, in the order of
+ * their places; blended ones each for itself, the farthest first, equal distances in the order of the level.
  */
 public final class BillboardPass implements Pass {
     public static final RenderFeature FEATURE =
@@ -62,19 +57,7 @@ public final class BillboardPass implements Pass {
         blend = kind == Kind.BLENDED
                 ? Blend.PREMULTIPLIED_OVER
                 : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
-        Scene scene = context.scene();
-        PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-        BillboardSource source =
-                BillboardSource.of(scene.level(), scene.statics(), scene.assets(), kind, light.anchor(), format);
-        quads = context.share(
-                BillboardQuads.class,
-                source,
-                () -> new BillboardQuads(
-                        gl,
-                        PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()),
-                        scene.statics(),
-                        scene.assets(),
-                        source));
+        quads = context.billboards(kind);
         program = new BillboardProgram(context, kind);
         list = context.own(new BillboardList(gl));
     }
@@ -100,7 +83,7 @@ public final class BillboardPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        findSeen(frame);
+        quads.findSeen(frame.seen(), seen);
         if (seen.isEmpty()) {
             return;
         }
@@ -114,35 +97,7 @@ public final class BillboardPass implements Pass {
         if (kind == Kind.BLENDED) {
             drawSorted(frame.view());
         } else {
-            drawClusters();
-        }
-    }
-
-    private void findSeen(FrameContext frame) {
-        seen.clear();
-        for (Cluster cluster : quads.clusters()) {
-            if (frame.seen().mayIntersect(cluster.bounds())) {
-                seen.add(cluster);
-            }
-        }
-    }
-
-    /** Clusters are ordered by array, then by place. */
-    private void drawClusters() {
-        int first = 0;
-        while (first < seen.size()) {
-            int array = seen.get(first).array();
-            list.begin();
-            int end = first;
-            for (; end < seen.size() && seen.get(end).array() == array; end++) {
-                Cluster cluster = seen.get(end);
-                for (int image = cluster.first(); image < cluster.end(); image++) {
-                    list.add(image);
-                }
-            }
-            quads.bindSprites(array);
-            list.draw();
-            first = end;
+            list.draw(seen, quads);
         }
     }
 

@@ -7,9 +7,9 @@ import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
+import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
@@ -44,10 +44,7 @@ final class BillboardProgram {
                     uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
-                    uniforms.sampler("billboards", TextureUnit.BILLBOARDS);
-                    uniforms.sampler("billboardGroups", TextureUnit.BILLBOARD_GROUPS);
-                    uniforms.sampler("billboardOrder", TextureUnit.BILLBOARD_ORDER);
-                    uniforms.sampler("sprites", TextureUnit.COLOURS);
+                    BillboardQuads.tie(uniforms);
                     return new Eye(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"));
                 });
     }

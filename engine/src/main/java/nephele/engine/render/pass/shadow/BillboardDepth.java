@@ -1,26 +1,19 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.Map;
-import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
-import nephele.engine.render.resource.BillboardQuads.Cluster;
-import nephele.engine.render.resource.BillboardSource;
 import nephele.engine.render.resource.BillboardSource.Kind;
-import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.ShadowFrame;
 
 /** Draws the depth of billboards with edges into the sun's picture, turned to the sun as they are to an eye. */
@@ -37,20 +30,7 @@ final class BillboardDepth {
 
     BillboardDepth(LoadContext context) {
         gl = context.gl();
-        Scene scene = context.scene();
-        PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-        Vec3 anchor = context.shared().surfaceLight().anchor();
-        BillboardSource source =
-                BillboardSource.of(scene.level(), scene.statics(), scene.assets(), Kind.WITH_EDGES, anchor, format);
-        quads = context.share(
-                BillboardQuads.class,
-                source,
-                () -> new BillboardQuads(
-                        gl,
-                        PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()),
-                        scene.statics(),
-                        scene.assets(),
-                        source));
+        quads = context.billboards(Kind.WITH_EDGES);
         list = context.own(new BillboardList(gl));
         program = new GlProgram<>(
                 gl,
@@ -59,10 +39,7 @@ final class BillboardDepth {
                         Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET))),
                 ShaderSource.load(FOLDER + "billboard-depth.frag", Map.of()),
                 uniforms -> {
-                    uniforms.sampler("billboards", TextureUnit.BILLBOARDS);
-                    uniforms.sampler("billboardGroups", TextureUnit.BILLBOARD_GROUPS);
-                    uniforms.sampler("billboardOrder", TextureUnit.BILLBOARD_ORDER);
-                    uniforms.sampler("sprites", TextureUnit.COLOURS);
+                    BillboardQuads.tie(uniforms);
                     return new SunUniforms(
                             uniforms.matrix4("clipFromAnchor"),
                             uniforms.vector3("towardsSun"),
@@ -81,19 +58,6 @@ final class BillboardDepth {
         Vec3 right = frame.right();
         program.uniforms().mapRight().set((float) right.x(), (float) right.y(), (float) right.z());
         quads.bind();
-        int array = -1;
-        for (Cluster cluster : quads.clusters()) {
-            if (cluster.array() != array) {
-                list.draw();
-                list.begin();
-                array = cluster.array();
-                quads.bindSprites(array);
-            }
-            for (int image = cluster.first(); image < cluster.end(); image++) {
-                list.add(image);
-            }
-        }
-        list.draw();
-        list.begin();
+        list.draw(quads.clusters(), quads);
     }
 }

@@ -1,11 +1,16 @@
 package nephele.engine.render.pass.terrain;
 
 import java.nio.ByteBuffer;
+import java.util.List;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality.LayerMixing;
+import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
@@ -33,6 +38,7 @@ final class GroundDrawing {
     private final TerrainTiles tiles;
 
     private final double errorPixels;
+    private final boolean isBaked;
     private final GroundLook look;
     private final SurfaceLight light;
     private final MaterialBlocks materials;
@@ -43,6 +49,9 @@ final class GroundDrawing {
     /** {@code null} without pictures. */
     private final Texture colours;
 
+    /** {@code null} without normal maps. */
+    private final Texture normals;
+
     GroundDrawing(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
         this.mesh = mesh;
         errorPixels = context.quality().terrainErrorPixels();
@@ -52,15 +61,18 @@ final class GroundDrawing {
                         new TilesOf(new Same(grid.field())),
                         () -> new TerrainTiles(context.gl(), grid.field()))
                 : null;
-        look = GroundLook.of(grid, context.scene().materials());
+        isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
+        GroundLook said = GroundLook.of(grid, context.scene().materials());
+        look = isBaked ? said.baked() : said;
         light = context.shared().surfaceLight();
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         program = program(context);
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(Texture.class, new SkyOf(new Same(grid.field())), () -> sky(context.gl(), grid))
                 : null;
-        colours = look.kind().isTextured()
-                ? context.shared().colourPictures().get(look.kind().colourArray())
+        colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
+        normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON
+                ? normals(context, look.normals())
                 : null;
     }
 
@@ -73,6 +85,7 @@ final class GroundDrawing {
         var defines = surface.addTo(
                         light.addForDynamicObjects(Defines.of(context))
                                 .withIf(tiles != null, "DETAIL")
+                                .withIf(isBaked, "BAKED")
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
@@ -81,6 +94,24 @@ final class GroundDrawing {
                 ShaderSource.load(FOLDER + "terrain.vert", defines),
                 ShaderSource.load(FOLDER + "terrain.frag", defines),
                 uniforms -> uniforms(context, surface, uniforms));
+    }
+
+    private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
+        ColourDecoding decoding = context.output() == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
+        return context.shared()
+                .colourPictures(List.of(BakedLayers.of(grid, context.scene().materials(), decoding)));
+    }
+
+    private static Texture colours(LoadContext context, LayerPictures pictures) {
+        return pictures.array() == LayerPictures.OWN
+                ? context.shared().colourPictures(pictures.own())
+                : context.shared().colourPictures().get(pictures.array());
+    }
+
+    private static Texture normals(LoadContext context, LayerPictures pictures) {
+        return pictures.array() == LayerPictures.OWN
+                ? context.shared().normalPictures(pictures.own())
+                : context.shared().normalPictures().get(pictures.array());
     }
 
     private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
@@ -94,11 +125,7 @@ final class GroundDrawing {
             uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
         }
         return GroundUniforms.of(
-                uniforms,
-                look.surfaces().size(),
-                look.kind(),
-                light,
-                context.quality().terrainDetail());
+                uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
     }
 
     private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {
@@ -132,6 +159,9 @@ final class GroundDrawing {
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);
+        }
+        if (normals != null) {
+            normals.bind(TextureUnit.NORMALS);
         }
         if (tiles == null) {
             mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));

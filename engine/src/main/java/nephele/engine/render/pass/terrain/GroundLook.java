@@ -6,19 +6,24 @@ import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials;
-import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidBatch;
 
 /**
  * The layers of a terrain as its shader reads them.
  *
- * @param surfaces the material of each layer; a colour layer of −1 for one without a picture in the array
- * @param kind the array of the first picture, and whether all layers are Lambertian
+ * @param surfaces the material of each layer; picture −1 where it has none
+ * @param kind whether there are pictures, and whether all layers are Lambertian
  * @param limits as {@link TerrainLayers#limits}
- * @param origins the pictures' coordinates at the terrain's origin, two numbers for each layer
+ * @param origins the terrain's origin in repeats of the pictures of each layer
  */
-record GroundLook(List<Surface> surfaces, SolidBatch.Kind kind, double[] limits, double[] origins) {
+record GroundLook(
+        List<Surface> surfaces,
+        SolidBatch.Kind kind,
+        LayerPictures colours,
+        LayerPictures normals,
+        double[] limits,
+        List<Vec3> origins) {
     static GroundLook of(StaticShape.HeightGrid grid, SceneMaterials materials) {
         TerrainLayers layers = TerrainLayers.of(grid.said());
         List<Surface> all = new ArrayList<>();
@@ -30,35 +35,38 @@ record GroundLook(List<Surface> surfaces, SolidBatch.Kind kind, double[] limits,
             all.add(materials.surfaces().get(0));
             limits = new double[] {-3e7, -2e7, 2e7, 3e7, 2, 3, -3, -2};
         }
-        int array = all.stream()
-                .mapToInt(surface -> surface.colour().array())
-                .filter(found -> found >= 0)
-                .findFirst()
-                .orElse(-1);
+        LayerPictures colours =
+                LayerPictures.of(all.stream().map(Surface::colour).toList(), materials.colourArrays());
+        LayerPictures normals =
+                LayerPictures.of(all.stream().map(Surface::normal).toList(), materials.normalArrays());
+        List<Surface> drawn = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            drawn.add(new Surface(all.get(i).material(), colours.slot(i), normals.slot(i)));
+        }
         boolean isLambert = all.stream().allMatch(surface -> surface.material().lambert());
-        List<Surface> drawn =
-                all.stream().map(surface -> inArray(surface, array)).toList();
         return new GroundLook(
                 drawn,
-                new SolidBatch.Kind(isLambert, array, -1, 0),
+                new SolidBatch.Kind(isLambert, colours.array(), normals.array(), 0),
+                colours,
+                normals,
                 limits,
-                origins(all, grid.field().origin()));
+                all.stream()
+                        .map(surface -> repeats(
+                                grid.field().origin(), surface.material().textureMetres()))
+                        .toList());
     }
 
-    private static Surface inArray(Surface surface, int array) {
-        boolean isThere = array >= 0 && surface.colour().array() == array;
-        return isThere ? surface : new Surface(surface.material(), new Slot(-1, -1), Slot.NONE);
+    /** Returns the look with the colours of all layers in one picture, without normal maps. */
+    GroundLook baked() {
+        LayerPictures colour = new LayerPictures(LayerPictures.OWN, List.of(), List.of());
+        LayerPictures none = new LayerPictures(-1, List.of(), List.of());
+        return new GroundLook(
+                surfaces, new SolidBatch.Kind(kind.lambert(), colour.array(), -1, 0), colour, none, limits, origins);
     }
 
     /** Whole repeats are left out, so that the numbers stay small far from the world's origin. */
-    private static double[] origins(List<Surface> surfaces, Vec3 origin) {
-        double[] origins = new double[2 * surfaces.size()];
-        for (int i = 0; i < surfaces.size(); i++) {
-            double metres = surfaces.get(i).material().textureMetres();
-            origins[2 * i] = fraction(origin.x() / metres);
-            origins[2 * i + 1] = fraction(origin.z() / metres);
-        }
-        return origins;
+    private static Vec3 repeats(Vec3 origin, double metres) {
+        return new Vec3(fraction(origin.x() / metres), fraction(origin.y() / metres), fraction(origin.z() / metres));
     }
 
     private static double fraction(double number) {

@@ -14,13 +14,13 @@ import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.TerrainUniforms;
-import nephele.engine.scene.SolidBatch;
 
 /**
  * The uniforms of a terrain's program.
  *
  * @param detailView absent if all triangles are drawn
  * @param cell absent if no picture or light needs it
+ * @param bakedPerMetre absent unless layers are mixed into one picture
  * @param heights empty for one layer, which is everywhere
  * @param slopes the same
  * @param originFromAnchor absent if no light needs positions
@@ -31,21 +31,21 @@ record GroundUniforms(
         Optional<Vector4> detailView,
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
+        Optional<Vector2> bakedPerMetre,
         List<Vector4> heights,
         List<Vector4> slopes,
-        List<Vector2> origins) {
-    static GroundUniforms of(
-            Uniforms uniforms, int layers, SolidBatch.Kind kind, SurfaceLight light, TerrainDetail detail) {
+        List<Vector3> origins) {
+    static GroundUniforms of(Uniforms uniforms, int layers, SurfaceLight light, TerrainDetail detail) {
         List<Vector4> heights = new ArrayList<>();
         List<Vector4> slopes = new ArrayList<>();
-        List<Vector2> origins = new ArrayList<>();
+        List<Vector3> origins = new ArrayList<>();
         for (int i = 0; i < layers; i++) {
             if (layers > 1) {
                 heights.add(uniforms.vector4("layerHeights[" + i + "]"));
                 slopes.add(uniforms.vector4("layerSlopes[" + i + "]"));
             }
-            if (kind.isTextured()) {
-                origins.add(uniforms.vector2("layerOrigins[" + i + "]"));
+            if (uniforms.reads("layerOrigins[" + i + "]")) {
+                origins.add(uniforms.vector3("layerOrigins[" + i + "]"));
             }
         }
         boolean isDetailed = detail == TerrainDetail.LOD;
@@ -54,6 +54,7 @@ record GroundUniforms(
                 isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
                 uniforms.reads("cellMetres") ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
+                uniforms.reads("bakedPerMetre") ? Optional.of(uniforms.vector2("bakedPerMetre")) : Optional.empty(),
                 heights,
                 slopes,
                 origins);
@@ -63,13 +64,16 @@ record GroundUniforms(
         cell.ifPresent(lengths -> lengths.set((float) field.cellX(), (float) field.cellZ()));
         Vec3 origin = field.origin().minus(anchor);
         originFromAnchor.ifPresent(at -> at.set((float) origin.x(), (float) origin.y(), (float) origin.z()));
+        bakedPerMetre.ifPresent(perMetre -> perMetre.set(
+                (float) (1 / (field.cellX() * field.cellColumns())), (float) (1 / (field.cellZ() * field.cellRows()))));
         double[] limits = look.limits();
         for (int i = 0; i < heights.size(); i++) {
             set(heights.get(i), limits, TerrainLayers.LIMITS * i);
             set(slopes.get(i), limits, TerrainLayers.LIMITS * i + 4);
         }
         for (int i = 0; i < origins.size(); i++) {
-            origins.get(i).set((float) look.origins()[2 * i], (float) look.origins()[2 * i + 1]);
+            Vec3 repeats = look.origins().get(i);
+            origins.get(i).set((float) repeats.x(), (float) repeats.y(), (float) repeats.z());
         }
     }
 

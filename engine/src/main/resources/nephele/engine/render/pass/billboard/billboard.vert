@@ -31,11 +31,14 @@ const float BETWEEN_LEAVES = 0.75;
 vec3 lightAt(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#ifdef PUNCTUAL_LIGHTS
-    sum += allLights(r, s);
-#endif
 #if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
     sum += ambientLight(r, s);
+#endif
+#ifdef LIGHT_PARTS
+    r = shown(r);
+#endif
+#ifdef PUNCTUAL_LIGHTS
+    sum += allLights(r, s);
 #endif
 #ifdef FLASH
     sum += flashLight(r, s);

@@ -4,6 +4,9 @@
 #include "materials.glsl"
 #include "surface-light.glsl"
 #include "covered-position.glsl"
+#ifdef NORMAL_MAP
+#include "normal-map.glsl"
+#endif
 #include "terrain-layers.glsl"
 #ifdef SKY_AMBIENT
 uniform sampler2D terrainSky;
@@ -51,10 +54,10 @@ void main() {
 #else
     vec3 faceNormal = triangleNormal();
 #endif
-    GroundMaterial ground = groundAt(height, n.y, onGround);
+    GroundMaterial ground = groundAt(vec3(onGround.x, height, onGround.y), n);
     Surface s;
     s.baseColour = ground.baseColour;
-    s.normal = n;
+    s.normal = ground.normal;
     s.smoothNormal = n;
     s.faceNormal = faceNormal;
 #ifdef METALLIC_ROUGHNESS
