@@ -96,9 +96,10 @@ public final class LightRequirements {
         return hasMeshes(level) || !level.terrains().isEmpty();
     }
 
-    /** Returns true if there are solids or models. */
+    /** Returns true if there are solids, or models at one place. */
     public static boolean hasMeshes(Level level) {
-        return !level.solids().isEmpty() || !level.models().isEmpty();
+        return !level.solids().isEmpty()
+                || level.models().stream().anyMatch(model -> !model.isPlanted());
     }
 
     /** Returns true if the sky emits light and no constant replaces it. */
