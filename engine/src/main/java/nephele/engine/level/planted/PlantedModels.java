@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
@@ -17,6 +18,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
+import org.joml.Vector3d;
 
 /**
  * The models of a level that are drawn as impostors, single ones and those of fields. A plant is its kind, turned about
@@ -53,7 +55,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
             return other instanceof Kind kind
                     && kind.mesh == mesh
                     && kind.plantFromModel.equals(plantFromModel)
-                    && java.util.Objects.equals(kind.material, material);
+                    && Objects.equals(kind.material, material);
         }
 
         @Override
@@ -140,7 +142,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     }
 
     /** Returns corners between which all plants of fields are, without planting them. */
-    public static List<Vec3> reach(Level level, StaticShapes statics) {
+    public static List<Vec3> reach(StaticShapes statics) {
         List<Vec3> corners = new ArrayList<>();
         double reach = 0;
         for (PlacedModel model : statics.models().all()) {
@@ -162,7 +164,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     private static double farthest(PlacedModel model) {
         float[] at = model.mesh().positions();
         double square = 0;
-        var p = new org.joml.Vector3d();
+        var p = new Vector3d();
         for (int i = 0; i < at.length; i += 3) {
             square = Math.max(
                     square,

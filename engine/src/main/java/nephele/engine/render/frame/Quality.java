@@ -31,6 +31,7 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
  * @param terrainDetail triangles of which terrains are drawn
  * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
+ * @param impostorPixels size of a model, in drawn pixels, below which its impostor is drawn; 0 always draws meshes
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -60,6 +61,7 @@ public record Quality(
         int cloudSkyboxTexels,
         TerrainDetail terrainDetail,
         double terrainErrorPixels,
+        double impostorPixels,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -91,6 +93,7 @@ public record Quality(
             512,
             TerrainDetail.LOD,
             1,
+            64,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -313,6 +316,10 @@ public record Quality(
 
     public Quality withTerrainErrorPixels(double pixels) {
         return with(draft -> draft.terrainErrorPixels = pixels);
+    }
+
+    public Quality withImpostorPixels(double pixels) {
+        return with(draft -> draft.impostorPixels = pixels);
     }
 
     public Quality withPortalTechnique(PortalTechnique technique) {

@@ -40,6 +40,7 @@ final class QualityDraft {
     int cloudSkyboxTexels;
     TerrainDetail terrainDetail;
     double terrainErrorPixels;
+    double impostorPixels;
     PortalTechnique portalTechnique;
     int viewBudget;
     double portalResolution;
@@ -69,6 +70,7 @@ final class QualityDraft {
         cloudSkyboxTexels = from.cloudSkyboxTexels();
         terrainDetail = from.terrainDetail();
         terrainErrorPixels = from.terrainErrorPixels();
+        impostorPixels = from.impostorPixels();
         portalTechnique = from.portalTechnique();
         viewBudget = from.viewBudget();
         portalResolution = from.portalResolution();
@@ -100,6 +102,7 @@ final class QualityDraft {
                 cloudSkyboxTexels,
                 terrainDetail,
                 terrainErrorPixels,
+                impostorPixels,
                 portalTechnique,
                 viewBudget,
                 portalResolution);

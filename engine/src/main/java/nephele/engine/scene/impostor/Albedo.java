@@ -7,9 +7,6 @@ import nephele.engine.math.Vec3;
 
 /** The colour of a material's surface, with the light that a lobe would reflect: impostors are matt. */
 final class Albedo {
-    /** As {@code ALL_DIFFUSE} in {@code surface-light.glsl}. */
-    private static final double LOBE = 0.05;
-
     private final Vec3 base;
     private final double lobe;
     /** {@code null} without a texture. */
@@ -21,13 +18,8 @@ final class Albedo {
     Albedo(Material material, Picture picture, ColourDecoding decoding) {
         this.picture = picture;
         base = material.baseColour();
-        lobe = lobe(material);
+        lobe = ImpostorAtlas.lobe(material);
         linear = decoding.table();
-    }
-
-    static double lobe(Material material) {
-        double metallic = material.metallic() == null ? 0 : material.metallic();
-        return material.lambert() ? 0 : LOBE * (1 - metallic);
     }
 
     /** Adds the linear colour at texture coordinates. @param t 0 at the picture's top row */

@@ -39,11 +39,16 @@ final class AtlasCodes {
         return bytes;
     }
 
-    byte[] shapes(AtlasImage image) {
+    /** @param scale factor on coverage, and so on normals */
+    byte[] shapes(AtlasImage image, double scale) {
         byte[] bytes = new byte[4 * image.side() * image.side()];
         for (int i = 0; i < bytes.length / 4; i++) {
             for (int channel = 0; channel < 4; channel++) {
-                float value = image.value(i % image.side(), i / image.side(), 4 + channel);
+                int x = i % image.side();
+                int y = i / image.side();
+                float alpha = image.value(x, y, AtlasImage.ALPHA);
+                double factor = channel == 3 || alpha == 0 ? 1 : Math.min(1, alpha * scale) / alpha;
+                double value = factor * image.value(x, y, 4 + channel);
                 bytes[4 * i + channel] = (byte) Math.round(127.5 + 127.5 * Math.max(-1, Math.min(1, value)));
             }
         }

@@ -21,6 +21,9 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
     /** The part of a view's side that the kind fills; the rest keeps neighbouring views apart. */
     public static final double FILLED = 0.9375;
 
+    /** As {@code ALL_DIFFUSE} in {@code surface-light.glsl}. */
+    private static final double LOBE = 0.05;
+
     /**
      * Draws a kind.
      *
@@ -43,12 +46,19 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
         List<byte[]> colours = new ArrayList<>();
         List<byte[]> shapes = new ArrayList<>();
         for (AtlasImage level = image; ; level = level.halved()) {
-            colours.add(codes.colours(level, level.scaleThatDraws(coverage)));
-            shapes.add(codes.shapes(level));
+            double scale = level.scaleThatDraws(coverage);
+            colours.add(codes.colours(level, scale));
+            shapes.add(codes.shapes(level, scale));
             if (level.side() == 1) {
                 return new ImpostorAtlas(image.side(), colours, shapes);
             }
         }
+    }
+
+    /** Returns the share of equal light that the lobe of a material reflects, which impostors reflect diffusely. */
+    public static double lobe(Material material) {
+        double metallic = material.metallic() == null ? 0 : material.metallic();
+        return material.lambert() ? 0 : LOBE * (1 - metallic);
     }
 
     /** Returns the number of texels along a side of a view that shows as much as this many pixels do. */

@@ -1,0 +1,55 @@
+// A plant as a rectangle that faces the eye of its view.
+#include "frame.glsl"
+#include "view-clip.glsl"
+#include "plants.glsl"
+#include "impostor-views.glsl"
+#include "plant-fade.glsl"
+
+layout(location = 0) in vec2 corner; // -1 or 1
+
+uniform vec3 eyeHigh; // from the anchor
+uniform vec3 eyeLow;
+uniform float pixelsPerRadian;
+
+out vec3 relativePosition;
+flat out vec3 towardsEye;
+flat out vec4 plantLook; // x: radius, metres, y: the mesh's share, z: share of the sky, w: mipmap level
+flat out vec2 plantTurn;
+flat out vec4 skyFit;
+flat out vec3 fromCentreToEye; // of the view
+flat out vec3 emission;
+
+void main() {
+    int number = plantNumber(gl_InstanceID * PER_SHEET + gl_VertexID / 4);
+    if (number < 0) {
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+        return;
+    }
+    Plant plant = plantAt(number);
+    PlantKind kind = plantKindAt(plant.kind);
+    vec3 relative = (plant.foot - eyeHigh) - eyeLow + plant.scale * turned(kind.centre, plant.turn);
+    float metres = length(relative);
+    vec3 toEye = relative / -metres;
+    float radius = kind.radius * plant.scale;
+    vec2 outline = plantOutline(kind, toEye) * plant.scale;
+    // What is nearer than the middle looks larger.
+    vec2 shown = outline * (1.0 + radius / metres);
+    vec3 right = plantRight(toEye);
+    vec3 fromCentre = corner.x * shown.x * right + corner.y * shown.y * cross(toEye, right);
+    vec3 position = relative + fromCentre;
+
+    atlasLayer = float(plant.kind);
+    chooseViews(kind, turnedBack(toEye, plant.turn), turnedBack(fromCentre, plant.turn) / plant.scale,
+        turnedBack(normalize(position), plant.turn));
+    vec2 pixels = 2.0 * outline * (pixelsPerRadian / metres);
+    float lod = 0.5 * log2(VIEW_TEXELS * VIEW_TEXELS * FILLED * FILLED / (pixels.x * pixels.y));
+    plantLook = vec4(radius, plantMeshShare(2.0 * radius * pixelsPerRadian / metres), plant.sky, max(lod + LOD_BIAS, 0.0));
+    plantTurn = plant.turn;
+    skyFit = kind.sky;
+    towardsEye = toEye;
+    fromCentreToEye = -relative;
+    emission = kind.emission;
+    relativePosition = position;
+    clipToView(position);
+    gl_Position = clipFromRelative * vec4(position, 1.0);
+}
