@@ -10,8 +10,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 /**
  * Pictures of a kind from {@value #SIDE}² directions, with their smaller sizes; immutable.
  *
- * @param colours 8-bit RGBA of each size, rows from below: colour times coverage as stored, and coverage, scaled so that
- *     as much of it is a half or more as the kind covers
+ * @param colours 8-bit RGBA of each size, rows from below: colour times coverage as stored, and coverage
  * @param shapes 8-bit RGBA of each size: mean normal times coverage, in the kind's frame, and depth
  */
 public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes) {
@@ -42,13 +41,11 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
         });
         image.spreadDepths(texels, texels / 8);
         AtlasCodes codes = new AtlasCodes(decoding);
-        double coverage = image.coverage();
         List<byte[]> colours = new ArrayList<>();
         List<byte[]> shapes = new ArrayList<>();
         for (AtlasImage level = image; ; level = level.halved()) {
-            double scale = level.scaleThatDraws(coverage);
-            colours.add(codes.colours(level, scale));
-            shapes.add(codes.shapes(level, scale));
+            colours.add(codes.colours(level));
+            shapes.add(codes.shapes(level));
             if (level.side() == 1) {
                 return new ImpostorAtlas(image.side(), colours, shapes);
             }

@@ -1,6 +1,7 @@
 package nephele.engine.scene.impostor;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.stream.IntStream;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Directions;
@@ -18,6 +19,7 @@ import nephele.engine.math.bvh.SpatialIndex;
 public record KindSky(float[] ofCorner, float[] fit) {
     private static final int RAYS = 16;
     private static final double LIFT = 2e-3;
+    private static final int FIT_TEXELS = 16;
 
     public static KindSky of(KindShape shape) {
         WorldTriangles mesh = shape.triangles();
@@ -51,6 +53,19 @@ public record KindSky(float[] ofCorner, float[] fit) {
         return new KindSky(ofCorner, fit(shape, ofCorner));
     }
 
+    /** Returns for each triangle how many samples of all views show it: what is hidden must not darken an impostor. */
+    private static long[] shown(KindShape shape) {
+        AtomicLongArray shown = new AtomicLongArray(shape.triangles().count());
+        IntStream.range(0, ImpostorAtlas.SIDE * ImpostorAtlas.SIDE)
+                .parallel()
+                .forEach(view -> new ViewRaster(
+                                shape,
+                                AtlasView.at(view % ImpostorAtlas.SIDE, view / ImpostorAtlas.SIDE, shape),
+                                FIT_TEXELS)
+                        .countInto(shown));
+        return IntStream.range(0, shown.length()).mapToLong(shown::get).toArray();
+    }
+
     private static float seen(Vec3 from, Vec3 n, SpatialIndex index, double[] corners) {
         Vec3 s = Directions.perpendicular(n);
         Vec3 t = n.cross(s);
@@ -77,12 +92,13 @@ public record KindSky(float[] ofCorner, float[] fit) {
     /** Returns the least squares of four functions. */
     private static float[] fit(KindShape shape, float[] ofCorner) {
         double[][] sums = new double[4][5];
+        long[] shown = shown(shape);
         for (int i = 0; i < ofCorner.length; i++) {
             Vec3 p = shape.triangles().corner(i / 3, i % 3).minus(shape.centre()).scaled(1 / shape.radius());
             double[] f = {1, p.y(), p.y() * p.y(), p.x() * p.x() + p.z() * p.z(), ofCorner[i]};
             for (int row = 0; row < 4; row++) {
                 for (int column = 0; column < 5; column++) {
-                    sums[row][column] += f[row] * f[column];
+                    sums[row][column] += shown[i / 3] * f[row] * f[column];
                 }
             }
         }

@@ -1,6 +1,7 @@
 package nephele.engine.scene.impostor;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLongArray;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Vec3;
 
@@ -15,6 +16,7 @@ final class ViewRaster {
     private final int side;
     private final float[] nearest;
     private final int[] seen;
+    private final double[] corners;
     private final double[] xs = new double[3];
     private final double[] ys = new double[3];
     private final double[] depths = new double[3];
@@ -25,6 +27,7 @@ final class ViewRaster {
         this.view = view;
         mesh = shape.triangles();
         side = SAMPLES * texels;
+        corners = projected();
         nearest = new float[side * side];
         seen = new int[side * side];
         Arrays.fill(nearest, Float.NEGATIVE_INFINITY);
@@ -36,13 +39,26 @@ final class ViewRaster {
         }
     }
 
-    private void project(int triangle) {
+    /** Returns x and y in samples and depth in radii of every corner. */
+    private double[] projected() {
         double half = side / 2.0;
+        double across = half * ImpostorAtlas.FILLED / shape.halfWidth();
+        double along = half * ImpostorAtlas.FILLED / view.halfHeight();
+        double[] all = new double[9 * mesh.count()];
+        for (int i = 0; i < 3 * mesh.count(); i++) {
+            Vec3 p = mesh.corner(i / 3, i % 3).minus(shape.centre());
+            all[3 * i] = half + across * p.dot(view.right());
+            all[3 * i + 1] = half + along * p.dot(view.up());
+            all[3 * i + 2] = p.dot(view.towards()) / shape.radius();
+        }
+        return all;
+    }
+
+    private void take(int triangle) {
         for (int corner = 0; corner < 3; corner++) {
-            Vec3 p = mesh.corner(triangle, corner).minus(shape.centre());
-            xs[corner] = half + half * ImpostorAtlas.FILLED * p.dot(view.right()) / shape.halfWidth();
-            ys[corner] = half + half * ImpostorAtlas.FILLED * p.dot(view.up()) / view.halfHeight();
-            depths[corner] = p.dot(view.towards()) / shape.radius();
+            xs[corner] = corners[9 * triangle + 3 * corner];
+            ys[corner] = corners[9 * triangle + 3 * corner + 1];
+            depths[corner] = corners[9 * triangle + 3 * corner + 2];
         }
     }
 
@@ -51,7 +67,7 @@ final class ViewRaster {
     }
 
     private void draw(int triangle) {
-        project(triangle);
+        take(triangle);
         double area = area();
         if (Math.abs(area) < 1e-12) {
             return;
@@ -110,10 +126,19 @@ final class ViewRaster {
         }
     }
 
+    /** Adds the number of samples that show each triangle. */
+    void countInto(AtomicLongArray counts) {
+        for (int triangle : seen) {
+            if (triangle >= 0) {
+                counts.incrementAndGet(triangle);
+            }
+        }
+    }
+
     private void add(int column, int row, Albedo albedo, float[] sum) {
         int at = row * side + column;
         int triangle = seen[at];
-        project(triangle);
+        take(triangle);
         double area = area();
         double a = weight(1, 2, column + 0.5, row + 0.5) / area;
         double b = weight(2, 0, column + 0.5, row + 0.5) / area;

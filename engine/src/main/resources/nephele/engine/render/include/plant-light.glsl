@@ -1,13 +1,12 @@
 // Radiance of a plant. A mesh has a normal; an impostor a mean of many, whose length says how much they agree. Needs
 // surface-light.glsl.
 
-// How far towards the sun, in radii, a part is lit as: leaves are not resolved by the sun's map.
-const float PLANT_SHADOW_LIFT = 0.05;
 // The mean of the cosine over a sphere, where it is positive: what leaves of all directions receive.
 const float ALL_DIRECTIONS = 0.25;
 
-// meanNormal: length at most 1; sky: share that is seen
-vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float radius, float sky) {
+// meanNormal: length at most 1; lift: metres towards the sun from where its map is read, which resolves no leaves; sky:
+// share that is seen
+vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift, float sky) {
     float agreed = clamp(length(meanNormal), 1e-4, 1.0);
     Surface s;
     s.baseColour = albedo;
@@ -37,7 +36,7 @@ vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float radi
     s.normal = sunDirection * cosine;
     s.faceNormal = sunDirection;
 #ifdef ANCHOR_POSITION
-    s.anchorPosition += PLANT_SHADOW_LIFT * radius * sunDirection;
+    s.anchorPosition += lift * sunDirection;
 #endif
     sum += sunLight(r, s);
 #endif

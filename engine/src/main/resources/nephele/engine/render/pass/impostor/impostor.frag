@@ -17,17 +17,36 @@ flat in vec2 plantTurn;
 flat in vec4 skyFit;
 flat in vec3 fromCentreToEye;
 flat in vec3 emission;
+#ifndef MULTISAMPLED
+in vec2 onRectangle; // 0 to 1
+flat in vec4 noiseCells; // along its sides, a random number, and the share of noise
+#endif
+
+#ifndef MULTISAMPLED
+// Leaves that a texel does not resolve are drawn in as many pixels as they cover, chosen by noise that moves with the
+// plant (Wyman and McGuire 2017, "Hashed Alpha Testing").
+float hashedThreshold() {
+    uvec2 cell = uvec2(onRectangle * noiseCells.xy);
+    uint bits = cell.x * 1597334677u ^ cell.y * 3812015801u ^ uint(noiseCells.z);
+    bits = (bits ^ (bits >> 16)) * 2246822519u;
+    bits = (bits ^ (bits >> 13)) * 3266489917u;
+    float noise = float(bits >> 8) * (1.0 / 16777216.0);
+    return clamp(0.5 + noiseCells.w * (noise - 0.5), 0.02, 0.98);
+}
+#endif
+
+// In radii: depths of leaves that a texel does not resolve are mixed.
+const float LIFT = 0.15;
 
 void main() {
     ImpostorTexel texel = impostorTexel(plantLook.w);
     float alpha = texel.colour.a;
 #ifdef MULTISAMPLED
-    float covered = clamp((alpha - 0.5) / max(fwidth(alpha), 1e-4) + 0.5, 0.0, 1.0);
-    bool isSeen = covered > 0.0;
+    float least = 0.0625;
 #else
-    bool isSeen = alpha >= 0.5;
+    float least = hashedThreshold();
 #endif
-    if (!isSeen || plantThreshold() < plantLook.y) {
+    if (alpha < least || plantThreshold() < plantLook.y) {
         discard;
     }
     vec3 albedo = texel.colour.rgb / alpha;
@@ -35,7 +54,7 @@ void main() {
     vec3 surface = relativePosition + towardsEye * (texel.depth * plantLook.x);
     vec3 inRadii = (surface + fromCentreToEye) / plantLook.x;
     float sky = skyFit.x + skyFit.y * inRadii.y + skyFit.z * inRadii.y * inRadii.y + skyFit.w * dot(inRadii.xz, inRadii.xz);
-    vec3 radiance = plantRadiance(albedo, normal, surface + eyeHigh + eyeLow, plantLook.x, plantLook.z * clamp(sky, 0.0, 1.0));
+    vec3 radiance = plantRadiance(albedo, normal, surface + eyeHigh + eyeLow, LIFT * plantLook.x, plantLook.z * clamp(sky, 0.0, 1.0));
     radiance += emission;
 #if defined(FOG) || defined(AIR)
     writeRadiance(radiance, surface);
@@ -43,6 +62,6 @@ void main() {
     writeRadiance(radiance);
 #endif
 #ifdef MULTISAMPLED
-    pixel.a = covered;
+    pixel.a = alpha;
 #endif
 }

@@ -18,6 +18,10 @@ flat out vec2 plantTurn;
 flat out vec4 skyFit;
 flat out vec3 fromCentreToEye; // of the view
 flat out vec3 emission;
+#ifndef MULTISAMPLED
+out vec2 onRectangle;
+flat out vec4 noiseCells;
+#endif
 
 void main() {
     int number = plantNumber(gl_InstanceID * PER_SHEET + gl_VertexID / 4);
@@ -44,6 +48,11 @@ void main() {
     vec2 pixels = 2.0 * outline * (pixelsPerRadian / metres);
     float lod = 0.5 * log2(VIEW_TEXELS * VIEW_TEXELS * FILLED * FILLED / (pixels.x * pixels.y));
     plantLook = vec4(radius, plantMeshShare(2.0 * radius * pixelsPerRadian / metres), plant.sky, max(lod + LOD_BIAS, 0.0));
+#ifndef MULTISAMPLED
+    onRectangle = 0.5 + 0.5 * corner;
+    float noise = mix(0.9, 0.3, clamp((max(pixels.x, pixels.y) - 16.0) / 48.0, 0.0, 1.0));
+    noiseCells = vec4(exp2(ceil(log2(max(pixels, 1.0)))), float(number % 4096) * 613.0, noise);
+#endif
     plantTurn = plant.turn;
     skyFit = kind.sky;
     towardsEye = toEye;

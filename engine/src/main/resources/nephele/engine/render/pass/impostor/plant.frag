@@ -20,6 +20,8 @@ in float skyShare;
 flat in vec2 plantLook;
 flat in vec3 emission;
 
+const float LIFT = 0.05; // in radii
+
 void main() {
     if (plantThreshold() >= plantLook.y) {
         discard;
@@ -29,7 +31,7 @@ void main() {
     albedo *= texture(colours, vec3(st, pictureLayer)).rgb;
 #endif
     albedo += (1.0 - albedo) * baseColour.a;
-    vec3 radiance = plantRadiance(albedo, normalize(normal), relativePosition + eyeHigh + eyeLow, plantLook.x, skyShare);
+    vec3 radiance = plantRadiance(albedo, normalize(normal), relativePosition + eyeHigh + eyeLow, LIFT * plantLook.x, skyShare);
     radiance += emission;
 #if defined(FOG) || defined(AIR)
     writeRadiance(radiance, relativePosition);
