@@ -28,10 +28,8 @@ vec3 atlasPlace(vec2 cell, vec2 place) {
 
 void addView(vec2 cell, vec2 place, vec2 stepPerDepth, float weight, float lod, inout ImpostorTexel sum) {
     // One step of parallax: the depth at the place where the ray meets the view's plane.
-    float depth = 2.0 * textureLod(impostorShapes, atlasPlace(cell, place), lod).a - 1.0;
-    vec3 at = atlasPlace(cell, place + stepPerDepth * depth);
-    vec4 shape = 2.0 * textureLod(impostorShapes, at, lod) - 1.0;
-    sum.colour += weight * textureLod(impostorColours, at, lod);
+    vec4 shape = 2.0 * textureLod(impostorShapes, atlasPlace(cell, place), lod) - 1.0;
+    sum.colour += weight * textureLod(impostorColours, atlasPlace(cell, place + stepPerDepth * shape.a), lod);
     sum.normal += weight * shape.xyz;
     sum.depth += weight * shape.a;
 }

@@ -14,7 +14,8 @@ import nephele.engine.render.resource.PlantedScene.Cluster;
 import nephele.engine.scene.View;
 
 /**
- * The plants that a view draws, the nearest clusters first. Far clusters are chosen as a whole; a cluster in which some
+ * The plants that a view draws, the nearest clusters first. Far clusters are chosen as a whole, and the farthest lose
+ * some of their plants; a cluster in which some
  * plants are large enough for meshes is looked through.
  */
 final class PlantChoice implements GlObject {
@@ -65,7 +66,8 @@ final class PlantChoice implements GlObject {
         double near = nearest(cluster.bounds(), view);
         double far = farthest(cluster.bounds(), view);
         if (sizes.isImpostor(cluster.most() * pixelsPerRadian / near)) {
-            for (int plant = cluster.first(); plant < cluster.end(); plant++) {
+            int drawn = PlantSizes.drawn(cluster.end() - cluster.first(), cluster.most() * pixelsPerRadian / near);
+            for (int plant = cluster.first(); plant < cluster.first() + drawn; plant++) {
                 impostors.add(plant);
             }
         } else if (sizes.isMesh(cluster.least() * pixelsPerRadian / far)) {

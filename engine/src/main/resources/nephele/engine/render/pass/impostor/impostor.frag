@@ -17,6 +17,11 @@ flat in vec2 plantTurn;
 flat in vec4 skyFit;
 flat in vec3 fromCentreToEye;
 flat in vec3 emission;
+flat in vec3 addedRadiance; // by air and fog
+flat in float passing; // share of the light behind fog
+#ifdef AIR
+flat in vec3 airPassing;
+#endif
 #ifndef MULTISAMPLED
 in vec2 onRectangle; // 0 to 1
 flat in vec4 noiseCells; // along its sides, a random number, and the share of noise
@@ -56,11 +61,10 @@ void main() {
     float sky = skyFit.x + skyFit.y * inRadii.y + skyFit.z * inRadii.y * inRadii.y + skyFit.w * dot(inRadii.xz, inRadii.xz);
     vec3 radiance = plantRadiance(albedo, normal, surface + eyeHigh + eyeLow, LIFT * plantLook.x, plantLook.z * clamp(sky, 0.0, 1.0));
     radiance += emission;
-#if defined(FOG) || defined(AIR)
-    writeRadiance(radiance, surface);
-#else
-    writeRadiance(radiance);
+#ifdef AIR
+    radiance *= airPassing;
 #endif
+    writeRadiance(radiance * passing + addedRadiance);
 #ifdef MULTISAMPLED
     pixel.a = alpha;
 #endif

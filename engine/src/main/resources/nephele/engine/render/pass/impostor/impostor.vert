@@ -1,6 +1,9 @@
 // A plant as a rectangle that faces the eye of its view.
 #include "frame.glsl"
 #include "view-clip.glsl"
+#ifdef AIR
+#include "air.glsl"
+#endif
 #include "plants.glsl"
 #include "impostor-views.glsl"
 #include "plant-fade.glsl"
@@ -18,6 +21,11 @@ flat out vec2 plantTurn;
 flat out vec4 skyFit;
 flat out vec3 fromCentreToEye; // of the view
 flat out vec3 emission;
+flat out vec3 addedRadiance;
+flat out float passing;
+#ifdef AIR
+flat out vec3 airPassing;
+#endif
 #ifndef MULTISAMPLED
 out vec2 onRectangle;
 flat out vec4 noiseCells;
@@ -40,14 +48,22 @@ void main() {
     vec2 shown = outline * (1.0 + radius / metres);
     vec3 right = plantRight(toEye);
     vec3 fromCentre = corner.x * shown.x * right + corner.y * shown.y * cross(toEye, right);
-    vec3 position = relative + fromCentre;
+    float diameter = 2.0 * radius * pixelsPerRadian / metres;
+    float widening = plantWidening(diameter, plant.rank);
+    if (widening <= 0.0) {
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+        return;
+    }
+    vec3 position = relative + fromCentre + (widening - 1.0) * corner.x * shown.x * right;
 
     atlasLayer = float(plant.kind);
     chooseViews(kind, turnedBack(toEye, plant.turn), turnedBack(fromCentre, plant.turn) / plant.scale,
-        turnedBack(normalize(position), plant.turn));
+        turnedBack(normalize(relative + fromCentre), plant.turn));
     vec2 pixels = 2.0 * outline * (pixelsPerRadian / metres);
     float lod = 0.5 * log2(VIEW_TEXELS * VIEW_TEXELS * FILLED * FILLED / (pixels.x * pixels.y));
-    plantLook = vec4(radius, plantMeshShare(2.0 * radius * pixelsPerRadian / metres), plant.sky, max(lod + LOD_BIAS, 0.0));
+    // A whole level costs half; each plant changes it at a distance of its own.
+    float level = floor(lod + LOD_BIAS + plant.rank);
+    plantLook = vec4(radius, plantMeshShare(diameter), plant.sky, max(level, 0.0));
 #ifndef MULTISAMPLED
     onRectangle = 0.5 + 0.5 * corner;
     float noise = mix(0.9, 0.3, clamp((max(pixels.x, pixels.y) - 16.0) / 48.0, 0.0, 1.0));
@@ -59,6 +75,17 @@ void main() {
     fromCentreToEye = -relative;
     emission = kind.emission;
     relativePosition = position;
+    addedRadiance = vec3(0.0);
+    passing = 1.0;
+#ifdef AIR
+    Air air = airAlong(relative);
+    airPassing = air.transmittance;
+    addedRadiance = air.inScatter;
+#endif
+#ifdef FOG
+    passing = exp(-fog.a * metres);
+    addedRadiance = mix(fog.rgb, addedRadiance, passing);
+#endif
     clipToView(position);
     gl_Position = clipFromRelative * vec4(position, 1.0);
 }
