@@ -123,6 +123,17 @@ public final class TestLevel {
         return this;
     }
 
+    /** Adds a model that is drawn as an impostor where it is small. */
+    public TestLevel impostor(String file, String material, TransformStep... steps) {
+        model(file, material, steps);
+        return planted(models.remove(models.size() - 1).asImpostor());
+    }
+
+    public TestLevel planted(ModelPlacement model) {
+        models.add(model);
+        return this;
+    }
+
     public TestLevel portal(PortalSpec portal) {
         portals.add(portal);
         return this;

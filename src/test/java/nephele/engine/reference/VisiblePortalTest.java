@@ -119,7 +119,7 @@ class VisiblePortalTest {
         float[] wall = Traced.towards(facing, middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
-                new TracedItems(StaticShapes.of(facing.level()), List.of(), 0, TracedBillboards.NONE),
+                new TracedItems(StaticShapes.of(facing.level()), List.of(), 0, TracedBillboards.NONE, List.of()),
                 Portals.of(facing.level()),
                 ReflectingFaces.NONE);
         assertTrue(path.trace(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));

@@ -21,9 +21,8 @@ final class QualityOptions {
             description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
                     + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
                     + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
-                    + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, culling,"
-                    + " narrowing, rims; debug=ids"
-                    + " draws every solid in its own colour.")
+                    + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, impostorPixels,"
+                    + " culling, narrowing, rims; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -87,6 +87,7 @@ public final class FieldWords {
                     "Campo de visão horizontal"),
             word("id", "Id", "Id", "Id"),
             word("ignoredProblems", "Ignored problems", "Problemas ignorados", "Problemas ignorados"),
+            word("impostor", "Impostor far away", "Impostor ao longe", "Impostor ao longe"),
             word("innerConeDegrees", "Inner cone", "Cone interno", "Cone interior"),
             word("irradiance", "Irradiance", "Irradiância", "Irradiância"),
             word("kind", "Kind", "Tipo", "Tipo"),

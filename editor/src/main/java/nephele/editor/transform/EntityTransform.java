@@ -160,7 +160,6 @@ public final class EntityTransform {
     }
 
     private static ModelPlacement with(ModelPlacement model, List<TransformStep> steps) {
-        return new ModelPlacement(
-                model.id(), model.file(), model.parent(), List.copyOf(steps), model.material(), model.portalable());
+        return model.withTransform(List.copyOf(steps));
     }
 }

@@ -58,8 +58,7 @@ public final class IdLevel {
         for (var model : level.models()) {
             var material = flat("id-" + materials.size(), colour(materials.size()));
             materials.add(material);
-            models.add(new ModelPlacement(
-                    model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
+            models.add(model.withMaterial(material.id()));
         }
         var terrains = new ArrayList<Terrain>();
         for (var terrain : level.terrains()) {

@@ -141,6 +141,11 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     0.1,
                     64,
                     (all, value) -> all.with(all.quality().withTerrainErrorPixels(value))),
+            SettingKey.number(
+                    "impostorPixels",
+                    0,
+                    256,
+                    (all, value) -> all.with(all.quality().withImpostorPixels(value))),
             SettingKey.word(
                     "terrainLayers",
                     LayerMixing.class,

@@ -8,6 +8,11 @@ import nephele.engine.math.Vec3;
  *
  * @param material mapped by the mesh's texture coordinates; {@code null} for grey
  * @param portalable true if shots open portals on its flat parts
+ * @param impostor true if pictures of it are drawn instead where it is small
+ * @param field plants it at many places, each with a random turn about the vertical; {@code transform} is then relative
+ *     to a place. Nothing that is simulated depends on those. {@code null} for the one place of {@code transform}
+ * @param heightVariation share of the size by which the smallest of a field is smaller: sizes are random from 1 − this
+ *     to 1
  */
 public record ModelPlacement(
         @Written(required = true, text = TextKind.ID) String id,
@@ -15,7 +20,47 @@ public record ModelPlacement(
         @Written(text = TextKind.ID, refersTo = "models") String parent,
         @Written(most = 1000) List<TransformStep> transform,
         @Written(text = TextKind.ID, refersTo = "materials") String material,
-        @Written boolean portalable) {
+        @Written boolean portalable,
+        @Written boolean impostor,
+        @Written Billboards.Field field,
+        @Written(min = 0, max = 0.9) double heightVariation) {
+    /** Creates a model at one place, always drawn as its mesh. */
+    public ModelPlacement(
+            String id,
+            String file,
+            String parent,
+            List<TransformStep> transform,
+            String material,
+            boolean portalable) {
+        this(id, file, parent, transform, material, portalable, false, null, 0);
+    }
+
+    /** Returns true if it is planted over a field. */
+    public boolean isPlanted() {
+        return field != null;
+    }
+
+    /** Returns this model with another material. */
+    public ModelPlacement withMaterial(String other) {
+        return new ModelPlacement(
+                id, file, parent, transform, other, portalable, impostor, field, heightVariation);
+    }
+
+    /** Returns this model with other steps. */
+    public ModelPlacement withTransform(List<TransformStep> others) {
+        return new ModelPlacement(
+                id, file, parent, others, material, portalable, impostor, field, heightVariation);
+    }
+
+    /** Returns this model drawn as impostors. */
+    public ModelPlacement asImpostor() {
+        return new ModelPlacement(id, file, parent, transform, material, portalable, true, field, heightVariation);
+    }
+
+    /** Returns this model as impostors over a field. */
+    public ModelPlacement over(Billboards.Field otherField, double variation) {
+        return new ModelPlacement(id, file, parent, transform, material, portalable, true, otherField, variation);
+    }
 
     /** One transform step; steps apply in file order, the first one outermost. */
     public sealed interface TransformStep {

@@ -15,7 +15,7 @@ import org.joml.Vector3dc;
 
 /**
  * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models, then
- * terrains, then billboards.
+ * terrains, then billboards, then models of fields.
  * Safe to share between threads.
  */
 final class TracedItems {
@@ -33,13 +33,15 @@ final class TracedItems {
      *
      * @param bodies number of bodies, however many pieces portals cut them into
      */
-    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies, TracedBillboards billboards) {
+    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies, TracedBillboards billboards,
+            List<TriangleMeshShape.Planted> plants) {
         TracedStatics traced = new TracedStatics(statics);
         List<TracedShape> all = new ArrayList<>(traced.solids());
         all.addAll(pieces);
         all.addAll(traced.models());
         all.addAll(traced.grounds());
         all.addAll(billboards.shapes());
+        all.addAll(plants);
         items = all.toArray(TracedShape[]::new);
         solids = traced.solids().size();
         int models = traced.models().size();
@@ -48,7 +50,8 @@ final class TracedItems {
                         IntStream.range(0, solids),
                         pieces.stream().mapToInt(piece -> solids + piece.body()),
                         IntStream.range(0, models + grounds).map(other -> solids + bodies + other),
-                        billboards.groups().stream().mapToInt(group -> solids + bodies + models + grounds + group))
+                        billboards.groups().stream().mapToInt(group -> solids + bodies + models + grounds + group),
+                        plants.stream().mapToInt(plant -> solids + bodies + plant.model()))
                 .flatMapToInt(numbers -> numbers)
                 .toArray();
         List<Aabb> boxes = all.stream().map(TracedShape::bounds).toList();

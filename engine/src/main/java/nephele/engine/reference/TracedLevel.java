@@ -44,7 +44,8 @@ public final class TracedLevel {
                 statics,
                 BodyPieces.of(level, portals),
                 level.bodies().size(),
-                TracedBillboards.of(placed, decoding, seconds));
+                TracedBillboards.of(placed, decoding, seconds),
+                TriangleMeshShape.Planted.of(placed));
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);

@@ -1,10 +1,16 @@
 package nephele.engine.reference;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.TriangleTangents;
 import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayTriangleIntersection;
@@ -81,11 +87,24 @@ final class TriangleMeshShape implements TracedShape {
 
     @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
+        return at(new End(path.ray(), path.end(), path.item(), place), UnaryOperator.identity(), place, toEye, looks);
+    }
+
+    /** The end of a path in the frame of the triangles. */
+    private record End(Ray ray, double parameter, int item, Vec3 place) {}
+
+    /**
+     * Returns the point at the end of a path.
+     *
+     * @param toWorld turns directions of the triangles' frame
+     */
+    private SurfacePoint at(
+            End end, UnaryOperator<Vec3> toWorld, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         RayHit hit = new RayHit();
-        nearest(path.ray(), path.end(), hit);
+        nearest(end.ray(), end.parameter(), hit);
         int triangle = hit.item();
         double[] weights = new double[3];
-        RayTriangleIntersection.barycentricWeights(place, corners, 9 * triangle, weights);
+        RayTriangleIntersection.barycentricWeights(end.place(), corners, 9 * triangle, weights);
         Vector3d normal = new Vector3d();
         double s = 0;
         double t = 0;
@@ -98,9 +117,120 @@ final class TriangleMeshShape implements TracedShape {
         Vec3 smooth = Vec3.of(normal.normalize());
         TriangleTangents texture = TriangleTangents.of(mesh, triangle);
         Spot spot = new Spot(
-                s, t, texture.across(smooth).toVector(), texture.up(smooth).toVector());
-        Bare bare =
-                new Bare(path.item(), place, normal, mesh.faceNormal(triangle).toVector(), toEye);
+                s,
+                t,
+                toWorld.apply(texture.across(smooth)).toVector(),
+                toWorld.apply(texture.up(smooth)).toVector());
+        Bare bare = new Bare(
+                end.item(),
+                place,
+                toWorld.apply(smooth).toVector(),
+                toWorld.apply(mesh.faceNormal(triangle)).toVector(),
+                toEye);
         return MaterialTextures.covered(bare, looks.textures().skin(model.said().material()), spot);
+    }
+
+    /** A model of a field: the triangles of its kind, turned about the vertical, scaled and moved. */
+    static final class Planted implements TracedShape {
+        private final TriangleMeshShape kind;
+        private final Plant plant;
+        private final double cos;
+        private final double sin;
+        private final Aabb bounds;
+
+        private Planted(TriangleMeshShape kind, Plant plant) {
+            this.kind = kind;
+            this.plant = plant;
+            cos = Math.cos(plant.turn());
+            sin = Math.sin(plant.turn());
+            Aabb box = kind.bounds();
+            List<Vec3> corners = new ArrayList<>();
+            for (int i = 0; i < 8; i++) {
+                Vec3 corner = new Vec3(
+                        (i & 1) == 0 ? box.minX() : box.maxX(),
+                        (i & 2) == 0 ? box.minY() : box.maxY(),
+                        (i & 4) == 0 ? box.minZ() : box.maxZ());
+                corners.add(plant.foot().addScaled(plant.scale(), turned(corner)));
+            }
+            bounds = Aabb.of(corners);
+        }
+
+        /** Returns the models of all fields of a level. */
+        static List<Planted> of(PlacedLevel placed) {
+            PlantedModels planted = PlantedModels.of(placed.level(), placed.statics(), placed.assets());
+            List<PlacedModel> models = placed.statics().models().all();
+            Map<Integer, TriangleMeshShape> kinds = new HashMap<>();
+            List<Planted> all = new ArrayList<>();
+            for (Plant plant : planted.plants()) {
+                PlacedModel model = models.get(plant.model());
+                if (model.said().isPlanted()) {
+                    all.add(new Planted(kinds.computeIfAbsent(plant.kind(), none -> shape(model)), plant));
+                }
+            }
+            return all;
+        }
+
+        private static TriangleMeshShape shape(PlacedModel model) {
+            WorldTriangles triangles = WorldTriangles.of(model.mesh(), model.worldFromModel());
+            return new TriangleMeshShape(new PlacedModel(
+                    model.index(),
+                    model.said(),
+                    model.mesh(),
+                    model.worldFromModel(),
+                    triangles,
+                    triangles.bounds(),
+                    null));
+        }
+
+        /** Returns the place of its model in the level's list. */
+        int model() {
+            return plant.model();
+        }
+
+        private Vec3 turned(Vec3 v) {
+            return new Vec3(cos * v.x() + sin * v.z(), v.y(), cos * v.z() - sin * v.x());
+        }
+
+        private Vec3 turnedBack(double x, double y, double z) {
+            return new Vec3(cos * x - sin * z, y, cos * z + sin * x).scaled(1 / plant.scale());
+        }
+
+        private Vec3 inKind(double x, double y, double z) {
+            return turnedBack(x - plant.foot().x(), y - plant.foot().y(), z - plant.foot().z());
+        }
+
+        /** Returns a ray with the same parameters. */
+        private Ray inKind(Ray ray) {
+            Vec3 origin = inKind(ray.originX(), ray.originY(), ray.originZ());
+            Vec3 along = turnedBack(ray.directionX(), ray.directionY(), ray.directionZ());
+            return new Ray(origin.x(), origin.y(), origin.z(), along.x(), along.y(), along.z());
+        }
+
+        @Override
+        public Aabb bounds() {
+            return bounds;
+        }
+
+        @Override
+        public double entry(Ray ray, double least) {
+            return kind.entry(inKind(ray), least);
+        }
+
+        @Override
+        public boolean intersects(Ray ray, double limit) {
+            return kind.intersects(inKind(ray), limit);
+        }
+
+        @Override
+        public boolean shadesItself() {
+            return true;
+        }
+
+        @Override
+        public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
+            End end = new End(
+                    inKind(path.ray()), path.end(), path.item(), inKind(place.x(), place.y(), place.z()));
+            return kind.at(end, this::turned, place, toEye, looks);
+        }
     }
 }

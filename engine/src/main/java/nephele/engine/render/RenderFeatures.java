@@ -17,6 +17,7 @@ import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.exposure.ExposurePass;
+import nephele.engine.render.pass.impostor.ImpostorPass;
 import nephele.engine.render.pass.lightning.LightningPass;
 import nephele.engine.render.pass.particle.ParticlePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
@@ -58,6 +59,7 @@ public final class RenderFeatures {
             SolidPass.FEATURE,
             TerrainPass.FEATURE,
             DynamicPass.FEATURE,
+            ImpostorPass.FEATURE,
             BillboardPass.FEATURE,
             GradientSkyPass.FEATURE,
             AtmospherePass.FEATURE,

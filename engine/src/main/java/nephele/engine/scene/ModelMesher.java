@@ -8,7 +8,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 
 /**
- * Turns placed models into triangles. Triangles share no vertices, because a vertex also holds its triangle's normal.
+ * Turns placed models into triangles, except those that are drawn as impostors. Triangles share no vertices, because a vertex also holds its triangle's normal.
  */
 final class ModelMesher {
     private static final int[] TRIANGLE = {0, 1, 2};
@@ -53,7 +53,8 @@ final class ModelMesher {
 
     void add(int model, int slot) {
         spans.begin(model, slot, vertices.count());
-        if (!models.get(model).isEmpty() && (copy == null || !copy.copy(model, vertices, batches))) {
+        boolean isMeshed = !models.get(model).isEmpty() && !models.get(model).said().impostor();
+        if (isMeshed && (copy == null || !copy.copy(model, vertices, batches))) {
             add(model);
         }
         spans.end(model, vertices.count());

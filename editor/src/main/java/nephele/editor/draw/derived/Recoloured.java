@@ -37,7 +37,7 @@ final class Recoloured {
     }
 
     static ModelPlacement model(ModelPlacement said, String material) {
-        return new ModelPlacement(said.id(), said.file(), said.parent(), said.transform(), material, said.portalable());
+        return said.withMaterial(material);
     }
 
     /** Chooses a face's material from its own one, {@code null} for grey, and from whether it takes portals. */

@@ -10,6 +10,7 @@ import org.joml.Matrix4dc;
  * A model at its place in the level.
  *
  * @param index index in the level's list
+ * @param triangles none of a model that is planted over a field
  * @param mesh the content of its file
  * @param solid its shape if it is convex and closed, so that its interior is solid; {@code null} for others
  */
@@ -22,7 +23,7 @@ public record PlacedModel(
         Aabb bounds,
         Brush solid) {
     static PlacedModel of(int index, ModelPlacement said, Mesh mesh, Matrix4dc worldFromModel) {
-        WorldTriangles triangles = WorldTriangles.of(mesh, worldFromModel);
+        WorldTriangles triangles = said.isPlanted() ? WorldTriangles.NONE : WorldTriangles.of(mesh, worldFromModel);
         Brush solid = ConvexModel.solid(said, triangles);
         return new PlacedModel(index, said, mesh, worldFromModel, triangles, triangles.bounds(), solid);
     }

@@ -22,6 +22,9 @@ import org.joml.Vector3d;
  */
 public record WorldTriangles(
         double[] positions, double[] normals, double[] textureCoordinates, int[] vertices, double[] faceNormals) {
+    static final WorldTriangles NONE =
+            new WorldTriangles(new double[0], new double[0], new double[0], new int[0], new double[0]);
+
     /** Least ratio of height to longest edge; the normal of a flatter triangle would be decided by rounding. */
     private static final double LEAST_HEIGHT = 1e-6;
 

@@ -1,10 +1,12 @@
 package nephele.engine.level.rule;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
+import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.billboard.BillboardField;
@@ -35,7 +37,8 @@ final class BillboardRules {
 
     /** Plants every field; reports nothing where a file cannot be read, which other rules do. */
     static final LevelRule ROOM = (level, assets, report) -> {
-        if (level.billboards().stream().anyMatch(group -> group.field() != null)) {
+        if (level.billboards().stream().anyMatch(group -> group.field() != null)
+                || level.models().stream().anyMatch(ModelPlacement::isPlanted)) {
             room(level, assets, report);
         }
     };
@@ -54,23 +57,28 @@ final class BillboardRules {
             report.accept(Problem.error(
                     path + ".field", "the places are in at already: keep one of the two, or split it in two"));
         }
+        field(path + ".field", field, level, report);
+    }
+
+    /** Reports a field without ground or with limits in the wrong order. */
+    static void field(String path, Billboards.Field field, Level level, Consumer<Problem> report) {
         if (field.terrain() != null
                 && level.terrains().stream().noneMatch(terrain -> terrain.id().equals(field.terrain()))) {
             report.accept(Problem.error(
-                    path + ".field.terrain",
+                    path + ".terrain",
                     "there is no terrain '" + field.terrain()
                             + "': leave it out to plant on the highest surfaces of everything"));
         } else if (field.terrain() == null
                 && level.solids().isEmpty()
-                && level.models().isEmpty()
+                && level.models().stream().allMatch(ModelPlacement::isPlanted)
                 && level.terrains().isEmpty()) {
             report.accept(Problem.error(
-                    path + ".field", "there is no ground to plant on: add a terrain, a solid or a model below it"));
+                    path, "there is no ground to plant on: add a terrain, a solid or a model below it"));
         }
         Billboards.HeightLimits heights = field.heightRangeMetres();
         if (heights != null && heights.low() > heights.high()) {
             report.accept(Problem.error(
-                    path + ".field.heightRangeMetres", "the lowest height comes first: exchange the two"));
+                    path + ".heightRangeMetres", "the lowest height comes first: exchange the two"));
         }
     }
 
@@ -82,18 +90,35 @@ final class BillboardRules {
     }
 
     private static void room(Level level, AssetSource assets, Consumer<Problem> report) {
-        FieldGrounds grounds;
-        try {
-            grounds = new FieldGrounds(StaticShapes.of(level, assets));
-        } catch (AssetException | IllegalArgumentException told) {
-            return;
+        Optional<FieldGrounds> grounds = grounds(level, assets);
+        if (grounds.isPresent()) {
+            LevelRule.each(
+                    "billboards",
+                    level.billboards(),
+                    (path, group) -> room(path + ".field", group.field(), grounds.get(), assets, report));
+            LevelRule.each(
+                    "models",
+                    level.models(),
+                    (path, model) -> room(path + ".field", model.field(), grounds.get(), assets, report));
         }
-        LevelRule.each("billboards", level.billboards(), (path, group) -> {
-            Ground ground = group.field() == null ? null : grounds.of(group.field());
-            if (ground != null) {
-                room(path + ".field", group.field(), ground, assets, report);
-            }
-        });
+    }
+
+    /** Returns nothing if a file cannot be read, which other rules report. */
+    private static Optional<FieldGrounds> grounds(Level level, AssetSource assets) {
+        try {
+            return Optional.of(new FieldGrounds(StaticShapes.of(level, assets)));
+        } catch (AssetException | IllegalArgumentException told) {
+            return Optional.empty();
+        }
+    }
+
+    /** @param field {@code null} for things that are not planted */
+    private static void room(
+            String path, Billboards.Field field, FieldGrounds grounds, AssetSource assets, Consumer<Problem> report) {
+        Ground ground = field == null ? null : grounds.of(field);
+        if (ground != null) {
+            room(path, field, ground, assets, report);
+        }
     }
 
     private static void room(

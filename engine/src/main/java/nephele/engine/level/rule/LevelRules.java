@@ -36,6 +36,8 @@ public final class LevelRules {
             TerrainRules.LAYERS,
             BillboardRules.PLACES,
             BillboardRules.MEANT,
+            ImpostorRules.PLANTED,
+            ImpostorRules.MATT,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 

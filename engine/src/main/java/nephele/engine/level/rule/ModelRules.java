@@ -81,7 +81,7 @@ final class ModelRules {
 
     private static void tellEmpty(PlacedModels placed, Consumer<Problem> report) {
         for (PlacedModel model : placed.all()) {
-            if (model.isEmpty()) {
+            if (model.isEmpty() && !model.said().isPlanted()) {
                 report.accept(Problem.warning(
                         "models[" + model.index() + "]",
                         "'" + model.said().id() + "' draws nothing: none of the triangles of "

@@ -33,6 +33,7 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
  * @param terrainLayers where the layers of terrains are mixed
  * @param lightParts the light of surfaces that is shown
+ * @param impostorPixels size of a model, in drawn pixels, below which its impostor is drawn; 0 always draws meshes
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -64,6 +65,7 @@ public record Quality(
         double terrainErrorPixels,
         LayerMixing terrainLayers,
         LightParts lightParts,
+        double impostorPixels,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -97,6 +99,7 @@ public record Quality(
             1,
             LayerMixing.MIXED,
             LightParts.ALL,
+            64,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -346,6 +349,10 @@ public record Quality(
 
     public Quality withLightParts(LightParts parts) {
         return with(draft -> draft.lightParts = parts);
+    }
+
+    public Quality withImpostorPixels(double pixels) {
+        return with(draft -> draft.impostorPixels = pixels);
     }
 
     public Quality withPortalTechnique(PortalTechnique technique) {

@@ -44,6 +44,7 @@ final class QualityDraft {
     double terrainErrorPixels;
     LayerMixing terrainLayers;
     LightParts lightParts;
+    double impostorPixels;
     PortalTechnique portalTechnique;
     int viewBudget;
     double portalResolution;
@@ -75,6 +76,7 @@ final class QualityDraft {
         terrainErrorPixels = from.terrainErrorPixels();
         terrainLayers = from.terrainLayers();
         lightParts = from.lightParts();
+        impostorPixels = from.impostorPixels();
         portalTechnique = from.portalTechnique();
         viewBudget = from.viewBudget();
         portalResolution = from.portalResolution();
@@ -108,6 +110,7 @@ final class QualityDraft {
                 terrainErrorPixels,
                 terrainLayers,
                 lightParts,
+                impostorPixels,
                 portalTechnique,
                 viewBudget,
                 portalResolution);

@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.engine.level.Sun;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -66,6 +67,7 @@ final class SunLight {
     private ShadowFrame fitted() {
         List<Vec3> corners = new ArrayList<>(ShadowCasters.corners(statics, towardsSun));
         corners.addAll(PlantedBillboards.reach(request.level(), statics));
+        corners.addAll(PlantedModels.reach(statics));
         if (corners.isEmpty()) {
             // The frame plan is made from the level alone, which does not tell that all meshes are empty.
             corners = List.of(anchor);

@@ -20,7 +20,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * The benchmark scenes as levels: clear, skybox, boxes, billboards, portals, bodies and terrain. The engines that Nephele is compared with
+ * The benchmark scenes as levels: clear, skybox, boxes, billboards, portals, bodies, terrain and forests. The engines that Nephele is compared with
  * draw the same scenes.
  */
 public final class BenchLevels {
@@ -45,6 +45,8 @@ public final class BenchLevels {
         levels.put("billboards-10000.json", billboards(10000));
         levels.put("portals-64.json", BenchPortals.hall(sunlit()));
         levels.put("terrain.json", terrain());
+        levels.put("impostors-10000.json", forest(10_000));
+        levels.put("impostors-100000.json", forest(100_000));
         return levels;
     }
 
@@ -96,6 +98,15 @@ public final class BenchLevels {
                 environment(null, CLEAR_COLOUR, ONE),
                 path(frame -> BenchPath.above(count, 4, frame)));
         return BenchBillboards.planted(empty, count);
+    }
+
+    private static Level forest(int count) {
+        Level empty = level(
+                "Bench: forest of " + count,
+                "case F: " + count + " trees as impostors, 25 m² each, seen from the same place over the middle",
+                sunlit(),
+                path(BenchPath::forest));
+        return BenchForest.planted(empty, count);
     }
 
     private static List<Solid> grid(int count) {

@@ -44,6 +44,11 @@ final class BenchPath {
         return waypoint(new Vec3(x, 120, 300 - 4f * frame), swayRadians(frame), -0.25f);
     }
 
+    /** Returns a camera above the tops of trees that turns once. */
+    static Camera.Waypoint forest(int frame) {
+        return waypoint(new Vec3(0, 18, 0), phase(frame), -0.05f);
+    }
+
     private static double phase(int frame) {
         return 2 * Math.PI * frame / FRAMES;
     }

@@ -287,12 +287,6 @@ final class RandomEdits {
 
     private ModelPlacement movedModel(ModelPlacement model) {
         Vec3 by = ((TransformStep.Translate) model.transform().get(0)).by();
-        return new ModelPlacement(
-                model.id(),
-                model.file(),
-                model.parent(),
-                List.of(new TransformStep.Translate(near(by))),
-                model.material(),
-                model.portalable());
+        return model.withTransform(List.of(new TransformStep.Translate(near(by))));
     }
 }

@@ -9,6 +9,7 @@ import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.CloudSubjects;
 import nephele.lab.trade.subject.CullingSphereSubject;
 import nephele.lab.trade.subject.EdgeSubjects;
+import nephele.lab.trade.subject.ImpostorSubject;
 import nephele.lab.trade.subject.PictureSubjects;
 import nephele.lab.trade.subject.PlacementSubject;
 import nephele.lab.trade.subject.PortalSubjects;
@@ -51,6 +52,7 @@ public final class Trades {
             TerrainSubjects.DETAIL,
             TerrainSubjects.ERROR,
             TerrainSubjects.LAYERS,
+            ImpostorSubject.IMPOSTORS,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

@@ -58,6 +58,12 @@ public enum TextureUnit {
     BILLBOARDS(9),
     BILLBOARD_ORDER(1),
     BILLBOARD_GROUPS(4),
+    /** Models that are drawn as impostors, by shaders that read neither normal maps nor light maps. */
+    PLANTS(9),
+    PLANT_ORDER(1),
+    PLANT_KINDS(4),
+    /** Normals and depths of impostors, which are drawn before there are copies of a view. */
+    IMPOSTOR_SHAPES(12),
     DYNAMIC_SUN_SHADOW(10),
     DYNAMIC_LIGHT_SHADOW(11),
     VIEW_DEPTH(12),

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.shadow;
 
 import java.util.List;
 import java.util.Set;
+import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -31,14 +32,18 @@ public final class SunShadowPass implements Pass {
     /** {@code null} if no billboard casts a shadow. */
     private final BillboardDepth billboards;
 
+    /** {@code null} without models that are drawn as impostors. */
+    private final PlantDepth plants;
+
     private final DepthLayers map;
     private final Same solids;
     private final Same planted;
+    private final Same models;
     private List<Content> contents = List.of();
     private Texture.Extent size;
 
     /** The data on which a map depends. */
-    private record Content(Same solids, Same planted, ShadowFrame frame) {}
+    private record Content(Same solids, Same planted, Same models, ShadowFrame frame) {}
 
     private SunShadowPass(LoadContext context) {
         shared = context.shared();
@@ -49,6 +54,9 @@ public final class SunShadowPass implements Pass {
         map = DepthDraw.layers(context, "sun shadow");
         solids = new Same(context.scene().solids());
         planted = new Same(isPlanted ? context.scene().level().billboards() : List.of());
+        boolean hasPlants = PlantedModels.isIn(context.scene().level());
+        plants = hasPlants ? new PlantDepth(context) : null;
+        models = new Same(hasPlants ? context.scene().statics() : List.of());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -69,7 +77,7 @@ public final class SunShadowPass implements Pass {
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
         if (contents.isEmpty() || contents.get(0).frame != frame) {
-            contents = List.of(new Content(solids, planted, frame));
+            contents = List.of(new Content(solids, planted, models, frame));
             size = new Texture.Extent(frame.width(), frame.height(), 1);
         }
         Texture texture = map.showing(contents, size, (layer, target) -> draw(target, frame));
@@ -80,6 +88,9 @@ public final class SunShadowPass implements Pass {
         depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
         if (billboards != null) {
             billboards.draw(frame, light.towardsSun());
+        }
+        if (plants != null) {
+            plants.draw(frame, light.towardsSun());
         }
     }
 }

@@ -1,0 +1,41 @@
+package nephele.engine.render.resource;
+
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.impostor.ImpostorAtlas;
+import nephele.engine.scene.light.LightRequirements;
+
+/**
+ * What the plants on the GPU follow from; equal values make equal ones.
+ *
+ * @param anchor world position from which places are measured
+ * @param format of the colours of their atlases
+ * @param texels along a side of a view
+ */
+public record PlantSource(
+        Same statics,
+        Same materials,
+        Same assets,
+        boolean isSkyLit,
+        Vec3 anchor,
+        PixelFormat format,
+        int texels) {
+    /** @param impostorPixels size below which impostors are drawn */
+    public static PlantSource of(Scene scene, Vec3 anchor, PixelFormat format, double impostorPixels) {
+        return new PlantSource(
+                new Same(scene.statics()),
+                new Same(scene.materials()),
+                new Same(scene.assets()),
+                LightRequirements.skyShines(scene.level()),
+                anchor,
+                format,
+                ImpostorAtlas.texelsFor(impostorPixels));
+    }
+
+    ColourDecoding decoding() {
+        return format == PixelFormat.SRGB8_ALPHA8 ? ColourDecoding.SRGB : ColourDecoding.AS_STORED;
+    }
+}

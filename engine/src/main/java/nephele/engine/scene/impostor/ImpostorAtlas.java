@@ -1,0 +1,69 @@
+package nephele.engine.scene.impostor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import nephele.engine.asset.Picture;
+import nephele.engine.level.Material;
+import nephele.engine.level.appearance.ColourDecoding;
+
+/**
+ * Pictures of a kind from {@value #SIDE}² directions, with their smaller sizes; immutable.
+ *
+ * @param colours 8-bit RGBA of each size, rows from below: colour times coverage as stored, and coverage
+ * @param shapes 8-bit RGBA of each size: mean normal times coverage, in the kind's frame, and depth
+ */
+public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes) {
+    /** Views along a side. */
+    public static final int SIDE = 8;
+
+    /** The part of a view's side that the kind fills; the rest keeps neighbouring views apart. */
+    public static final double FILLED = 0.9375;
+
+    /** As {@code ALL_DIFFUSE} in {@code surface-light.glsl}. */
+    private static final double LOBE = 0.05;
+
+    /**
+     * Draws a kind.
+     *
+     * @param picture of the material's texture, 8-bit RGBA; {@code null} without one
+     * @param texels along a side of a view, a power of two
+     */
+    public static ImpostorAtlas of(
+            KindShape shape, Material material, Picture picture, ColourDecoding decoding, int texels) {
+        AtlasImage image = new AtlasImage(SIDE * texels);
+        Albedo albedo = new Albedo(material, picture, decoding);
+        IntStream.range(0, SIDE * SIDE).parallel().forEach(view -> {
+            int column = view % SIDE;
+            int row = view / SIDE;
+            new ViewRaster(shape, AtlasView.at(column, row, shape), texels)
+                    .resolve(albedo, image, column * texels, row * texels);
+        });
+        image.spreadDepths(texels, texels / 8);
+        AtlasCodes codes = new AtlasCodes(decoding);
+        List<byte[]> colours = new ArrayList<>();
+        List<byte[]> shapes = new ArrayList<>();
+        for (AtlasImage level = image; ; level = level.halved()) {
+            colours.add(codes.colours(level));
+            shapes.add(codes.shapes(level));
+            if (level.side() == 1) {
+                return new ImpostorAtlas(image.side(), colours, shapes);
+            }
+        }
+    }
+
+    /** Returns the share of equal light that the lobe of a material reflects, which impostors reflect diffusely. */
+    public static double lobe(Material material) {
+        double metallic = material.metallic() == null ? 0 : material.metallic();
+        return material.lambert() ? 0 : LOBE * (1 - metallic);
+    }
+
+    /** Returns the number of texels along a side of a view that shows as much as this many pixels do. */
+    public static int texelsFor(double pixels) {
+        int texels = 16;
+        while (texels < pixels && texels < 256) {
+            texels *= 2;
+        }
+        return texels;
+    }
+}

@@ -1,0 +1,44 @@
+// Radiance of a plant. A mesh has a normal; an impostor a mean of many, whose length says how much they agree. Needs
+// surface-light.glsl.
+
+// The mean of the cosine over a sphere, where it is positive: what leaves of all directions receive.
+const float ALL_DIRECTIONS = 0.25;
+
+// meanNormal: length at most 1; lift: metres towards the sun from where its map is read, which resolves no leaves; sky:
+// share that is seen
+vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift, float sky) {
+    float agreed = clamp(length(meanNormal), 1e-4, 1.0);
+    Surface s;
+    s.baseColour = albedo;
+    s.normal = meanNormal / agreed;
+    s.faceNormal = s.normal;
+#ifdef ANCHOR_POSITION
+    s.anchorPosition = anchorPosition;
+#endif
+#ifdef SKY_AMBIENT
+    s.skyVisibility = sky;
+#endif
+    REFLECTANCE r = reflectanceOf(s);
+    vec3 sum = vec3(0.0);
+#ifdef PUNCTUAL_LIGHTS
+    sum += allLights(r, s);
+#endif
+#ifdef FLASH
+    sum += flashLight(r, s);
+#endif
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+    // The sky's light is nearly linear in the normal.
+    s.normal = meanNormal;
+    sum += ambientLight(r, s);
+#endif
+#ifdef SUN
+    float cosine = max(dot(meanNormal, sunDirection), 0.0) + (1.0 - agreed) * ALL_DIRECTIONS;
+    s.normal = sunDirection * cosine;
+    s.faceNormal = sunDirection;
+#ifdef ANCHOR_POSITION
+    s.anchorPosition += lift * sunDirection;
+#endif
+    sum += sunLight(r, s);
+#endif
+    return min(sum, vec3(MAX_RADIANCE));
+}
