@@ -31,6 +31,10 @@ public final class BillboardList implements GlObject {
         count++;
     }
 
+    public int count() {
+        return count;
+    }
+
     /** Draws clusters that are ordered by arrays of pictures. */
     public void draw(List<Cluster> clusters, BillboardQuads quads) {
         begin();
