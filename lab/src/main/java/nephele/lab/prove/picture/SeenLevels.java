@@ -14,8 +14,9 @@ final class SeenLevels {
     private SeenLevels() {}
 
     /**
-     * Returns the files of every level and every sample except those with billboards: the tracer turns billboards to
-     * each ray, the picture to the eye of each view, so that their edges differ by more than a pixel.
+     * Returns the files of every level and every sample except those with billboards or impostors: the tracer turns
+     * billboards to each ray, the picture to the eye of each view, and traces the meshes of impostors, so that their edges
+     * differ by more than a pixel.
      */
     static List<String> all() {
         List<String> files = new ArrayList<>(in(Path.of("levels")));
@@ -30,7 +31,7 @@ final class SeenLevels {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(LevelCatalogue::isLevel)
-                    .filter(SeenLevels::isWithoutBillboards)
+                    .filter(SeenLevels::isWithoutPictures)
                     .map(Path::toString)
                     .sorted()
                     .toList();
@@ -39,9 +40,10 @@ final class SeenLevels {
         }
     }
 
-    private static boolean isWithoutBillboards(Path file) {
+    private static boolean isWithoutPictures(Path file) {
         try {
-            return !Files.readString(file).contains("\"billboards\": [");
+            String text = Files.readString(file);
+            return !text.contains("\"billboards\": [") && !text.contains("\"impostor\": true");
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }
