@@ -13,22 +13,37 @@ final class BadImpostors {
     static final List<BadLevel> ALL = List.of(
             models("[0].impostor", "must be true or false", one("a", "\"impostor\": 1, " + field(1, ""))),
             models("[0].field", "add \"impostor\": true", one("a", field(1, ""))),
-            models("[0].parent", "leave out the parent", one("a", IMPOSTOR + "\"parent\": \"b\", " + field(1, "")) + ", "
-                    + one("b", IMPOSTOR)),
-            models("[1].parent", "planted at many places", one("a", IMPOSTOR + field(1, "")) + ", "
-                    + one("b", "\"parent\": \"a\", ")),
+            models(
+                    "[0].parent",
+                    "leave out the parent",
+                    one("a", IMPOSTOR + "\"parent\": \"b\", " + field(1, "")) + ", " + one("b", IMPOSTOR)),
+            models(
+                    "[1].parent",
+                    "planted at many places",
+                    one("a", IMPOSTOR + field(1, "")) + ", " + one("b", "\"parent\": \"a\", ")),
             models("[0].portalable", "not solid", one("a", IMPOSTOR + "\"portalable\": true, " + field(1, ""))),
             models("[0].heightVariation", "must be from 0 to 0.9", one("a", IMPOSTOR + "\"heightVariation\": 1, ")),
-            models("[0].field.terrain", "there is no terrain 'hills'",
+            models(
+                    "[0].field.terrain",
+                    "there is no terrain 'hills'",
                     one("a", IMPOSTOR + field(1, ", \"terrain\": \"hills\""))),
-            models("[0].field.heightRangeMetres", "the lowest height comes first",
+            models(
+                    "[0].field.heightRangeMetres",
+                    "the lowest height comes first",
                     one("a", IMPOSTOR + field(1, ", \"heightRangeMetres\": [2, 1]"))),
             models("[0].field.count", "fit at spacingMetres 1", one("a", IMPOSTOR + field(1000, ""))),
-            models("[0].field.densityMap", "there is no such file",
+            models(
+                    "[0].field.densityMap",
+                    "there is no such file",
                     one("a", IMPOSTOR + field(1, ", \"densityMap\": \"none.png\""))),
-            level("models[0].field", "add a terrain, a solid or a model",
+            level(
+                    "models[0].field",
+                    "add a terrain, a solid or a model",
                     "\"models\": [" + one("a", IMPOSTOR + field(1, "")) + "]"),
-            models("[1]", "at most 200000 impostors", one("a", IMPOSTOR + field(200_000, "")) + ", " + one("b", IMPOSTOR)));
+            models(
+                    "[1]",
+                    "at most 200000 impostors",
+                    one("a", IMPOSTOR + field(200_000, "")) + ", " + one("b", IMPOSTOR)));
 
     private BadImpostors() {}
 

@@ -26,12 +26,7 @@ public record ModelPlacement(
         @Written(min = 0, max = 0.9) double heightVariation) {
     /** Creates a model at one place, always drawn as its mesh. */
     public ModelPlacement(
-            String id,
-            String file,
-            String parent,
-            List<TransformStep> transform,
-            String material,
-            boolean portalable) {
+            String id, String file, String parent, List<TransformStep> transform, String material, boolean portalable) {
         this(id, file, parent, transform, material, portalable, false, null, 0);
     }
 
@@ -42,14 +37,12 @@ public record ModelPlacement(
 
     /** Returns this model with another material. */
     public ModelPlacement withMaterial(String other) {
-        return new ModelPlacement(
-                id, file, parent, transform, other, portalable, impostor, field, heightVariation);
+        return new ModelPlacement(id, file, parent, transform, other, portalable, impostor, field, heightVariation);
     }
 
     /** Returns this model with other steps. */
     public ModelPlacement withTransform(List<TransformStep> others) {
-        return new ModelPlacement(
-                id, file, parent, others, material, portalable, impostor, field, heightVariation);
+        return new ModelPlacement(id, file, parent, others, material, portalable, impostor, field, heightVariation);
     }
 
     /** Returns this model drawn as impostors. */

@@ -33,7 +33,11 @@ final class TracedItems {
      *
      * @param bodies number of bodies, however many pieces portals cut them into
      */
-    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies, TracedBillboards billboards,
+    TracedItems(
+            StaticShapes statics,
+            List<BodyPiece> pieces,
+            int bodies,
+            TracedBillboards billboards,
             List<TriangleMeshShape.Planted> plants) {
         TracedStatics traced = new TracedStatics(statics);
         List<TracedShape> all = new ArrayList<>(traced.solids());

@@ -6,13 +6,8 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
 /** A shape that rays intersect. Only its outside is visible: a ray that starts inside does not see it. */
-sealed interface TracedShape 
-        permits TracedSolid,
-                BodyPiece,
-                TriangleMeshShape,
-                TriangleMeshShape.Planted,
-                GroundShape,
-                BillboardShape {
+sealed interface TracedShape
+        permits TracedSolid, BodyPiece, TriangleMeshShape, TriangleMeshShape.Planted, GroundShape, BillboardShape {
     Aabb bounds();
 
     /** Returns the parameter at which the ray first enters; infinity if that is before {@code least}, or never. */

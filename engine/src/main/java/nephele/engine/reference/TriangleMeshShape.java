@@ -196,7 +196,8 @@ final class TriangleMeshShape implements TracedShape {
         }
 
         private Vec3 inKind(double x, double y, double z) {
-            return turnedBack(x - plant.foot().x(), y - plant.foot().y(), z - plant.foot().z());
+            return turnedBack(
+                    x - plant.foot().x(), y - plant.foot().y(), z - plant.foot().z());
         }
 
         /** Returns a ray with the same parameters. */
@@ -228,8 +229,7 @@ final class TriangleMeshShape implements TracedShape {
 
         @Override
         public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
-            End end = new End(
-                    inKind(path.ray()), path.end(), path.item(), inKind(place.x(), place.y(), place.z()));
+            End end = new End(inKind(path.ray()), path.end(), path.item(), inKind(place.x(), place.y(), place.z()));
             return kind.at(end, this::turned, place, toEye, looks);
         }
     }

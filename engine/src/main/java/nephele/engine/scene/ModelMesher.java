@@ -53,7 +53,8 @@ final class ModelMesher {
 
     void add(int model, int slot) {
         spans.begin(model, slot, vertices.count());
-        boolean isMeshed = !models.get(model).isEmpty() && !models.get(model).said().impostor();
+        boolean isMeshed =
+                !models.get(model).isEmpty() && !models.get(model).said().impostor();
         if (isMeshed && (copy == null || !copy.copy(model, vertices, batches))) {
             add(model);
         }

@@ -47,8 +47,7 @@ class PlantedModelsTest {
             assertTrue(plant.scale() > 0.5 && plant.scale() <= 1);
             turns += plant.turn() / (2 * Math.PI * plants.size());
             for (PlantedModels.Plant other : plants) {
-                assertTrue(other == plant
-                        || other.foot().minus(plant.foot()).length() >= 2);
+                assertTrue(other == plant || other.foot().minus(plant.foot()).length() >= 2);
             }
         }
         assertEquals(0.5, turns, 0.1);
@@ -62,14 +61,18 @@ class PlantedModelsTest {
         assertTrue(statics.models().all().get(0).isEmpty());
         assertEquals(12, statics.models().all().get(1).triangles().count());
         assertEquals(0.5, statics.bounds().maxY(), 1e-9);
-        double top = PlantedModels.reach(statics).stream().mapToDouble(Vec3::y).max().orElseThrow();
+        double top =
+                PlantedModels.reach(statics).stream().mapToDouble(Vec3::y).max().orElseThrow();
         assertTrue(top >= 3);
     }
 
     @Test
     void turnedScaledAndMovedModelsAreOfOneKind() {
         TransformStep[] steps = {
-            new Translate(new Vec3(3, 1, -2)), new Rotate(UP, 77), new Scale(new Vec3(2, 2, 2)), new Rotate(new Vec3(1, 0, 0), 20)
+            new Translate(new Vec3(3, 1, -2)),
+            new Rotate(UP, 77),
+            new Scale(new Vec3(2, 2, 2)),
+            new Rotate(new Vec3(1, 0, 0), 20)
         };
         TransformStep[] others = {new Rotate(UP, -140), new Rotate(new Vec3(1, 0, 0), 20)};
         Level level = new TestLevel()
@@ -80,10 +83,11 @@ class PlantedModelsTest {
         PlantedModels planted = planted(level);
         assertEquals(2, planted.kinds().size());
         assertEquals(planted.plants().get(0).kind(), planted.plants().get(1).kind());
-        List<PlacedModel> placed = StaticShapes.of(level, TestAssets.NONE).models().all();
+        List<PlacedModel> placed =
+                StaticShapes.of(level, TestAssets.NONE).models().all();
         for (PlantedModels.Plant plant : planted.plants()) {
-            Matrix4d frame = plant.worldFromPlant()
-                    .mul(planted.kinds().get(plant.kind()).plantFromModel());
+            Matrix4d frame =
+                    plant.worldFromPlant().mul(planted.kinds().get(plant.kind()).plantFromModel());
             assertTrue(frame.equals(placed.get(plant.model()).worldFromModel(), 1e-8));
         }
     }

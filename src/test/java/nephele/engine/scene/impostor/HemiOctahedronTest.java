@@ -25,9 +25,7 @@ class HemiOctahedronTest {
 
     private static Vec3 direction(double azimuth, double elevation) {
         return new Vec3(
-                Math.cos(elevation) * Math.cos(azimuth),
-                Math.sin(elevation),
-                Math.cos(elevation) * Math.sin(azimuth));
+                Math.cos(elevation) * Math.cos(azimuth), Math.sin(elevation), Math.cos(elevation) * Math.sin(azimuth));
     }
 
     @Test
@@ -35,7 +33,7 @@ class HemiOctahedronTest {
         for (Vec3 d : directions()) {
             double u = HemiOctahedron.u(d);
             double v = HemiOctahedron.v(d);
-            assertTrue(Math.abs(u) <= 1 + 1e-12 && Math.abs(v) <= 1 + 1e-12, d + ": " + u + ", " + v);
+            assertTrue(Math.abs(u) <= 1 + 1e-12 && Math.abs(v) <= 1 + 1e-12, () -> d + ": " + u + ", " + v);
             assertTrue(HemiOctahedron.direction(u, v).minus(d).length() < 1e-9, d.toString());
         }
     }
@@ -58,7 +56,7 @@ class HemiOctahedronTest {
         ViewBlend blend = ViewBlend.of(direction, SIDE);
         double[] all = new double[SIDE * SIDE];
         for (int i = 0; i < 3; i++) {
-            assertTrue(blend.weights()[i] >= -1e-12, direction.toString());
+            assertTrue(blend.weights()[i] >= -1e-12, direction::toString);
             all[blend.views()[i]] += blend.weights()[i];
         }
         return all;
@@ -77,7 +75,7 @@ class HemiOctahedronTest {
             for (Vec3 to : List.of(new Vec3(step, 0, 0), new Vec3(0, step, 0), new Vec3(0, 0, step))) {
                 double[] there = weights(d.plus(to).scaled(1 / d.plus(to).length()));
                 for (int view = 0; view < here.length; view++) {
-                    assertEquals(here[view], there[view], 20 * step, d + " towards " + to);
+                    assertEquals(here[view], there[view], 20 * step, () -> d + " towards " + to);
                 }
             }
         }

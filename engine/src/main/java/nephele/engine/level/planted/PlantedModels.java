@@ -76,8 +76,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         public Matrix4d worldFromPlant() {
             double cos = StrictMath.cos(turn) * scale;
             double sin = StrictMath.sin(turn) * scale;
-            return new Matrix4d(
-                    cos, 0, -sin, 0, 0, scale, 0, 0, sin, 0, cos, 0, foot.x(), foot.y(), foot.z(), 1);
+            return new Matrix4d(cos, 0, -sin, 0, 0, scale, 0, 0, sin, 0, cos, 0, foot.x(), foot.y(), foot.z(), 1);
         }
     }
 

@@ -72,13 +72,13 @@ final class BillboardRules {
                 && level.solids().isEmpty()
                 && level.models().stream().allMatch(ModelPlacement::isPlanted)
                 && level.terrains().isEmpty()) {
-            report.accept(Problem.error(
-                    path, "there is no ground to plant on: add a terrain, a solid or a model below it"));
+            report.accept(
+                    Problem.error(path, "there is no ground to plant on: add a terrain, a solid or a model below it"));
         }
         Billboards.HeightLimits heights = field.heightRangeMetres();
         if (heights != null && heights.low() > heights.high()) {
-            report.accept(Problem.error(
-                    path + ".heightRangeMetres", "the lowest height comes first: exchange the two"));
+            report.accept(
+                    Problem.error(path + ".heightRangeMetres", "the lowest height comes first: exchange the two"));
         }
     }
 

@@ -31,7 +31,8 @@ final class PlantClusters {
         List<List<Plant>> clusters = new ArrayList<>();
         for (int first = 0; first < sorted.size(); first += PER_CLUSTER) {
             List<Numbered> part = new ArrayList<>(sorted.subList(first, Math.min(first + PER_CLUSTER, sorted.size())));
-            part.sort(Comparator.comparingInt(each -> Pcg3d.of(each.number(), 0, 0).x()));
+            part.sort(Comparator.comparingInt(
+                    each -> Pcg3d.of(each.number(), 0, 0).x()));
             clusters.add(part.stream().map(Numbered::plant).toList());
         }
         return clusters;

@@ -79,7 +79,8 @@ final class PlantKinds implements GlObject {
         int array = surface.colour().array();
         return array < 0
                 ? null
-                : materials.colourArrays()
+                : materials
+                        .colourArrays()
                         .get(array)
                         .layers()
                         .get(surface.colour().layer());
@@ -99,9 +100,13 @@ final class PlantKinds implements GlObject {
         try {
             for (int level = 0; level < atlas.colours().size(); level++) {
                 colours.uploadLevel(
-                        level, layer, texels.clear().put(atlas.colours().get(level)).flip());
+                        level,
+                        layer,
+                        texels.clear().put(atlas.colours().get(level)).flip());
                 normals.uploadLevel(
-                        level, layer, texels.clear().put(atlas.shapes().get(level)).flip());
+                        level,
+                        layer,
+                        texels.clear().put(atlas.shapes().get(level)).flip());
             }
         } finally {
             MemoryUtil.memFree(texels);

@@ -16,13 +16,7 @@ import nephele.engine.scene.light.LightRequirements;
  * @param texels along a side of a view
  */
 public record PlantSource(
-        Same statics,
-        Same materials,
-        Same assets,
-        boolean isSkyLit,
-        Vec3 anchor,
-        PixelFormat format,
-        int texels) {
+        Same statics, Same materials, Same assets, boolean isSkyLit, Vec3 anchor, PixelFormat format, int texels) {
     /** @param impostorPixels size below which impostors are drawn */
     public static PlantSource of(Scene scene, Vec3 anchor, PixelFormat format, double impostorPixels) {
         return new PlantSource(

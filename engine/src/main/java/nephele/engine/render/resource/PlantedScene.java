@@ -2,11 +2,11 @@ package nephele.engine.render.resource;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.planted.PlantedModels;
-import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
@@ -76,10 +76,7 @@ public final class PlantedScene implements GlObject {
         Vec3 middle = plant.foot()
                 .addScaled(
                         scale,
-                        new Vec3(
-                                cos * centre.x() + sin * centre.z(),
-                                centre.y(),
-                                cos * centre.z() - sin * centre.x()));
+                        new Vec3(cos * centre.x() + sin * centre.z(), centre.y(), cos * centre.z() - sin * centre.x()));
         plant.foot().minus(anchor).put(values, FLOATS * at, plant.kind());
         values[FLOATS * at + 4] = (float) scale;
         values[FLOATS * at + 5] = (float) plant.turn();

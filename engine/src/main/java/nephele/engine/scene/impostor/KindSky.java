@@ -33,19 +33,22 @@ public record KindSky(float[] ofCorner, float[] fit) {
             firstOf[vertices[i]] = i;
         }
         float[] ofVertex = new float[firstOf.length];
-        IntStream.range(0, firstOf.length).parallel().filter(v -> firstOf[v] >= 0).forEach(v -> {
-            int triangle = firstOf[v] / 3;
-            Vec3 n = mesh.normal(triangle, firstOf[v] % 3);
-            Vec3 middle = mesh.corner(triangle, 0)
-                    .plus(mesh.corner(triangle, 1))
-                    .plus(mesh.corner(triangle, 2))
-                    .scaled(1.0 / 3);
-            Vec3 from = mesh.corner(triangle, firstOf[v] % 3)
-                    .scaled(0.9)
-                    .addScaled(0.1, middle)
-                    .addScaled(LIFT * shape.radius(), n);
-            ofVertex[v] = seen(from, n, index, corners);
-        });
+        IntStream.range(0, firstOf.length)
+                .parallel()
+                .filter(v -> firstOf[v] >= 0)
+                .forEach(v -> {
+                    int triangle = firstOf[v] / 3;
+                    Vec3 n = mesh.normal(triangle, firstOf[v] % 3);
+                    Vec3 middle = mesh.corner(triangle, 0)
+                            .plus(mesh.corner(triangle, 1))
+                            .plus(mesh.corner(triangle, 2))
+                            .scaled(1.0 / 3);
+                    Vec3 from = mesh.corner(triangle, firstOf[v] % 3)
+                            .scaled(0.9)
+                            .addScaled(0.1, middle)
+                            .addScaled(LIFT * shape.radius(), n);
+                    ofVertex[v] = seen(from, n, index, corners);
+                });
         float[] ofCorner = new float[vertices.length];
         for (int i = 0; i < vertices.length; i++) {
             ofCorner[i] = ofVertex[vertices[i]];
@@ -56,13 +59,9 @@ public record KindSky(float[] ofCorner, float[] fit) {
     /** Returns for each triangle how many samples of all views show it: what is hidden must not darken an impostor. */
     private static long[] shown(KindShape shape) {
         AtomicLongArray shown = new AtomicLongArray(shape.triangles().count());
-        IntStream.range(0, ImpostorAtlas.SIDE * ImpostorAtlas.SIDE)
-                .parallel()
-                .forEach(view -> new ViewRaster(
-                                shape,
-                                AtlasView.at(view % ImpostorAtlas.SIDE, view / ImpostorAtlas.SIDE, shape),
-                                FIT_TEXELS)
-                        .countInto(shown));
+        IntStream.range(0, ImpostorAtlas.SIDE * ImpostorAtlas.SIDE).parallel().forEach(view -> new ViewRaster(
+                        shape, AtlasView.at(view % ImpostorAtlas.SIDE, view / ImpostorAtlas.SIDE, shape), FIT_TEXELS)
+                .countInto(shown));
         return IntStream.range(0, shown.length()).mapToLong(shown::get).toArray();
     }
 
@@ -94,7 +93,8 @@ public record KindSky(float[] ofCorner, float[] fit) {
         double[][] sums = new double[4][5];
         long[] shown = shown(shape);
         for (int i = 0; i < ofCorner.length; i++) {
-            Vec3 p = shape.triangles().corner(i / 3, i % 3).minus(shape.centre()).scaled(1 / shape.radius());
+            Vec3 p =
+                    shape.triangles().corner(i / 3, i % 3).minus(shape.centre()).scaled(1 / shape.radius());
             double[] f = {1, p.y(), p.y() * p.y(), p.x() * p.x() + p.z() * p.z(), ofCorner[i]};
             for (int row = 0; row < 4; row++) {
                 for (int column = 0; column < 5; column++) {

@@ -20,8 +20,8 @@ record ViewBlend(int[] views, double[] weights) {
         double up = y - row;
         int first = column + side * row;
         int second = right > up ? first + 1 : first + side;
-        return new ViewBlend(new int[] {first, second, first + 1 + side}, new double[] {
-            1 - Math.max(right, up), Math.abs(right - up), Math.min(right, up)
-        });
+        return new ViewBlend(
+                new int[] {first, second, first + 1 + side},
+                new double[] {1 - Math.max(right, up), Math.abs(right - up), Math.min(right, up)});
     }
 }

@@ -94,13 +94,14 @@ public final class LightRequirements {
 
     /** Returns true if there is static geometry to light. */
     public static boolean hasSurfaces(Level level) {
-        return hasMeshes(level) || !level.models().isEmpty() || !level.terrains().isEmpty();
+        return hasMeshes(level)
+                || !level.models().isEmpty()
+                || !level.terrains().isEmpty();
     }
 
     /** Returns true if there are solids, or models that are not drawn as impostors. */
     public static boolean hasMeshes(Level level) {
-        return !level.solids().isEmpty()
-                || level.models().stream().anyMatch(model -> !model.impostor());
+        return !level.solids().isEmpty() || level.models().stream().anyMatch(model -> !model.impostor());
     }
 
     /** Returns true if the sky emits light and no constant replaces it. */

@@ -9,12 +9,14 @@ uniform sampler2DArray impostorShapes; // normal times coverage, and depth
 
 in vec4 places01;
 in vec2 places2;
-flat in vec4 steps01;
-flat in vec2 steps2;
+in vec4 steps01;
+in vec2 steps2;
 flat in vec4 cells01;
 flat in vec2 cells2;
 flat in vec3 viewWeights;
 flat in float atlasLayer;
+
+const int STEPS = 2;
 
 struct ImpostorTexel {
     vec4 colour; // times coverage, and coverage
@@ -27,9 +29,14 @@ vec3 atlasPlace(vec2 cell, vec2 place) {
 }
 
 void addView(vec2 cell, vec2 place, vec2 stepPerDepth, float weight, float lod, inout ImpostorTexel sum) {
-    // One step of parallax: the depth at the place where the ray meets the view's plane.
-    vec4 shape = 2.0 * textureLod(impostorShapes, atlasPlace(cell, place), lod) - 1.0;
-    sum.colour += weight * textureLod(impostorColours, atlasPlace(cell, place + stepPerDepth * shape.a), lod);
+    // Two steps of parallax: the ray meets the surface where the depth of its place is its own.
+    float depth = 2.0 * textureLod(impostorShapes, atlasPlace(cell, place), lod).a - 1.0;
+    for (int i = 1; i < STEPS; i++) {
+        depth = 2.0 * textureLod(impostorShapes, atlasPlace(cell, place + stepPerDepth * depth), lod).a - 1.0;
+    }
+    vec3 at = atlasPlace(cell, place + stepPerDepth * depth);
+    vec4 shape = 2.0 * textureLod(impostorShapes, at, lod) - 1.0;
+    sum.colour += weight * textureLod(impostorColours, at, lod);
     sum.normal += weight * shape.xyz;
     sum.depth += weight * shape.a;
 }

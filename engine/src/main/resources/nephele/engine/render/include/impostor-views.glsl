@@ -6,8 +6,8 @@ const float FILLED = 0.9375; // part of a view's side
 
 out vec4 places01; // in each of three views, 0 to 1
 out vec2 places2;
-flat out vec4 steps01; // of the places, for a depth of one radius
-flat out vec2 steps2;
+out vec4 steps01; // of the places, for a depth of one radius
+out vec2 steps2;
 flat out vec4 cells01; // corners of the views in the atlas
 flat out vec2 cells2;
 flat out vec3 viewWeights;
@@ -56,8 +56,8 @@ void chooseViews(PlantKind kind, vec3 toEye, vec3 fromCentre, vec3 ray) {
     cells2 = (cell + 1.0) / VIEWS;
     places01 = vec4(placeIn(a, fromCentre, ray), placeIn(b, fromCentre, ray));
     places2 = placeIn(c, fromCentre, ray);
-    steps01 = vec4(stepIn(a, -toEye, kind.radius), stepIn(b, -toEye, kind.radius));
-    steps2 = stepIn(c, -toEye, kind.radius);
+    steps01 = vec4(stepIn(a, ray, kind.radius), stepIn(b, ray, kind.radius));
+    steps2 = stepIn(c, ray, kind.radius);
 }
 
 // Returns the horizontal direction to the right of one who looks at a plant.

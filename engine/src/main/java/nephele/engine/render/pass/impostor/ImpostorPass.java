@@ -34,8 +34,7 @@ import nephele.engine.scene.impostor.ImpostorAtlas;
  * where they are small, and between the two each in its own pixels of a fixed pattern.
  */
 public final class ImpostorPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy);
 
     private final GlContext gl;
     private final TargetReads reads;

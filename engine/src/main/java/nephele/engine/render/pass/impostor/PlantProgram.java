@@ -102,8 +102,10 @@ final class PlantProgram {
     /** Sets the material of the meshes that are drawn next. @param lobe light that is reflected diffusely */
     void material(Surface surface, double lobe) {
         Vec3 colour = surface.material().baseColour();
-        program.uniforms().baseColour().ifPresent(uniform -> uniform.set(
-                (float) colour.x(), (float) colour.y(), (float) colour.z(), (float) lobe));
+        program.uniforms()
+                .baseColour()
+                .ifPresent(uniform ->
+                        uniform.set((float) colour.x(), (float) colour.y(), (float) colour.z(), (float) lobe));
         program.uniforms()
                 .pictureLayer()
                 .ifPresent(uniform -> uniform.set(surface.colour().layer()));

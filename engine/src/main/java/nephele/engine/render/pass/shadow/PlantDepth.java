@@ -50,7 +50,8 @@ final class PlantDepth {
         Scene scene = context.scene();
         PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
         Vec3 anchor = context.shared().surfaceLight().anchor();
-        PlantSource source = PlantSource.of(scene, anchor, format, context.quality().impostorPixels());
+        PlantSource source =
+                PlantSource.of(scene, anchor, format, context.quality().impostorPixels());
         plants = context.share(PlantedScene.class, source, () -> new PlantedScene(gl, scene, source));
         list = context.own(new PlantList(gl));
         quads = context.own(new BillboardList(gl));
@@ -82,8 +83,7 @@ final class PlantDepth {
         return new GlProgram<>(
                 gl,
                 ShaderSource.load(
-                        FOLDER + "impostor-depth.vert",
-                        Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET))),
+                        FOLDER + "impostor-depth.vert", Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET))),
                 ShaderSource.load(FOLDER + "impostor-depth.frag", Map.of()),
                 uniforms -> {
                     tie(uniforms);
