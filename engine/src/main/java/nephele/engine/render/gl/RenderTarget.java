@@ -294,6 +294,17 @@ public final class RenderTarget implements GlObject {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 
+    /** Clears the depth of some pixels, and limits what follows to them until {@code DrawState.noScissor}. */
+    public void clearDepth(Texture.Region part) {
+        bind();
+        gl.state().scissor(part.x(), part.y(), part.width(), part.height());
+        gl.state().allowDepthClear();
+        if (gl.state().listener() != null) {
+            gl.state().listener().cleared(null);
+        }
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+
     /** Copies the colours as {@link #copyTo(RenderTarget, CopiedPlanes)} does. */
     public void copyTo(RenderTarget target) {
         copyTo(target, CopiedPlanes.COLOUR);
