@@ -233,10 +233,7 @@ public final class RenderTarget implements GlObject {
         return depth;
     }
 
-    /**
-     * Returns the format of the colours: for the window the nearest to the system's choice, {@code null} for depth
-     * alone.
-     */
+    /** Returns the format of the colours: for the window nearly the system's, {@code null} for depth alone. */
     public PixelFormat format() {
         return format;
     }
@@ -285,19 +282,13 @@ public final class RenderTarget implements GlObject {
 
     /** Binds and sets every depth to the farthest. */
     public void clearDepth() {
-        bind();
         gl.state().noScissor();
-        gl.state().allowDepthClear();
-        if (gl.state().listener() != null) {
-            gl.state().listener().cleared(null);
-        }
-        glClear(GL_DEPTH_BUFFER_BIT);
+        clearDepthWithinScissor();
     }
 
-    /** Clears the depth of some pixels, and limits what follows to them until {@code DrawState.noScissor}. */
-    public void clearDepth(Texture.Region part) {
+    /** Binds and sets the depths that the scissor leaves to the farthest. */
+    public void clearDepthWithinScissor() {
         bind();
-        gl.state().scissor(part.x(), part.y(), part.width(), part.height());
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
             gl.state().listener().cleared(null);

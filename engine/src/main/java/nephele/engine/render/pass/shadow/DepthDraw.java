@@ -59,13 +59,14 @@ final class DepthDraw {
     }
 
     /**
-     * Draws a part of a sun's picture again.
+     * Draws a part of a sun's picture again, and leaves the scissor at it.
      *
      * @param within what can be seen in the part
      */
     void drawPart(RenderTarget target, Texture.Region part, Frustum within, Matrix4d clipFromAnchor, Vec3 anchor) {
         visible.find(within);
-        target.clearDepth(part);
+        context.gl().state().scissor(part.x(), part.y(), part.width(), part.height());
+        target.clearDepthWithinScissor();
         drawSolids(clipFromAnchor, anchor, 0);
         terrains.draw(within, clipFromAnchor, anchor, 0);
     }
