@@ -73,6 +73,17 @@ class TerrainFilesTest {
     }
 
     @Test
+    void aLevelThatIsSavedElsewhereTakesItsMapAlong() throws IOException {
+        run(session, STROKE);
+        short[] painted = heights(session).clone();
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere")).resolve("other.json");
+        run(session, "save-as file=" + elsewhere);
+        session.maps().discard();
+        assertArrayEquals(painted, heights(new PaintedLevel(elsewhere).open()));
+        assertArrayEquals(painted, heights(session));
+    }
+
+    @Test
     void aSavedStrokeIsOpenedAgainAndGoesIntoPackages() {
         run(session, STROKE);
         short[] painted = heights(session).clone();

@@ -3,6 +3,7 @@ package nephele.editor.terrain;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
@@ -30,7 +31,9 @@ public final class PaintedMaps {
     private final Supplier<Optional<Path>> levelFile;
     /** The latest maps by their ids. */
     private final Map<String, HeightMap> known = new LinkedHashMap<>();
-    /** Files of this session that no saved level has named. */
+    /** The files of this session's maps by their ids. */
+    private final Map<String, Path> written = new HashMap<>();
+    /** Those that no saved level has named. */
     private final Set<Path> unsaved = new LinkedHashSet<>();
 
     private long shown;
@@ -84,17 +87,36 @@ public final class PaintedMaps {
         if (!Files.exists(file)) {
             AtomicFile.write(file, content);
             unsaved.add(file);
+            written.put(id, file);
         }
         synchronized (this) {
             return remember(id, map);
         }
     }
 
-    /** Notes that a level was saved to the level's file: the files that it names stay. */
+    /** Notes that a level was saved: this session's maps that it names stay, and are copied to a level elsewhere. */
     public void saved(Level level) {
-        if (!unsaved.isEmpty()) {
-            levelFile.get().ifPresent(file -> NamedAssets.of(level)
-                    .forEach(id -> unsaved.remove(file.resolveSibling(id))));
+        Optional<Path> saved = levelFile.get();
+        if (written.isEmpty() || saved.isEmpty()) {
+            return;
+        }
+        for (String id : NamedAssets.of(level)) {
+            Path file = written.get(id);
+            if (file != null) {
+                unsaved.remove(file);
+                copy(file, saved.get().resolveSibling(id));
+            }
+        }
+    }
+
+    private static void copy(Path file, Path place) {
+        try {
+            if (!Files.exists(place)) {
+                AtomicFile.write(place, Files.readAllBytes(file));
+            }
+        } catch (IOException missing) {
+            // The check of the level names the file that is missing beside it; the map itself stays where it is.
+            return;
         }
     }
 
