@@ -55,7 +55,7 @@ public final class TerrainSky {
     public static TerrainSky of(HeightField field) {
         int points = points(field.cellColumns()) * points(field.cellRows());
         TerrainSky made = new TerrainSky(field, new float[AZIMUTHS * points], new byte[points]);
-        made.find((x, z) -> true, (x, z, azimuth) -> true);
+        made.find((x, z) -> true, (x, y, z, azimuth, horizon) -> true);
         return made;
     }
 
@@ -67,8 +67,11 @@ public final class TerrainSky {
         }
         TerrainSky made = new TerrainSky(field, before.tangents.clone(), before.values.clone());
         if (!changed.get().isEmpty()) {
-            SeenChange seen = SeenChange.of(field, changed.get());
-            made.find(seen::isAt, (x, z, azimuth) -> seen.isAlong(x, z, TOWARDS_X[azimuth], TOWARDS_Z[azimuth]));
+            SeenChange seen = SeenChange.of(before.field, field, changed.get());
+            made.find(
+                    seen::isAt,
+                    (x, y, z, azimuth, horizon) ->
+                            seen.changesHorizon(x, y, z, TOWARDS_X[azimuth], TOWARDS_Z[azimuth], horizon));
         }
         return made;
     }
@@ -78,7 +81,7 @@ public final class TerrainSky {
     }
 
     private interface DirectionTest {
-        boolean holds(double x, double z, int azimuth);
+        boolean holds(double x, double y, double z, int azimuth, float horizon);
     }
 
     private void find(PlaceTest isChanged, DirectionTest isSeen) {
@@ -93,11 +96,11 @@ public final class TerrainSky {
 
     private void find(int point, double x, double z, boolean isWholly, DirectionTest isSeen) {
         boolean isOther = isWholly;
-        double y = Double.NaN;
+        double y = groundAt(field, x, z);
         for (int i = 0; i < AZIMUTHS; i++) {
-            if (isWholly || isSeen.holds(x, z, i)) {
-                y = Double.isNaN(y) ? groundAt(field, x, z) : y;
-                tangents[AZIMUTHS * point + i] = (float) horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]);
+            int at = AZIMUTHS * point + i;
+            if (isWholly || isSeen.holds(x, y, z, i, tangents[at])) {
+                tangents[at] = (float) horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]);
                 isOther = true;
             }
         }
