@@ -10,7 +10,6 @@ import java.util.function.IntBinaryOperator;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
-import nephele.engine.level.Terrain;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.level.placed.PlacedLevel;
@@ -41,15 +40,16 @@ class TerrainEditGlTest {
             .file("c.r16", map((column, row) -> TestTerrain.wavy(column, row) - bump(column, row, 128, 40, 9000)))
             .file("d.r16", map((column, row) -> 65535 - TestTerrain.wavy(column, row)));
 
+    /** Its records are the same in all versions, so that an edit changes the terrain alone. */
+    private static final Level BASE = new TestLevel()
+            .castingSun(new Vec3(0.8, 0.35, 0.3), 3)
+            .sky(new Sky.Constant(new Vec3(0.4, 0.6, 0.9)))
+            .material("wall", new Vec3(0.7, 0.7, 0.7))
+            .box("wall", new Vec3(4, 5, 0), new Vec3(1, 12, 8))
+            .level();
+
     private static Level level(String map) {
-        Terrain rolling = TestTerrain.said("t", map);
-        return new TestLevel()
-                .castingSun(new Vec3(0.8, 0.35, 0.3), 3)
-                .sky(new Sky.Constant(new Vec3(0.4, 0.6, 0.9)))
-                .material("wall", new Vec3(0.7, 0.7, 0.7))
-                .box("wall", new Vec3(4, 5, 0), new Vec3(1, 12, 8))
-                .level()
-                .withTerrains(List.of(rolling));
+        return BASE.withTerrains(List.of(TestTerrain.said("t", map)));
     }
 
     private static View view(Offscreen offscreen) {
