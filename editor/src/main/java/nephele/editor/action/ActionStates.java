@@ -51,6 +51,7 @@ public final class ActionStates {
         return ("tool-" + session.toolEntry().id()).equals(action)
                 || ProvingActions.isOn(session, action)
                 || VIEWS.getOrDefault(action, any -> false).test(session)
-                || OptionActions.CHOSEN.getOrDefault(action, any -> false).test(session);
+                || OptionActions.CHOSEN.getOrDefault(action, any -> false).test(session)
+                || TerrainActions.CHOSEN.getOrDefault(action, any -> false).test(session);
     }
 }

@@ -15,6 +15,7 @@ public final class Actions {
                     TextureActions.ALL,
                     ViewActions.ALL,
                     OptionActions.ALL,
+                    TerrainActions.ALL,
                     ToolActions.ALL,
                     PlayActions.ALL,
                     ProvingActions.ALL,

@@ -10,6 +10,8 @@ final class OptionDrawings {
     private static final String PORTALABLE = "*4,8 12,12 12,20 4,16 z|" + CUBE;
     private static final String SCREEN = "3,5 21,5 21,19 3,19 z";
 
+    private static final String GROUND = "2.5,20 6,19 9,15.5 12,14.5 15,15.5 18,19 21.5,20 z";
+
     static final Map<String, String> ALL = Map.ofEntries(
             Map.entry(
                     "lit",
@@ -46,6 +48,17 @@ final class OptionDrawings {
             Map.entry("keep-behind", FRAME + "|*4,4 4,20 20,20 z|4,4 20,20"),
             Map.entry("keep-front", FRAME + "|*4,4 20,4 20,20 z|4,4 20,20"),
             Map.entry("keep-both", "*4,6 4,20 18,20 z|*6,4 20,4 20,18 z"),
+            Map.entry("terrain-raise", GROUND + "|12,12 12,3|8.5,6.5 12,3 15.5,6.5"),
+            Map.entry("terrain-lower", GROUND + "|12,3 12,12|8.5,8.5 12,12 15.5,8.5"),
+            Map.entry(
+                    "terrain-smooth",
+                    "2.5,15 6,11 10,10 14,13 18,14 21.5,11|2.5,20 21.5,20|*2.5,15 6,11 10,10 14,13 18,14 21.5,11"
+                            + " 21.5,20 2.5,20 z"),
+            Map.entry("terrain-flatten", "*2.5,13 21.5,13 21.5,20 2.5,20 z|5,13 8,7 11,13|14,13 16.5,9 19,13"),
+            Map.entry("terrain-smaller", "o 12,12,9|*o 12,12,3"),
+            Map.entry("terrain-larger", "o 12,12,9|*o 12,12,7"),
+            Map.entry("terrain-weaker", "4,18 20,18|*4,18 20,18 20,15.5 z"),
+            Map.entry("terrain-stronger", "4,18 20,18|*4,18 20,18 20,4 z"),
             Map.entry("new-portalable", "4,3 20,3 20,21 4,21 z|*12,6 15,8.5 16,12 15,15.5 12,18 9,15.5 8,12 9,8.5 z"),
             Map.entry("texture-lock", "*5,11 19,11 19,21 5,21 z|8,11 8,7 9.5,4.5 12,3.5 14.5,4.5 16,7 16,11"),
             Map.entry("texture-pick", "4,20 5,16 13,8 16,11 8,19 z|*12,6 14,4 20,10 18,12 z|*15,5 18,3 21,6 19,9 z"),

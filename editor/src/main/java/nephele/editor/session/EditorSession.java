@@ -16,6 +16,7 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
+import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -36,6 +37,7 @@ public final class EditorSession {
     private final ToolContext context;
     private final Proving proving;
     private final ToolDrag drag;
+    private final PaintedMaps maps = new PaintedMaps(() -> file().path());
     private final List<SessionListener> listeners = new ArrayList<>();
     private Filing filing = Filing.ofThisUser();
     private EditorSettings settings;
@@ -53,10 +55,10 @@ public final class EditorSession {
     /** @param assets of the level's file; an untitled level has those of the working folder */
     public EditorSession(DocumentFile file, Level level, AssetSource assets, EditorSettings settings) {
         this.file = file;
-        this.assets = assets;
+        this.assets = maps.over(assets);
         this.settings = settings;
         document = new Document(level);
-        context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets));
+        context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets), maps);
         proving = new Proving(new ProvedSession(this));
         drag = new ToolDrag(this);
         document.listen((before, after) -> tell(Change.DOCUMENT));
@@ -108,12 +110,18 @@ public final class EditorSession {
         return assets;
     }
 
+    /** Returns what strokes on terrains have made. */
+    public PaintedMaps maps() {
+        return maps;
+    }
+
     /** Replaces the open level by another one with an empty history. */
     public void open(DocumentFile otherFile, Level level, AssetSource otherAssets) {
         drag.cancel();
         tool.cancel();
+        maps.discard();
         file = otherFile;
-        assets = otherAssets;
+        assets = maps.over(otherAssets);
         document.reset(level);
         tell(Change.FILE);
     }
@@ -122,6 +130,7 @@ public final class EditorSession {
     public void saved(DocumentFile savedTo) {
         file = savedTo;
         document.markSaved();
+        maps.saved(document.level());
         tell(Change.FILE);
     }
 
@@ -141,7 +150,7 @@ public final class EditorSession {
 
     /** Makes the pictures and meshes be read again, since a file has changed. */
     public void reloadAssets(AssetSource fresh) {
-        assets = fresh;
+        assets = maps.over(fresh);
         tell(Change.VIEW);
     }
 

@@ -26,7 +26,7 @@ public final class ScriptedEditing {
         session.viewport(VIEWPORT);
     }
 
-    /** Runs the lines in order; returns the first that failed, as {@code LINE: reason}, or empty if all succeeded. */
+    /** Runs the lines in order and ends the session; returns the failed one as {@code LINE: reason}, or empty. */
     public Optional<String> run(List<String> lines) {
         ScriptDesk desk = new ScriptDesk(this::picture);
         ScriptRunner script = new ScriptRunner(session, desk);
@@ -34,9 +34,11 @@ public final class ScriptedEditing {
             try {
                 script.run(lines.get(i));
             } catch (ActionFailure failure) {
+                session.maps().discard();
                 return Optional.of((i + 1) + ": " + failure.told().in(session.language()));
             }
         }
+        session.maps().discard();
         return Optional.empty();
     }
 

@@ -8,6 +8,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.pick.Grid;
 import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Picker;
+import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -19,12 +20,13 @@ public final class ToolContext {
     private final Supplier<Grid> grid;
     private final Consumer<Words> status;
     private final Supplier<Optional<AssetSource>> assets;
+    private final PaintedMaps maps;
     private LevelShapes shapes;
     private Level shapesOf;
 
     /** Creates a context without files: tools then take no notice of models. */
     public ToolContext(Document document, ToolOptions options, Supplier<Grid> grid, Consumer<Words> status) {
-        this(document, options, grid, status, Optional::empty);
+        this(document, options, grid, status, Optional::empty, new PaintedMaps(Optional::empty));
     }
 
     /**
@@ -32,18 +34,21 @@ public final class ToolContext {
      *
      * @param status receives messages for the status bar, such as why an edit is refused
      * @param assets the files of the level
+     * @param maps what strokes on terrains make
      */
     public ToolContext(
             Document document,
             ToolOptions options,
             Supplier<Grid> grid,
             Consumer<Words> status,
-            Supplier<Optional<AssetSource>> assets) {
+            Supplier<Optional<AssetSource>> assets,
+            PaintedMaps maps) {
         this.document = document;
         this.options = options;
         this.grid = grid;
         this.status = status;
         this.assets = assets;
+        this.maps = maps;
         shapes = LevelShapes.of(document.level());
         shapesOf = document.level();
     }
@@ -67,6 +72,11 @@ public final class ToolContext {
     /** Returns the files of the level; empty if they are not known. */
     public Optional<AssetSource> assets() {
         return assets.get();
+    }
+
+    /** Returns what strokes on terrains make. */
+    public PaintedMaps maps() {
+        return maps;
     }
 
     /** Returns the shapes of what is shown, a drag in progress included. */

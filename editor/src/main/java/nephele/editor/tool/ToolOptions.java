@@ -6,6 +6,7 @@ import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.brush.TextureLock;
 import nephele.editor.paint.MaterialLibrary;
+import nephele.editor.terrain.TerrainBrush;
 import nephele.engine.level.Level;
 import nephele.engine.level.TextureMapping;
 
@@ -30,6 +31,7 @@ public final class ToolOptions {
     private String section = "bodies";
     private String kind = "box";
     private boolean textureLocked = true;
+    private TerrainBrush terrainBrush = TerrainBrush.INITIAL;
 
     public Set<Snapping> snapping() {
         return snapping;
@@ -81,6 +83,15 @@ public final class ToolOptions {
     public void entity(String newSection, String newKind) {
         section = newSection;
         kind = newKind;
+    }
+
+    /** Returns the brush of the terrain tool. */
+    public TerrainBrush terrainBrush() {
+        return terrainBrush;
+    }
+
+    public void terrainBrush(TerrainBrush next) {
+        terrainBrush = next;
     }
 
     /** Returns whether textures stay fixed to a brush that moves. */

@@ -13,6 +13,7 @@ import nephele.editor.tool.portal.PortalTool;
 import nephele.editor.tool.portalable.PortalableTool;
 import nephele.editor.tool.select.SelectTool;
 import nephele.editor.tool.sun.SunTool;
+import nephele.editor.tool.terrain.TerrainTool;
 import nephele.editor.tool.transform.TransformTool;
 import nephele.editor.tool.vertex.VertexTool;
 
@@ -31,6 +32,7 @@ public final class Tools {
             PortalTool.ENTRY,
             PaintTool.ENTRY,
             PortalableTool.ENTRY,
+            TerrainTool.ENTRY,
             SunTool.ENTRY,
             MeasureTool.ENTRY);
 

@@ -22,11 +22,28 @@ final class ToolBarOptions {
             "texture-top",
             "texture-middle",
             "texture-bottom",
-            "texture-reset");
+            "texture-reset",
+            "terrain-smaller",
+            "terrain-larger",
+            "terrain-weaker",
+            "terrain-stronger");
+
+    private static final List<String> TEXTURES =
+            MOMENTARY.stream().filter(id -> id.startsWith("texture-")).toList();
 
     private static final List<String> TEXTURE_LOCK = List.of("texture-lock");
 
     private static final Map<String, List<String>> OF_TOOL = Map.of(
+            "terrain",
+            List.of(
+                    "terrain-raise",
+                    "terrain-lower",
+                    "terrain-smooth",
+                    "terrain-flatten",
+                    "terrain-smaller",
+                    "terrain-larger",
+                    "terrain-weaker",
+                    "terrain-stronger"),
             "brush",
             List.of(
                     "shape-box",
@@ -39,7 +56,7 @@ final class ToolBarOptions {
             "clip",
             List.of("keep-behind", "keep-front", "keep-both"),
             "paint",
-            Stream.concat(MOMENTARY.stream(), TEXTURE_LOCK.stream()).toList(),
+            Stream.concat(TEXTURES.stream(), TEXTURE_LOCK.stream()).toList(),
             "portalable",
             List.of("new-portalable"),
             "select",

@@ -2,6 +2,7 @@ package nephele.engine.asset;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 /** A source of a level's pictures, meshes and grids. */
 public interface AssetSource {
@@ -12,6 +13,16 @@ public interface AssetSource {
      * @throws AssetException if the asset is missing, unreadable, too large or outside of the source
      */
     byte[] bytes(String assetId) throws AssetException;
+
+    /**
+     * Returns what an asset decodes to. A source may know it without its bytes.
+     *
+     * @param decode from the id, which names the asset in errors, and the bytes
+     * @throws AssetException as {@link #bytes} and {@code decode} do
+     */
+    default <T> T decoded(String assetId, Class<T> kind, BiFunction<String, byte[], T> decode) throws AssetException {
+        return decode.apply(assetId, bytes(assetId));
+    }
 
     /** Returns the reason why a name is never looked up, or {@code null} if it is. */
     default String objection(String assetId) {

@@ -30,6 +30,13 @@ public final class HeightMapFile {
         }
     }
 
+    /** Returns the file of a map: a grey PNG of 16 bits, which reads back as the same values. */
+    public static byte[] png(HeightMap map) {
+        ByteBuffer samples = ByteBuffer.allocate(2 * map.values().length);
+        samples.asShortBuffer().put(map.values());
+        return PngEncoder.file(new PngFile.Header(map.columns(), map.rows(), 16, 0, 0), samples.array());
+    }
+
     private static HeightMap raw(String assetId, byte[] bytes) {
         PictureFormat format = PictureFormat.of(assetId, bytes);
         if (format != null) {

@@ -52,6 +52,11 @@ public record Terrain(
         }
     }
 
+    /** Returns this terrain with another height map. */
+    public Terrain withHeightMap(String file) {
+        return new Terrain(id, file, centre, sizeMetres, heightRangeMetres, layers, portalable);
+    }
+
     /** Returns this terrain with other layers. */
     public Terrain withLayers(List<Layer> others) {
         return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, others, portalable);

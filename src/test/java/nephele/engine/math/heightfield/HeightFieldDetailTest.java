@@ -1,10 +1,12 @@
 package nephele.engine.math.heightfield;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
@@ -159,5 +161,49 @@ class HeightFieldDetailTest {
         DetailTiles tiles = everywhere(DetailRanges.of(HeightFieldDetail.of(flat), 600), view(0, 20, 0, 0));
         int triangles = 2 * 64 * tiles.count();
         assertTrue(triangles < flat.triangles() / 8, "triangles: " + triangles);
+    }
+
+    /** After an edit, only tiles with other heights are measured; the result is that of a new field. */
+    @Test
+    void anEditMeasuresWhatANewFieldHas() {
+        HeightField before = noise(129, 100);
+        HeightFieldDetail known = HeightFieldDetail.of(before);
+        for (int[] at : new int[][] {{0, 0}, {64, 64}, {63, 8}, {128, 99}, {17, 96}}) {
+            HeightField after = HeightField.of(
+                    before.origin(),
+                    before.cellX(),
+                    before.cellZ(),
+                    129,
+                    100,
+                    (column, row) ->
+                            before.height(column, row) + (Math.hypot(column - at[0], row - at[1]) < 3 ? 7.5 : 0));
+            HeightFieldDetail edited = HeightFieldDetail.edited(known, after);
+            HeightFieldDetail fresh = HeightFieldDetail.of(after);
+            for (int level = 0; level <= fresh.top(); level++) {
+                assertArrayEquals(
+                        fresh.tiles(level).error(), edited.tiles(level).error());
+                assertArrayEquals(
+                        fresh.tiles(level).coarserError(), edited.tiles(level).coarserError());
+                assertArrayEquals(fresh.tiles(level).step(), edited.tiles(level).step());
+                assertArrayEquals(
+                        fresh.tiles(level).spread(), edited.tiles(level).spread());
+            }
+        }
+    }
+
+    @Test
+    void differencesOfFieldsAreFound() {
+        HeightField before = noise(40, 30);
+        assertEquals(Optional.of(SampleRange.NONE), before.difference(before.at(new Vec3(5, 6, 7))));
+        assertEquals(Optional.empty(), before.difference(noise(40, 31)));
+        HeightField after = HeightField.of(
+                before.origin(),
+                before.cellX(),
+                before.cellZ(),
+                40,
+                30,
+                (column, row) ->
+                        before.height(column, row) + (column == 7 && row == 3 || column == 39 && row == 12 ? 1 : 0));
+        assertEquals(Optional.of(new SampleRange(7, 3, 39, 12)), after.difference(before));
     }
 }

@@ -162,6 +162,7 @@ public final class WindowFiles implements AutoCloseable {
         if (journal != null) {
             pictures.close();
             journal.close();
+            session.maps().discard();
         }
         background.shutdown();
     }

@@ -50,7 +50,8 @@ final class Grounds {
                 return isSame ? known : new StaticShape.HeightGrid(index, said, field);
             }
         }
-        HeightMap map = maps.computeIfAbsent(said.heightMap(), file -> HeightMapFile.read(file, assets.bytes(file)));
+        HeightMap map = maps.computeIfAbsent(
+                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
         return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map));
     }
 }

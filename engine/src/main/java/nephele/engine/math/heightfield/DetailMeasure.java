@@ -28,6 +28,13 @@ final class DetailMeasure {
         }
     }
 
+    /** Measures a tile; the last samples of a field may begin a tile that does not exist. */
+    void measureIfThere(int column, int row) {
+        if (column < tiles.columns() && row < tiles.rows()) {
+            measure(column, row);
+        }
+    }
+
     private void measure(int column, int row) {
         int at = row * tiles.columns() + column;
         int width = HeightFieldDetail.TILE_CELLS * fine;

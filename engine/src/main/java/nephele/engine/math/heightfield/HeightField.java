@@ -1,5 +1,7 @@
 package nephele.engine.math.heightfield;
 
+import java.util.Arrays;
+import java.util.Optional;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
@@ -132,6 +134,36 @@ public final class HeightField {
                     + ": heights are numbers of metres, at most " + FARTHEST_METRES + " above or below the origin");
         }
         return height;
+    }
+
+    /**
+     * Returns a rectangle with all samples whose heights differ from those of another field; empty if the grids of the
+     * two are of different sizes.
+     */
+    public Optional<SampleRange> difference(HeightField other) {
+        if (columns != other.columns || rows != other.rows || cellX != other.cellX || cellZ != other.cellZ) {
+            return Optional.empty();
+        }
+        return Optional.of(heights == other.heights ? SampleRange.NONE : differing(other));
+    }
+
+    private SampleRange differing(HeightField other) {
+        int[] ends = {columns, rows, -1, -1};
+        for (int row = 0; row < rows; row++) {
+            int from = row * columns;
+            int first = Arrays.mismatch(heights, from, from + columns, other.heights, from, from + columns);
+            if (first >= 0) {
+                int last = columns - 1;
+                while (last > first && heights[from + last] == other.heights[from + last]) {
+                    last--;
+                }
+                ends[0] = Math.min(ends[0], first);
+                ends[1] = Math.min(ends[1], row);
+                ends[2] = Math.max(ends[2], last);
+                ends[3] = row;
+            }
+        }
+        return ends[3] < 0 ? SampleRange.NONE : new SampleRange(ends[0], ends[1], ends[2], ends[3]);
     }
 
     /** Returns the number of triangles, two for each cell. */

@@ -1,5 +1,6 @@
 package nephele.engine.math.heightfield;
 
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -26,6 +27,11 @@ public final class HeightFieldDetail {
      * @param spread greatest distance of two points of the surface above a cell of the next coarser level
      */
     record Tiles(int columns, int rows, float[] error, float[] coarserError, float[] step, float[] spread) {
+        Tiles copy() {
+            return new Tiles(
+                    columns, rows, new float[error.length], coarserError.clone(), step.clone(), spread.clone());
+        }
+
         static Tiles empty(int columns, int rows) {
             int count = columns * rows;
             return new Tiles(columns, rows, new float[count], new float[count], new float[count], new float[count]);
@@ -58,6 +64,38 @@ public final class HeightFieldDetail {
             }
         }
         return new HeightFieldDetail(field, levels);
+    }
+
+    /** Measures a field of which another's levels are known: only the tiles with different heights. */
+    public static HeightFieldDetail edited(HeightFieldDetail before, HeightField field) {
+        Optional<SampleRange> changed = field.difference(before.field);
+        if (changed.isEmpty()) {
+            return of(field);
+        }
+        Tiles[] levels = new Tiles[before.levels.length];
+        for (int level = 0; level < levels.length; level++) {
+            levels[level] = before.levels[level].copy();
+            if (level > 0) {
+                gatherErrors(levels[level - 1], levels[level]);
+            }
+            if (level < levels.length - 1) {
+                remeasure(new DetailMeasure(field, level, levels[level]), changed.get(), TILE_CELLS << level);
+            }
+        }
+        return new HeightFieldDetail(field, levels);
+    }
+
+    /** @param width cells of a tile along a side; neighbours share the samples of their border */
+    private static void remeasure(DetailMeasure measure, SampleRange changed, int width) {
+        if (!changed.isEmpty()) {
+            int firstRow = Math.max(0, (changed.firstRow() - 1) / width);
+            int firstColumn = Math.max(0, (changed.firstColumn() - 1) / width);
+            for (int row = firstRow; row <= changed.lastRow() / width; row++) {
+                for (int column = firstColumn; column <= changed.lastColumn() / width; column++) {
+                    measure.measureIfThere(column, row);
+                }
+            }
+        }
     }
 
     private static int tiles(int cells, int level) {

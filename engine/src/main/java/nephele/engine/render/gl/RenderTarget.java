@@ -233,10 +233,7 @@ public final class RenderTarget implements GlObject {
         return depth;
     }
 
-    /**
-     * Returns the format of the colours: for the window the nearest to the system's choice, {@code null} for depth
-     * alone.
-     */
+    /** Returns the format of the colours: for the window nearly the system's, {@code null} for depth alone. */
     public PixelFormat format() {
         return format;
     }
@@ -285,8 +282,13 @@ public final class RenderTarget implements GlObject {
 
     /** Binds and sets every depth to the farthest. */
     public void clearDepth() {
-        bind();
         gl.state().noScissor();
+        clearDepthWithinScissor();
+    }
+
+    /** Binds and sets the depths that the scissor leaves to the farthest. */
+    public void clearDepthWithinScissor() {
+        bind();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
             gl.state().listener().cleared(null);

@@ -1,6 +1,7 @@
 package nephele.engine.render.gl;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -78,6 +79,14 @@ public final class SharedObjects {
         Held known = held.get(key);
         known.holders++;
         return new Share<>(key, kind.cast(known.object));
+    }
+
+    /** Returns what is held of a kind, in no particular order. */
+    public <T> List<T> all(Class<T> kind) {
+        return held.entrySet().stream()
+                .filter(entry -> entry.getKey().kind() == kind)
+                .map(entry -> kind.cast(entry.getValue().object))
+                .toList();
     }
 
     private void letGo(Key key) {

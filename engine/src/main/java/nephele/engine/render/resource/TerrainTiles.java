@@ -39,7 +39,7 @@ public final class TerrainTiles implements GlObject {
     private FloatBuffer values = MemoryUtil.memAllocFloat(DetailTiles.FLOATS * 256);
 
     public TerrainTiles(GlContext gl, HeightField field) {
-        detail = HeightFieldDetail.of(field);
+        detail = detail(gl, field);
         int cells = HeightFieldDetail.TILE_CELLS;
         mesh = new GpuMesh(
                 gl,
@@ -48,6 +48,13 @@ public final class TerrainTiles implements GlObject {
                 TerrainMesh.corners(cells, cells),
                 TerrainMesh.cells(cells, cells));
         instances = BufferTexture.changing(gl, "terrain tiles");
+    }
+
+    /** Measures a field; only where it differs from one of the same size that is on the GPU, as after an edit. */
+    private static HeightFieldDetail detail(GlContext gl, HeightField field) {
+        return Similar.of(gl.shared().all(TerrainTiles.class), tiles -> tiles.detail.field(), field)
+                .map(tiles -> HeightFieldDetail.edited(tiles.detail, field))
+                .orElseGet(() -> HeightFieldDetail.of(field));
     }
 
     /** Returns the eye of a view. */

@@ -1,55 +1,159 @@
 package nephele.engine.scene.light;
 
+import java.util.Optional;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
+import nephele.engine.math.heightfield.SampleRange;
 
 /**
  * The sky visibility of a terrain: at points of a grid, the cosine-weighted share of the hemisphere about the smooth
  * normal that the terrain's own heights leave open. In each of {@link #AZIMUTHS} directions it finds the horizon (Max
  * 1988, "Horizon mapping") and integrates the cosine above it in closed form. Other shapes are left out.
- *
- * @param values row by row from the least z, 0 to 255 for 0 to 1
  */
-public record TerrainSky(int columns, int rows, byte[] values) {
+public final class TerrainSky {
     /** The most points along a side. */
     private static final int MOST_POINTS = 257;
 
     private static final int AZIMUTHS = 16;
+    private static final double[] TOWARDS_X = new double[AZIMUTHS];
+    private static final double[] TOWARDS_Z = new double[AZIMUTHS];
+
+    static {
+        for (int i = 0; i < AZIMUTHS; i++) {
+            double angle = 2 * Math.PI * (i + 0.5) / AZIMUTHS;
+            TOWARDS_X[i] = Math.cos(angle);
+            TOWARDS_Z[i] = Math.sin(angle);
+        }
+    }
 
     /** The factor by which the steps along a direction grow, from the second cell on. */
     private static final double GROWTH = 1.3;
 
+    private final HeightField field;
+    private final int columns;
+    private final int rows;
+    /** Of the horizons' elevations, in all directions of each point. */
+    private final float[] tangents;
+
+    private final byte[] values;
+
+    private TerrainSky(HeightField field, float[] tangents, byte[] values) {
+        this.field = field;
+        columns = points(field.cellColumns());
+        rows = points(field.cellRows());
+        this.tangents = tangents;
+        this.values = values;
+    }
+
+    private static int points(int cells) {
+        return Math.min(cells + 1, MOST_POINTS);
+    }
+
     /** Finds the visibility at the field's samples, or at fewer points of a large one. */
     public static TerrainSky of(HeightField field) {
-        int columns = Math.min(field.cellColumns() + 1, MOST_POINTS);
-        int rows = Math.min(field.cellRows() + 1, MOST_POINTS);
-        byte[] values = new byte[columns * rows];
+        int points = points(field.cellColumns()) * points(field.cellRows());
+        TerrainSky made = new TerrainSky(field, new float[AZIMUTHS * points], new byte[points]);
+        made.find((x, z) -> true, (x, y, z, azimuth, horizon) -> true);
+        return made;
+    }
+
+    /** Finds the visibility of a field from that of another one: again only where different heights can be seen. */
+    public static TerrainSky edited(TerrainSky before, HeightField field) {
+        Optional<SampleRange> changed = field.difference(before.field);
+        if (changed.isEmpty() || !field.origin().equals(before.field.origin())) {
+            return of(field);
+        }
+        TerrainSky made = new TerrainSky(field, before.tangents.clone(), before.values.clone());
+        if (!changed.get().isEmpty()) {
+            SeenChange seen = SeenChange.of(before.field, field, changed.get());
+            made.find(
+                    seen::isAt,
+                    (x, y, z, azimuth, horizon) ->
+                            seen.changesHorizon(x, y, z, TOWARDS_X[azimuth], TOWARDS_Z[azimuth], horizon));
+        }
+        return made;
+    }
+
+    private interface PlaceTest {
+        boolean holds(double x, double z);
+    }
+
+    private interface DirectionTest {
+        boolean holds(double x, double y, double z, int azimuth, float horizon);
+    }
+
+    private void find(PlaceTest isChanged, DirectionTest isSeen) {
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
                 double x = field.x(0) + field.cellX() * field.cellColumns() * column / (columns - 1);
                 double z = field.z(0) + field.cellZ() * field.cellRows() * row / (rows - 1);
-                values[row * columns + column] = (byte) Math.round(255 * share(field, x, z));
+                find(row * columns + column, x, z, isChanged.holds(x, z), isSeen);
             }
         });
-        return new TerrainSky(columns, rows, values);
+    }
+
+    private void find(int point, double x, double z, boolean isWholly, DirectionTest isSeen) {
+        boolean isOther = isWholly;
+        double y = groundAt(field, x, z);
+        for (int i = 0; i < AZIMUTHS; i++) {
+            int at = AZIMUTHS * point + i;
+            if (isWholly || isSeen.holds(x, y, z, i, tangents[at])) {
+                tangents[at] = (float) horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]);
+                isOther = true;
+            }
+        }
+        if (isOther) {
+            Vec3 normal = HeightFieldSurface.normal(field, x, z);
+            double sum = 0;
+            for (int i = 0; i < AZIMUTHS; i++) {
+                sum += open(normal, i, tangents[AZIMUTHS * point + i]);
+            }
+            values[point] = (byte) Math.round(255 * Math.max(0, Math.min(1, 2 * sum / AZIMUTHS)));
+        }
+    }
+
+    /** Returns the number of points along x. */
+    public int columns() {
+        return columns;
+    }
+
+    /** Returns the number of points along z. */
+    public int rows() {
+        return rows;
+    }
+
+    /** Returns the values row by row from the least z, 0 to 255 for 0 to 1. */
+    public byte[] values() {
+        return values.clone();
+    }
+
+    /** Returns the field. */
+    public HeightField field() {
+        return field;
     }
 
     /** Returns the share at a place of the field. */
     public static double share(HeightField field, double x, double z) {
-        double y = HeightFieldSurface.y(field, clamped(x, field, true), clamped(z, field, false));
+        double y = groundAt(field, x, z);
         Vec3 normal = HeightFieldSurface.normal(field, x, z);
         double sum = 0;
         for (int i = 0; i < AZIMUTHS; i++) {
-            double angle = 2 * Math.PI * (i + 0.5) / AZIMUTHS;
-            double towardsX = Math.cos(angle);
-            double towardsZ = Math.sin(angle);
-            double along = normal.x() * towardsX + normal.z() * towardsZ;
-            double tangent = Math.max(horizon(field, x, y, z, towardsX, towardsZ), -along / normal.y());
-            sum += above(Math.atan(tangent), normal.y(), along);
+            sum += open(normal, i, horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]));
         }
         return Math.max(0, Math.min(1, 2 * sum / AZIMUTHS));
+    }
+
+    private static double groundAt(HeightField field, double x, double z) {
+        return HeightFieldSurface.y(field, clamped(x, field, true), clamped(z, field, false));
+    }
+
+    /** Returns what the horizon in a direction leaves open. */
+    private static double open(Vec3 normal, int azimuth, double horizonTangent) {
+        double along = normal.x() * TOWARDS_X[azimuth] + normal.z() * TOWARDS_Z[azimuth];
+        double tangent = Math.max(horizonTangent, -along / normal.y());
+        return above(Math.atan(tangent), normal.y(), along);
     }
 
     private static double clamped(double place, HeightField field, boolean isX) {

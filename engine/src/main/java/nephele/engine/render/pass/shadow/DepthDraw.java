@@ -11,6 +11,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
@@ -58,6 +59,19 @@ final class DepthDraw {
     }
 
     /**
+     * Draws a part of a sun's picture again, and leaves the scissor at it.
+     *
+     * @param within what can be seen in the part
+     */
+    void drawPart(RenderTarget target, Texture.Region part, Frustum within, Matrix4d clipFromAnchor, Vec3 anchor) {
+        visible.find(within);
+        context.gl().state().scissor(part.x(), part.y(), part.width(), part.height());
+        target.clearDepthWithinScissor();
+        drawSolids(clipFromAnchor, anchor, 0);
+        terrains.draw(within, clipFromAnchor, anchor, 0);
+    }
+
+    /**
      * Draws a punctual light's picture.
      *
      * @param depthPerMetre 1 / the light's range
@@ -71,6 +85,10 @@ final class DepthDraw {
 
     private void draw(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         target.clearDepth();
+        drawSolids(clipFromAnchor, anchor, depthPerMetre);
+    }
+
+    private void drawSolids(Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         context.gl().state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
         program.uniforms().depthPerMetre().set((float) depthPerMetre);

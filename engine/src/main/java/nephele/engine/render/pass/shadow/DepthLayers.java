@@ -26,10 +26,11 @@ final class DepthLayers implements GlObject {
         this.name = name;
     }
 
-    /** Draws one layer into its target. */
+    /** Draws one layer into its target, or the parts of it that differ. */
     @FunctionalInterface
     interface LayerDrawing {
-        void draw(int layer, RenderTarget target);
+        /** @param before what the target shows; {@code null} for nothing known */
+        void draw(int layer, RenderTarget target, Object before);
     }
 
     /**
@@ -42,8 +43,8 @@ final class DepthLayers implements GlObject {
         for (int layer = 0; layer < size.layers(); layer++) {
             Object content = contents.get(layer);
             if (!content.equals(shown.get(layer))) {
-                shown.set(layer, null);
-                drawing.draw(layer, targets.get(layer));
+                Object before = shown.set(layer, null);
+                drawing.draw(layer, targets.get(layer), before);
                 shown.set(layer, content);
             }
         }

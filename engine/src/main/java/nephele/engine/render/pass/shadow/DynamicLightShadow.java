@@ -68,7 +68,7 @@ final class DynamicLightShadow {
         shared.publish(Target.DYNAMIC_LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
     }
 
-    private void draw(int number, RenderTarget target) {
+    private void draw(int number, RenderTarget target, Object before) {
         Layer layer = layers.get(number);
         visible.find(layer.frustum, layer.light.position(), extent.width() / 2.0);
         boolean isUsed = visible.runs() > 0;

@@ -82,7 +82,7 @@ public final class LightShadowPass implements Pass {
         shared.publish(Target.LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
     }
 
-    private void draw(int layer, RenderTarget target) {
+    private void draw(int layer, RenderTarget target, Object before) {
         PunctualLight light = lights.get(shadows.layers().get(layer).light());
         depth.drawInFrustum(
                 target, shadows.clipFromAnchor(lights, layer, anchor), anchor, LightShadowLayers.depthPerMetre(light));

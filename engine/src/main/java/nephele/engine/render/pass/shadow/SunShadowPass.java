@@ -1,8 +1,12 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -13,6 +17,7 @@ import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
@@ -26,6 +31,7 @@ public final class SunShadowPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy);
 
+    private final GlContext gl;
     private final SharedResources shared;
     private final SurfaceLight light;
     private final DepthDraw depth;
@@ -37,26 +43,43 @@ public final class SunShadowPass implements Pass {
 
     private final DepthLayers map;
     private final Same solids;
-    private final Same planted;
     private final Same models;
+    private final Same planted;
+    /** The shapes that plants may stand on; nothing without plants. */
+    private final Same plantsOn;
+
+    private final List<HeightField> ground;
     private List<Content> contents = List.of();
     private Texture.Extent size;
 
     /** The data on which a map depends. */
-    private record Content(Same solids, Same planted, Same models, ShadowFrame frame) {}
+    private record Content(
+            Same solids, Same models, Same planted, Same plantsOn, List<HeightField> ground, ShadowFrame frame) {
+        boolean differsInGroundAlone(Content other) {
+            return solids.equals(other.solids)
+                    && models.equals(other.models)
+                    && planted.equals(other.planted)
+                    && plantsOn.equals(other.plantsOn)
+                    && frame.equals(other.frame);
+        }
+    }
 
     private SunShadowPass(LoadContext context) {
+        gl = context.gl();
         shared = context.shared();
         light = shared.surfaceLight();
         depth = new DepthDraw(context);
         boolean isPlanted = LightRequirements.billboardsCast(context.scene().level());
         billboards = isPlanted ? new BillboardDepth(context) : null;
         map = DepthDraw.layers(context, "sun shadow");
-        solids = new Same(context.scene().solids());
+        StaticShapes statics = context.scene().statics();
+        solids = new Same(statics.solids());
+        models = new Same(statics.models());
+        ground = statics.ground().stream().map(StaticShape.HeightGrid::field).toList();
         planted = new Same(isPlanted ? context.scene().level().billboards() : List.of());
         boolean hasPlants = PlantedModels.isIn(context.scene().level());
         plants = hasPlants ? new PlantDepth(context) : null;
-        models = new Same(hasPlants ? context.scene().statics() : List.of());
+        plantsOn = new Same(hasPlants ? statics : List.of());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -77,20 +100,28 @@ public final class SunShadowPass implements Pass {
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
         if (contents.isEmpty() || contents.get(0).frame != frame) {
-            contents = List.of(new Content(solids, planted, models, frame));
+            contents = List.of(new Content(solids, models, planted, plantsOn, ground, frame));
             size = new Texture.Extent(frame.width(), frame.height(), 1);
         }
-        Texture texture = map.showing(contents, size, (layer, target) -> draw(target, frame));
+        Texture texture = map.showing(contents, size, (layer, target, before) -> draw(target, frame, (Content) before));
         shared.publish(Target.SUN_SHADOW, texture);
     }
 
-    private void draw(RenderTarget target, ShadowFrame frame) {
-        depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
+    private void draw(RenderTarget target, ShadowFrame frame, Content before) {
+        Optional<ShadowPart> part = before != null && before.differsInGroundAlone(contents.get(0))
+                ? ShadowPart.changed(frame, before.ground, ground)
+                : Optional.empty();
+        if (part.isPresent()) {
+            depth.drawPart(target, part.get().texels(), part.get().within(), frame.clipFromAnchor(), frame.anchor());
+        } else {
+            depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
+        }
         if (billboards != null) {
             billboards.draw(frame, light.towardsSun());
         }
         if (plants != null) {
             plants.draw(frame, light.towardsSun());
         }
+        gl.state().noScissor();
     }
 }

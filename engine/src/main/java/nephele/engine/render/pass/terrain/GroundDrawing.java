@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.terrain;
 
-import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.StaticShape;
@@ -14,10 +13,7 @@ import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
@@ -27,7 +23,6 @@ import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.TerrainSky;
 
 /** One terrain with its program, materials and sky visibility. */
 final class GroundDrawing {
@@ -44,7 +39,7 @@ final class GroundDrawing {
     private final MaterialBlocks materials;
     private final GlProgram<GroundUniforms> program;
     /** {@code null} if the sky does not shine. */
-    private final Texture sky;
+    private final GroundSky sky;
 
     /** {@code null} without pictures. */
     private final Texture colours;
@@ -68,7 +63,10 @@ final class GroundDrawing {
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         program = program(context);
         sky = LightRequirements.skyShines(context.scene().level())
-                ? context.share(Texture.class, new SkyOf(new Same(grid.field())), () -> sky(context.gl(), grid))
+                ? context.share(
+                        GroundSky.class,
+                        new SkyOf(new Same(grid.field())),
+                        () -> new GroundSky(context.gl(), grid.field()))
                 : null;
         colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
         normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON
@@ -128,20 +126,6 @@ final class GroundDrawing {
                 uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
     }
 
-    private static Texture sky(GlContext gl, StaticShape.HeightGrid grid) {
-        TerrainSky open = TerrainSky.of(grid.field());
-        Texture texture = new Texture(
-                gl,
-                "terrain sky visibility",
-                Texture.Shape.FLAT,
-                PixelFormat.R8,
-                Texture.Extent.flat(open.columns(), open.rows()),
-                Sampling.LINEAR_CLAMP);
-        ByteBuffer texels = ByteBuffer.allocateDirect(open.values().length);
-        texture.upload(0, texels.put(open.values()).flip());
-        return texture;
-    }
-
     void draw(FrameContext frame) {
         program.use();
         GroundUniforms uniforms = program.uniforms();
@@ -155,7 +139,7 @@ final class GroundDrawing {
         materials.bind(0);
         mesh.bind();
         if (sky != null) {
-            sky.bind(TextureUnit.SKY_VISIBILITY);
+            sky.bind();
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);

@@ -1,0 +1,158 @@
+package nephele.editor.action;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.SessionListener.Change;
+import nephele.editor.terrain.NumberWords;
+import nephele.editor.terrain.TerrainBrush;
+import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.terrain.TerrainPainting;
+import nephele.editor.terrain.TerrainRefusal;
+import nephele.editor.text.Words;
+import nephele.editor.tool.terrain.TerrainTool;
+import nephele.engine.level.Terrain;
+import nephele.engine.math.Vec3;
+
+/** The brush of the terrain tool, and strokes by numbers. */
+final class TerrainActions {
+    private static final double RADIUS_STEP = Math.sqrt(2);
+    private static final double STRENGTH_STEP = Math.sqrt(2);
+    private static final Words RADIUS = Words.of("Brush radius: %s m", "Raio do pincel: %s m", "Raio do pincel: %s m");
+    private static final Words STRENGTH =
+            Words.of("Brush strength: %s %%", "Força do pincel: %s %%", "Força do pincel: %s %%");
+    private static final Words NO_EFFECT = Words.of(
+            "there is no effect '%s': raise, lower, smooth, flatten",
+            "não há o efeito '%s': raise, lower, smooth, flatten",
+            "não há o efeito '%s': raise, lower, smooth, flatten");
+    private static final Words NO_TERRAIN =
+            Words.of("there is no terrain '%s'", "não há o terreno '%s'", "não há o terreno '%s'");
+
+    static final List<EditorAction> ALL = all();
+
+    /** Tells by action which effect is chosen. */
+    static final Map<String, Predicate<EditorSession>> CHOSEN = chosen();
+
+    private TerrainActions() {}
+
+    private static String id(Effect effect) {
+        return "terrain-" + effect.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static Map<String, Predicate<EditorSession>> chosen() {
+        Map<String, Predicate<EditorSession>> states = new LinkedHashMap<>();
+        for (Effect effect : Effect.values()) {
+            states.put(id(effect), session -> session.options().terrainBrush().effect() == effect);
+        }
+        return Map.copyOf(states);
+    }
+
+    private static List<EditorAction> all() {
+        List<EditorAction> all = new ArrayList<>();
+        for (Effect effect : Effect.values()) {
+            all.add(EditorAction.of(
+                    id(effect), effect.title(), Menu.BRUSH, List.of(), call -> choose(call.session(), effect)));
+        }
+        all.add(sized(
+                "terrain-smaller",
+                Words.of("Smaller Terrain Brush", "Pincel de terreno menor", "Pincel de terreno menor"),
+                "Alt+OpenBracket",
+                brush -> brush.ofRadius(brush.radiusMetres() / RADIUS_STEP)));
+        all.add(sized(
+                "terrain-larger",
+                Words.of("Larger Terrain Brush", "Pincel de terreno maior", "Pincel de terreno maior"),
+                "Alt+CloseBracket",
+                brush -> brush.ofRadius(brush.radiusMetres() * RADIUS_STEP)));
+        all.add(sized(
+                "terrain-weaker",
+                Words.of("Weaker Terrain Brush", "Pincel de terreno mais fraco", "Pincel de terreno mais fraco"),
+                "Alt+Shift+OpenBracket",
+                brush -> brush.ofStrength(brush.strength() / STRENGTH_STEP)));
+        all.add(sized(
+                "terrain-stronger",
+                Words.of("Stronger Terrain Brush", "Pincel de terreno mais forte", "Pincel de terreno mais forte"),
+                "Alt+Shift+CloseBracket",
+                brush -> brush.ofStrength(brush.strength() * STRENGTH_STEP)));
+        all.add(EditorAction.of(
+                        "terrain-stroke",
+                        Words.of("Stroke on a Terrain", "Pincelada num terreno", "Pincelada num terreno"),
+                        Menu.BRUSH,
+                        List.of(),
+                        TerrainActions::stroke)
+                .taking("effect", "from", "to", "radius", "strength", "terrain")
+                .when(session -> !session.document().level().terrains().isEmpty()));
+        return List.copyOf(all);
+    }
+
+    private static void choose(EditorSession session, Effect effect) {
+        session.options().terrainBrush(session.options().terrainBrush().with(effect));
+        if (session.toolEntry() != TerrainTool.ENTRY) {
+            session.use(TerrainTool.ENTRY);
+        }
+        session.tell(Change.VIEW);
+    }
+
+    private static EditorAction sized(String id, Words title, String key, UnaryOperator<TerrainBrush> change) {
+        return EditorAction.of(id, title, Menu.BRUSH, List.of(key), call -> {
+            EditorSession session = call.session();
+            TerrainBrush before = session.options().terrainBrush();
+            TerrainBrush after = change.apply(before);
+            session.options().terrainBrush(after);
+            session.status(
+                    after.strength() == before.strength()
+                            ? RADIUS.with(NumberWords.of(after.radiusMetres()))
+                            : STRENGTH.with(Math.round(100 * after.strength())));
+            session.tell(Change.VIEW);
+        });
+    }
+
+    /** Paints along a line; what is not given is that of the tool, the terrain the first one. */
+    private static void stroke(ActionCall call) throws ActionFailure {
+        EditorSession session = call.session();
+        TerrainBrush chosen = session.options().terrainBrush();
+        TerrainBrush brush = new TerrainBrush(
+                effect(call, chosen.effect()),
+                call.number("radius", chosen.radiusMetres()),
+                call.number("strength", chosen.strength()));
+        Vec3 from = call.vector("from");
+        Vec3 to = call.vector("to", from);
+        TerrainPainting painting = new TerrainPainting(session.document(), session.maps());
+        try {
+            painting.begin(terrain(call), session.assets(), brush, from.x(), from.z());
+            painting.to(to.x(), to.z());
+            painting.notice().ifPresent(session::status);
+            painting.end();
+        } catch (TerrainRefusal refusal) {
+            throw new ActionFailure(refusal.told());
+        }
+    }
+
+    private static Effect effect(ActionCall call, Effect absent) throws ActionFailure {
+        Optional<String> named = call.text("effect");
+        for (Effect effect : Effect.values()) {
+            if (named.isPresent() && named.get().equals(effect.name().toLowerCase(Locale.ROOT))) {
+                return effect;
+            }
+        }
+        if (named.isPresent()) {
+            throw new ActionFailure(NO_EFFECT.with(named.get()));
+        }
+        return absent;
+    }
+
+    private static Terrain terrain(ActionCall call) throws ActionFailure {
+        List<Terrain> terrains = call.session().document().level().terrains();
+        Optional<String> named = call.text("terrain");
+        return terrains.stream()
+                .filter(terrain -> named.isEmpty() || named.get().equals(terrain.id()))
+                .findFirst()
+                .orElseThrow(() -> new ActionFailure(NO_TERRAIN.with(named.orElse(""))));
+    }
+}

@@ -1,0 +1,135 @@
+package nephele.editor.terrain;
+
+import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.terrain.TerrainGrid.Part;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.level.Terrain;
+
+/**
+ * A stroke on heights. They are floats in units of the map while it goes on, so that dabs of less than a unit add up,
+ * and stay within what the map can hold.
+ */
+public final class HeightStroke {
+    /** Smoothing takes the mean over a square whose half side is this share of the radius. */
+    private static final double MEAN_PER_RADIUS = 0.25;
+
+    private final TerrainBrush brush;
+    private final TerrainGrid grid;
+    private final double radius;
+    private final double lowMetres;
+    private final double metresPerUnit;
+    private final float[] values;
+    private final Dabs dabs;
+    private final float flat;
+    private HeightMap map;
+    /** What {@link #map} does not show yet; {@code null} for nothing. */
+    private Part unshown;
+
+    private boolean isAtLimit;
+
+    /**
+     * Begins a stroke with its first dab.
+     *
+     * @param said has heights of more than one value
+     * @param map its heights
+     */
+    public HeightStroke(Terrain said, HeightMap map, TerrainBrush brush, double x, double z) {
+        this.brush = brush;
+        this.map = map;
+        grid = TerrainGrid.of(said, map.columns(), map.rows());
+        radius = grid.effective(brush.radiusMetres());
+        lowMetres = said.heightRangeMetres().low();
+        metresPerUnit =
+                (said.heightRangeMetres().high() - said.heightRangeMetres().low()) / HeightMap.FULL_SCALE;
+        values = new float[map.values().length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = map.values()[i] & 0xffff;
+        }
+        flat = (float) valueAt(x, z);
+        dabs = new Dabs(radius / 4, x, z);
+        dab(x, z);
+    }
+
+    /** Goes on straight to a place. */
+    public void to(double x, double z) {
+        dabs.to(x, z, this::dab);
+    }
+
+    /** Returns the heights now; an object that was returned before does not change. */
+    public HeightMap map() {
+        if (unshown != null) {
+            map = rounded(unshown);
+            unshown = null;
+        }
+        return map;
+    }
+
+    /** Returns true if the map's range has ended the raising or lowering of a height. */
+    public boolean isAtLimit() {
+        return isAtLimit;
+    }
+
+    /** Returns the height of a place above the terrain's centre, that of the border beside the map. */
+    double heightMetres(double x, double z) {
+        return lowMetres + metresPerUnit * valueAt(x, z);
+    }
+
+    private void dab(double x, double z) {
+        Part part = grid.around(x, z, radius);
+        if (part.isEmpty()) {
+            return;
+        }
+        BoxMean mean = brush.effect() == Effect.SMOOTH ? mean(part) : null;
+        for (int row = part.firstRow(); row <= part.lastRow(); row++) {
+            for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {
+                double weight = TerrainBrush.falloff(grid.shareSquared(column, row, x, z, radius));
+                int at = row * grid.columns() + column;
+                double value = values[at] + change(at, weight, mean == null ? 0 : mean.around(column, row));
+                isAtLimit |= value < 0 || value > HeightMap.FULL_SCALE;
+                values[at] = (float) Math.max(0, Math.min(value, HeightMap.FULL_SCALE));
+            }
+        }
+        unshown = unshown == null ? part : unshown.union(part);
+    }
+
+    private double change(int at, double weight, double mean) {
+        return switch (brush.effect()) {
+            case RAISE -> weight * brush.riseMetres() / metresPerUnit;
+            case LOWER -> -weight * brush.riseMetres() / metresPerUnit;
+            case SMOOTH -> weight * brush.strength() * (mean - values[at]);
+            case FLATTEN -> weight * brush.strength() * (flat - values[at]);
+        };
+    }
+
+    private BoxMean mean(Part part) {
+        int halfColumns = (int) Math.max(1, Math.round(MEAN_PER_RADIUS * radius / grid.cellX()));
+        int halfRows = (int) Math.max(1, Math.round(MEAN_PER_RADIUS * radius / grid.cellZ()));
+        return new BoxMean(values, grid, grid.grown(part, halfColumns, halfRows), halfColumns, halfRows);
+    }
+
+    private HeightMap rounded(Part part) {
+        short[] rounded = map.values().clone();
+        for (int row = part.firstRow(); row <= part.lastRow(); row++) {
+            for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {
+                int at = row * grid.columns() + column;
+                rounded[at] = (short) Math.round(values[at]);
+            }
+        }
+        return new HeightMap(map.columns(), map.rows(), 16, rounded);
+    }
+
+    /** Returns the value between the samples at a place, that of the border beside the map. */
+    private double valueAt(double x, double z) {
+        double across = Math.max(0, Math.min((x - grid.leastX()) / grid.cellX(), grid.columns() - 1));
+        double along = Math.max(0, Math.min((z - grid.leastZ()) / grid.cellZ(), grid.rows() - 1));
+        int column = Math.min((int) across, grid.columns() - 2);
+        int row = Math.min((int) along, grid.rows() - 2);
+        double u = across - column;
+        double v = along - row;
+        int at = row * grid.columns() + column;
+        double near = values[at] + u * (values[at + 1] - values[at]);
+        int next = at + grid.columns();
+        double far = values[next] + u * (values[next + 1] - values[next]);
+        return near + v * (far - near);
+    }
+}

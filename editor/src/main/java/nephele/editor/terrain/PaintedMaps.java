@@ -1,0 +1,135 @@
+package nephele.editor.terrain;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import nephele.editor.save.ContentHash;
+import nephele.editor.save.NamedAssets;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.asset.HeightMapFile;
+import nephele.engine.level.Level;
+
+/**
+ * The maps that strokes make. While a stroke goes on, its map is in memory under a name of its own; at the end it becomes
+ * a new file beside the level, named by its content, so that undo, the journal and backups find every older one
+ * unchanged. Maps in memory may be asked for on any thread.
+ */
+public final class PaintedMaps {
+    private static final String FOLDER = "terrain/";
+    private static final int MOST_KNOWN = 3;
+    private static final int HASH_DIGITS = 12;
+
+    private final Supplier<Optional<Path>> levelFile;
+    /** The latest maps by their ids. */
+    private final Map<String, HeightMap> known = new LinkedHashMap<>();
+    /** The files of this session's maps by their ids. */
+    private final Map<String, Path> written = new HashMap<>();
+    /** Those that no saved level has named. */
+    private final Set<Path> unsaved = new LinkedHashSet<>();
+
+    private long shown;
+
+    /** @param levelFile the level's, empty if it was never saved */
+    public PaintedMaps(Supplier<Optional<Path>> levelFile) {
+        this.levelFile = levelFile;
+    }
+
+    /** Returns a level's files and the maps in memory. */
+    public AssetSource over(AssetSource files) {
+        return new PaintedAssets(this, files);
+    }
+
+    /** Returns true if there is a folder for the maps. */
+    public boolean canKeep() {
+        return levelFile.get().isPresent();
+    }
+
+    /** Keeps a map in memory until a few others have been shown; returns its id. */
+    public synchronized String show(HeightMap map) {
+        shown++;
+        return remember(FOLDER + "stroke-" + shown + ".png", map);
+    }
+
+    private String remember(String id, HeightMap map) {
+        known.remove(id);
+        known.put(id, map);
+        if (known.size() > MOST_KNOWN) {
+            known.remove(known.keySet().iterator().next());
+        }
+        return id;
+    }
+
+    synchronized Optional<HeightMap> known(String id) {
+        return Optional.ofNullable(known.get(id));
+    }
+
+    /**
+     * Writes a map to a file of its own, unless there is one of the same content; returns its id.
+     *
+     * @param terrain begins the file's name
+     * @throws IOException if it cannot be written; nothing has changed then
+     */
+    public String keep(String terrain, HeightMap map) throws IOException {
+        Path level = levelFile.get().orElseThrow(() -> new IOException("the level has no folder yet"));
+        byte[] content = HeightMapFile.png(map);
+        String name = terrain.replaceAll("[^A-Za-z0-9_-]", "-");
+        String id = FOLDER + name + "-" + ContentHash.of(content).substring(0, HASH_DIGITS) + ".png";
+        Path file = level.resolveSibling(id);
+        if (!Files.exists(file)) {
+            AtomicFile.write(file, content);
+            unsaved.add(file);
+            written.put(id, file);
+        }
+        synchronized (this) {
+            return remember(id, map);
+        }
+    }
+
+    /** Notes that a level was saved: this session's maps that it names stay, and are copied to a level elsewhere. */
+    public void saved(Level level) {
+        Optional<Path> saved = levelFile.get();
+        if (written.isEmpty() || saved.isEmpty()) {
+            return;
+        }
+        for (String id : NamedAssets.of(level)) {
+            Path file = written.get(id);
+            if (file != null) {
+                unsaved.remove(file);
+                copy(file, saved.get().resolveSibling(id));
+            }
+        }
+    }
+
+    private static void copy(Path file, Path place) {
+        try {
+            if (!Files.exists(place)) {
+                AtomicFile.write(place, Files.readAllBytes(file));
+            }
+        } catch (IOException missing) {
+            // The check of the level names the file that is missing beside it; the map itself stays where it is.
+            return;
+        }
+    }
+
+    /** Deletes the files that only unsaved edits have named, because nobody wants these any more. */
+    public void discard() {
+        for (Path file : unsaved) {
+            try {
+                Files.deleteIfExists(file);
+            } catch (IOException stays) {
+                // A file too many does no harm.
+                continue;
+            }
+        }
+        unsaved.clear();
+    }
+}

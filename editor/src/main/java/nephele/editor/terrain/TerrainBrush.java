@@ -1,0 +1,78 @@
+package nephele.editor.terrain;
+
+import nephele.editor.text.Words;
+
+/**
+ * A round brush for terrains. It works in dabs: a stroke makes one where it begins and one each quarter of the radius
+ * along its way. The effect of a dab falls from the middle to the border as (1 − d²)², d being the distance divided by
+ * the radius.
+ *
+ * @param radiusMetres horizontal, {@link #LEAST_METRES} to {@link #MOST_METRES}
+ * @param strength the effect of a dab in its middle, above 0 and up to 1: raising and lowering, in fifths of the radius;
+ *     otherwise the share of the way to the result
+ */
+public record TerrainBrush(Effect effect, double radiusMetres, double strength) {
+    public static final double LEAST_METRES = 0.25;
+    public static final double MOST_METRES = 1024;
+
+    /** The brush of a new session. */
+    public static final TerrainBrush INITIAL = new TerrainBrush(Effect.RAISE, 8, 0.25);
+
+    private static final double LEAST_STRENGTH = 1.0 / 64;
+    private static final double RISE_PER_RADIUS = 0.2;
+
+    /** What a brush does to heights. */
+    public enum Effect {
+        RAISE(Words.of("Raise Terrain", "Elevar terreno", "Elevar terreno")),
+        LOWER(Words.of("Lower Terrain", "Rebaixar terreno", "Rebaixar terreno")),
+        /** Moves each height towards the mean around it. */
+        SMOOTH(Words.of("Smooth Terrain", "Suavizar terreno", "Suavizar terreno")),
+        /** Moves heights to the one at which the stroke began. */
+        FLATTEN(Words.of("Flatten Terrain", "Aplanar terreno", "Aplanar terreno"));
+
+        private final Words title;
+
+        Effect(Words title) {
+            this.title = title;
+        }
+
+        public Words title() {
+            return title;
+        }
+
+        /** Returns the effect with the Shift key held: raising and lowering change places. */
+        public Effect inverted() {
+            return this == RAISE ? LOWER : this == LOWER ? RAISE : this;
+        }
+    }
+
+    public TerrainBrush {
+        radiusMetres = Math.max(LEAST_METRES, Math.min(radiusMetres, MOST_METRES));
+        strength = Math.max(LEAST_STRENGTH, Math.min(strength, 1));
+    }
+
+    public TerrainBrush with(Effect other) {
+        return new TerrainBrush(other, radiusMetres, strength);
+    }
+
+    /** Returns a brush of another radius. */
+    public TerrainBrush ofRadius(double metres) {
+        return new TerrainBrush(effect, metres, strength);
+    }
+
+    /** Returns a brush of another strength. */
+    public TerrainBrush ofStrength(double share) {
+        return new TerrainBrush(effect, radiusMetres, share);
+    }
+
+    /** Returns the rise of a raising dab in its middle. */
+    public double riseMetres() {
+        return RISE_PER_RADIUS * strength * radiusMetres;
+    }
+
+    /** Returns the falloff at a share of the radius, squared. */
+    static double falloff(double shareSquared) {
+        double left = Math.max(0, 1 - shareSquared);
+        return left * left;
+    }
+}

@@ -1,0 +1,2 @@
+/** The tool that paints the heights of terrains. */
+package nephele.editor.tool.terrain;
