@@ -13,6 +13,7 @@ import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.Quality.Upscale;
 
@@ -43,6 +44,7 @@ final class QualityDraft {
     TerrainDetail terrainDetail;
     double terrainErrorPixels;
     LayerMixing terrainLayers;
+    SpriteCoverage spriteCoverage;
     LightParts lightParts;
     PortalTechnique portalTechnique;
     int viewBudget;
@@ -74,6 +76,7 @@ final class QualityDraft {
         terrainDetail = from.terrainDetail();
         terrainErrorPixels = from.terrainErrorPixels();
         terrainLayers = from.terrainLayers();
+        spriteCoverage = from.spriteCoverage();
         lightParts = from.lightParts();
         portalTechnique = from.portalTechnique();
         viewBudget = from.viewBudget();
@@ -107,6 +110,7 @@ final class QualityDraft {
                 terrainDetail,
                 terrainErrorPixels,
                 terrainLayers,
+                spriteCoverage,
                 lightParts,
                 portalTechnique,
                 viewBudget,
