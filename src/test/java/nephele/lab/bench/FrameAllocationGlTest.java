@@ -150,6 +150,11 @@ class FrameAllocationGlTest {
     }
 
     @Test
+    void withThousandsOfBillboards() {
+        assertLittle("bench/billboards-10000.json", Output.DIRECT, Quality.HIGH);
+    }
+
+    @Test
     void whileDynamicObjectsMoveThroughPortals() {
         assertLittle("samples/straddling-cube.json", Output.DIRECT, Quality.HIGH);
     }

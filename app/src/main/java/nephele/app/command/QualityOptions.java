@@ -22,7 +22,7 @@ final class QualityOptions {
                     + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
                     + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
                     + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, impostorPixels,"
-                    + " culling, narrowing, rims; debug=ids draws every solid in its own colour.")
+                    + " spriteCoverage, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -29,6 +29,7 @@ import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
@@ -150,6 +151,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     "terrainLayers",
                     LayerMixing.class,
                     (all, value) -> all.with(all.quality().withTerrainLayers(value))),
+            SettingKey.word(
+                    "spriteCoverage",
+                    SpriteCoverage.class,
+                    (all, value) -> all.with(all.quality().withSpriteCoverage(value))),
             SettingKey.word(
                     "lightParts",
                     LightParts.class,

@@ -118,6 +118,11 @@ public record Billboards(
         return copy(new Planted(variation, List.of(), otherField), new Motion(frames, framesPerSecond, wind), look());
     }
 
+    /** Returns these billboards, turned in another way. */
+    public Billboards turned(Facing other) {
+        return copy(other, planted(), motion(), look());
+    }
+
     private record Planted(double heightVariation, List<Vec3> at, Field field) {}
 
     private record Motion(int frames, double framesPerSecond, double windMetresPerSecond) {}
@@ -137,11 +142,15 @@ public record Billboards(
     }
 
     private Billboards copy(Planted where, Motion motion, Look look) {
+        return copy(facing, where, motion, look);
+    }
+
+    private Billboards copy(Facing turned, Planted where, Motion motion, Look look) {
         return new Billboards(
                 id,
                 sprite,
                 colourKey,
-                facing,
+                turned,
                 sizeMetres,
                 where.heightVariation(),
                 where.at(),

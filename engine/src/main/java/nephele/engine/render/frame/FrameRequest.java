@@ -35,12 +35,15 @@ public record FrameRequest(
         return !level.bodies().isEmpty();
     }
 
+    /** Returns true if there may be surfaces that cut blended pictures. */
+    public boolean meetsSurfaces() {
+        return LightRequirements.hasSurfaces(level) || hasBodies() || mayShowCharacter();
+    }
+
     /** Returns false if the level's picture is one colour, for which nothing is drawn but the clear. */
     public boolean drawsSomething() {
         Sky sky = level.environment().sky();
-        return LightRequirements.hasSurfaces(level)
-                || hasBodies()
-                || mayShowCharacter()
+        return meetsSurfaces()
                 || !level.exits().isEmpty()
                 || !level.emitters().isEmpty()
                 || !level.billboards().isEmpty()

@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import java.util.function.Supplier;
 import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
@@ -43,7 +44,13 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
     public BillboardQuads billboards(BillboardSource.Kind kind) {
         PixelFormat format = output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
         BillboardSource source = BillboardSource.of(
-                scene.level(), scene.statics(), scene.assets(), kind, shared.surfaceLight().anchor(), format);
+                scene.level(),
+                scene.statics(),
+                scene.assets(),
+                kind,
+                shared.surfaceLight().anchor(),
+                format,
+                quality().spriteCoverage() == SpriteCoverage.KEPT);
         return share(
                 BillboardQuads.class,
                 source,

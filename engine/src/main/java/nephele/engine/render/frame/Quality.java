@@ -32,6 +32,7 @@ import nephele.engine.cloud.octave.ProceduralNoise;
  * @param terrainDetail triangles of which terrains are drawn
  * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
  * @param terrainLayers where the layers of terrains are mixed
+ * @param spriteCoverage what smaller mipmap levels of billboards with edges keep
  * @param lightParts the light of surfaces that is shown
  * @param impostorPixels size of a model, in drawn pixels, below which its impostor is drawn; 0 always draws meshes
  * @param portalTechnique technique of drawing a view through an opening
@@ -64,6 +65,7 @@ public record Quality(
         TerrainDetail terrainDetail,
         double terrainErrorPixels,
         LayerMixing terrainLayers,
+        SpriteCoverage spriteCoverage,
         LightParts lightParts,
         double impostorPixels,
         PortalTechnique portalTechnique,
@@ -98,6 +100,7 @@ public record Quality(
             TerrainDetail.LOD,
             1,
             LayerMixing.MIXED,
+            SpriteCoverage.KEPT,
             LightParts.ALL,
             64,
             PortalTechnique.STENCIL,
@@ -185,6 +188,14 @@ public record Quality(
         MIXED,
         /** Once, seen from above, into one picture for the whole terrain, as in a source of 2010. */
         BAKED
+    }
+
+    /** What smaller mipmap levels of billboards with edges keep. */
+    public enum SpriteCoverage {
+        /** The share of the picture that is drawn, see {@link nephele.engine.level.billboard.AlphaCoverage}. */
+        KEPT,
+        /** The mean of alpha: crowns become thin far away. */
+        MEAN
     }
 
     /** The parts of the light that surfaces reflect; what glows shows always. */
@@ -345,6 +356,10 @@ public record Quality(
 
     public Quality withTerrainLayers(LayerMixing where) {
         return with(draft -> draft.terrainLayers = where);
+    }
+
+    public Quality withSpriteCoverage(SpriteCoverage coverage) {
+        return with(draft -> draft.spriteCoverage = coverage);
     }
 
     public Quality withLightParts(LightParts parts) {

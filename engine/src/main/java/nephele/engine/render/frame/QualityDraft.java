@@ -13,6 +13,7 @@ import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.Quality.Upscale;
 
@@ -43,6 +44,7 @@ final class QualityDraft {
     TerrainDetail terrainDetail;
     double terrainErrorPixels;
     LayerMixing terrainLayers;
+    SpriteCoverage spriteCoverage;
     LightParts lightParts;
     double impostorPixels;
     PortalTechnique portalTechnique;
@@ -75,6 +77,7 @@ final class QualityDraft {
         terrainDetail = from.terrainDetail();
         terrainErrorPixels = from.terrainErrorPixels();
         terrainLayers = from.terrainLayers();
+        spriteCoverage = from.spriteCoverage();
         lightParts = from.lightParts();
         impostorPixels = from.impostorPixels();
         portalTechnique = from.portalTechnique();
@@ -109,6 +112,7 @@ final class QualityDraft {
                 terrainDetail,
                 terrainErrorPixels,
                 terrainLayers,
+                spriteCoverage,
                 lightParts,
                 impostorPixels,
                 portalTechnique,

@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** The targets that a pass reads; the same value declares and binds them. */
 public record TargetReads(List<Target> targets) {
@@ -11,6 +12,11 @@ public record TargetReads(List<Target> targets) {
 
     public static TargetReads of(Target... targets) {
         return new TargetReads(List.of(targets));
+    }
+
+    /** Returns these targets and another one. */
+    public TargetReads and(Target other) {
+        return new TargetReads(Stream.concat(targets.stream(), Stream.of(other)).toList());
     }
 
     /** Returns the targets for {@link Pass#reads}. */

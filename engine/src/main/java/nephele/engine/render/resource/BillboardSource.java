@@ -14,6 +14,7 @@ import nephele.engine.scene.light.LightRequirements;
  * @param kind those that are made of the level's
  * @param anchor world position from which places are measured
  * @param format of their pictures
+ * @param keepsCoverage whether smaller mipmap levels of those with edges keep the share that is drawn
  */
 public record BillboardSource(
         Same billboards,
@@ -23,7 +24,8 @@ public record BillboardSource(
         boolean isSkyLit,
         Kind kind,
         Vec3 anchor,
-        PixelFormat format) {
+        PixelFormat format,
+        boolean keepsCoverage) {
     /** How billboards are drawn. */
     public enum Kind {
         /** Where they cover half or more; they write depth and cast shadows. */
@@ -33,7 +35,13 @@ public record BillboardSource(
     }
 
     public static BillboardSource of(
-            Level level, StaticShapes statics, AssetSource assets, Kind kind, Vec3 anchor, PixelFormat format) {
+            Level level,
+            StaticShapes statics,
+            AssetSource assets,
+            Kind kind,
+            Vec3 anchor,
+            PixelFormat format,
+            boolean keepsCoverage) {
         return new BillboardSource(
                 new Same(level.billboards()),
                 new Same(statics.solids()),
@@ -42,6 +50,7 @@ public record BillboardSource(
                 LightRequirements.skyShines(level),
                 kind,
                 anchor,
-                format);
+                format,
+                keepsCoverage && kind == Kind.WITH_EDGES);
     }
 }

@@ -77,7 +77,7 @@ final class BillboardSprites implements GlObject {
                 double coverage = AlphaCoverage.of(width, height, picture.samples());
                 for (int level = 1; level <= levels.size(); level++) {
                     byte[] image = levels.get(level - 1);
-                    if (source.kind() == BillboardSource.Kind.WITH_EDGES) {
+                    if (source.keepsCoverage()) {
                         AlphaCoverage.keep(coverage, Math.max(1, width >> level), Math.max(1, height >> level), image);
                     }
                     texture.uploadLevel(level, layer, texels.clear().put(image).flip());

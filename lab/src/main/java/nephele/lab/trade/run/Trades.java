@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
 import nephele.lab.bound.CollisionSubject;
 import nephele.lab.trade.Trade;
+import nephele.lab.trade.subject.BillboardSubjects;
 import nephele.lab.trade.subject.CloudSubjects;
 import nephele.lab.trade.subject.CullingSphereSubject;
 import nephele.lab.trade.subject.EdgeSubjects;
@@ -53,6 +54,8 @@ public final class Trades {
             TerrainSubjects.ERROR,
             TerrainSubjects.LAYERS,
             ImpostorSubject.IMPOSTORS,
+            BillboardSubjects.FACING,
+            BillboardSubjects.COVERAGE,
             EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,

@@ -11,6 +11,7 @@ import nephele.engine.draw.IdLevel;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.billboard.FacingAxes;
@@ -179,6 +180,35 @@ class BillboardGlTest {
         int seen = middlePixel(veil("a", "veil.png", -2), veil("b", "green-veil.png", -2));
         assertEquals(0x40, Offscreen.red(seen), 2);
         assertEquals(0x80, Offscreen.green(seen), 2);
+    }
+
+    /** A wall a tenth of a metre behind a veil shows more of itself than one that is farther away than the veil fades. */
+    @Test
+    void blendedOnesFadeWhereASurfaceCutsThem() {
+        int far = Offscreen.red(beforeAWall(5));
+        int near = Offscreen.red(beforeAWall(0.1));
+        assertEquals(0x80, far, 3);
+        // 0.1 m of the 0.3 m over which a veil of 2 m fades.
+        assertEquals(0x80 / 3, near, 5);
+    }
+
+    private int beforeAWall(double metres) {
+        Level level = level().material("blue", new Vec3(0, 0, 1))
+                .box("blue", new Vec3(0, 0, -4 - metres), new Vec3(40, 40, 2))
+                .billboards(veil("veil", "veil.png", -3))
+                .level();
+        return plain(level, offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1)))[SIZE / 2 * SIZE + SIZE / 2];
+    }
+
+    /** Lamps light billboards also where there is nothing else. */
+    @Test
+    void aLampLightsThemInAnEmptyLevel() {
+        TestLevel dark = new TestLevel().ambient(0.1).billboards(card(Facing.SPHERICAL, FOOT));
+        View view = offscreen.view(EYES.get(0), middle(FOOT));
+        int middle = 3 * (SIZE / 2 * SIZE + SIZE / 2 + 3) + 1;
+        float unlit = offscreen.radiance(dark.level(), assets, view)[middle];
+        Light lamp = new Light.Point("l", EYES.get(0), TestLevel.grey(100), 50, false);
+        assertTrue(offscreen.radiance(dark.light(lamp).level(), assets, view)[middle] > 3 * unlit);
     }
 
     @Test

@@ -70,7 +70,8 @@ public final class BillboardPass implements Pass {
         if (found.length == 0) {
             return List.of();
         }
-        TargetReads reads = request.lightMaps().dynamicObjects();
+        TargetReads light = request.lightMaps().dynamicObjects();
+        TargetReads reads = kind == Kind.BLENDED && request.meetsSurfaces() ? light.and(Target.VIEW_DEPTH) : light;
         String because = "billboards[" + found[0] + "]: "
                 + (kind == Kind.BLENDED ? "blended with what is behind them" : "pictures with edges");
         return List.of(new Required(because, context -> new BillboardPass(context, kind, reads)));
@@ -79,6 +80,12 @@ public final class BillboardPass implements Pass {
     @Override
     public Set<Target> reads() {
         return reads.declared();
+    }
+
+    @Override
+    public boolean needsCopies(FrameContext frame) {
+        quads.findSeen(frame.seen(), seen);
+        return kind == Kind.BLENDED && !seen.isEmpty();
     }
 
     @Override

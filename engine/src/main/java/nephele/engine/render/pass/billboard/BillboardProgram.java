@@ -7,6 +7,7 @@ import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
@@ -30,11 +31,13 @@ final class BillboardProgram {
         anchor = light.anchor();
         boolean isAnimated = context.scene().level().billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
+        boolean meetsSurfaces = kind == Kind.BLENDED && context.request().meetsSurfaces();
         var defines = light.addForDynamicObjects(Defines.of(context))
                 .with("LAMBERT")
                 .with("PER_SHEET", BillboardList.PER_SHEET)
                 .withIf(kind == Kind.BLENDED, "BLENDED")
                 .withIf(isAnimated, "ANIMATED")
+                .withIf(meetsSurfaces, "SURFACES")
                 .values();
         program = new GlProgram<>(
                 context.gl(),
@@ -45,6 +48,9 @@ final class BillboardProgram {
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
                     BillboardQuads.tie(uniforms);
+                    if (meetsSurfaces) {
+                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    }
                     return new Eye(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"));
                 });
     }

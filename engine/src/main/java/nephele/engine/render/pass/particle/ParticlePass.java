@@ -23,7 +23,6 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.LightRequirements;
 
 /**
  * Draws the particles of all emitters in each view: evaluated for the frame's time, sorted for the view's eye, and
@@ -48,25 +47,20 @@ public final class ParticlePass implements Pass {
     private ParticlePass(LoadContext context) {
         gl = context.gl();
         shared = context.shared();
-        reads = meetSurfaces(context.request()) ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
+        reads = context.request().meetsSurfaces() ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
         List<Emitter> emitters = making(context.request());
         particles = new LevelParticles(emitters, context.scene().statics());
         light = new ParticleLight(context.scene().level(), particles, shared);
         isSeen = new boolean[emitters.size()];
         centres = new float[3 * emitters.size()];
         quads = context.own(new ParticleQuads(gl));
-        program = new ParticleProgram(context, emitters, meetSurfaces(context.request()));
+        program = new ParticleProgram(context, emitters, context.request().meetsSurfaces());
     }
 
     private static List<Emitter> making(FrameRequest request) {
         return request.level().emitters().stream()
                 .filter(emitter -> emitter.ratePerSecond() > 0)
                 .toList();
-    }
-
-    /** Returns false if there is nothing by which particles could be cut. */
-    private static boolean meetSurfaces(FrameRequest request) {
-        return LightRequirements.hasSurfaces(request.level()) || request.hasBodies() || request.mayShowCharacter();
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -1,6 +1,12 @@
 // A billboard's picture: with edges where alpha is half or more, or blended.
 #include "output.glsl"
 
+#ifdef SURFACES
+#include "view-distance.glsl"
+uniform sampler2D viewDepth;
+flat in float fadeMetres;
+#endif
+
 uniform sampler2DArray sprites; // straight alpha
 
 in vec2 st;
@@ -28,6 +34,10 @@ void main() {
     if (layers.z > 0.0) {
         texel = mix(texel, texture(sprites, vec3(st, layers.y)), layers.z);
     }
+#endif
+#ifdef SURFACES
+    float behind = axisMetres(texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r) - 1.0 / gl_FragCoord.w;
+    texel.a *= clamp(behind / fadeMetres, 0.0, 1.0);
 #endif
     vec3 radiance = min(seenRadiance(texel.rgb), vec3(65504.0));
 #ifdef MIRRORS

@@ -20,6 +20,11 @@ out float passing; // share of the light behind fog
 out vec3 airPassing;
 #endif
 flat out vec4 oneColour;
+#ifdef SURFACES
+flat out float fadeMetres; // in front of a surface, over which the picture fades
+
+const float FADE_SHARE = 0.15; // of the width
+#endif
 
 // How round a billboard is lit: a corner faces so far to the side and above.
 const float BULGE = 0.75;
@@ -86,6 +91,10 @@ void main() {
             facingAxes(int(shape.z), -relative, normalize(viewRight.xyz), normalize(viewUp.xyz), b.turn);
     vec3 fromMiddle = cornerFromMiddle(axes, size, swayMetres(billboardGroup(b.group, 2), b, size.y));
     vec3 position = relative + fromMiddle;
+
+#ifdef SURFACES
+    fadeMetres = FADE_SHARE * size.x;
+#endif
 
     vec4 frames = billboardGroup(b.group, 1);
     float frame = billboardFrame(frames, b);

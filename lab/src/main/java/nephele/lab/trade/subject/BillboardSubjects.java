@@ -1,0 +1,60 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import nephele.engine.level.Billboards.Facing;
+import nephele.engine.level.Level;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
+
+/** How billboards are turned and filtered, judged in their sample. */
+public final class BillboardSubjects {
+    private static final String LEVEL = "levels/samples/billboards.json";
+    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+
+    private static final Trade.Text FACING_TEXT = new Trade.Text(
+            "Turning of billboards",
+            "Those of the sample that are upright and turned to the eye, turned in other ways or crossed. The formula"
+                    + " of the source faces away on half of the circle; crossed ones take twice the pictures.",
+            ORACLE);
+
+    public static final Trade FACING = PictureSubjects.of(
+                    "spriteFacing",
+                    FACING_TEXT,
+                    List.of(),
+                    "cylindrical",
+                    Stream.of(Facing.CYLINDRICAL, Facing.SPHERICAL, Facing.SCREEN, Facing.CROSSED, Facing.SOURCE)
+                            .map(BillboardSubjects::turned)
+                            .toList())
+            .in(LEVEL, "spriteFacing", FACING_TEXT);
+
+    private static final Trade.Text COVERAGE_TEXT = new Trade.Text(
+            "Mipmaps of billboards",
+            "Smaller mipmap levels keep the share of the picture that is drawn, or the mean of alpha, with which crowns"
+                    + " and grass become thin far away.",
+            ORACLE);
+
+    public static final Trade COVERAGE = PictureSubjects.of(
+                    "spriteCoverage",
+                    COVERAGE_TEXT,
+                    List.of("spriteCoverage"),
+                    "kept",
+                    List.of(
+                            PictureSetting.of("spriteCoverage", "kept", "all presets"),
+                            PictureSetting.of("spriteCoverage", "mean", "")))
+            .in(LEVEL, "spriteCoverage", COVERAGE_TEXT);
+
+    private BillboardSubjects() {}
+
+    private static PictureSetting turned(Facing facing) {
+        return new PictureSetting(
+                Setting.of(facing.name().toLowerCase(Locale.ROOT)), shot -> shot.with(turned(shot.level(), facing)));
+    }
+
+    private static Level turned(Level level, Facing facing) {
+        return level.withBillboards(level.billboards().stream()
+                .map(group -> group.facing() == Facing.CYLINDRICAL ? group.turned(facing) : group)
+                .toList());
+    }
+}
