@@ -5,7 +5,6 @@ import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource;
 import nephele.engine.render.resource.OwnedObjects;
@@ -42,14 +41,13 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
 
     /** Shares the level's billboards of a kind. */
     public BillboardQuads billboards(BillboardSource.Kind kind) {
-        PixelFormat format = output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
         BillboardSource source = BillboardSource.of(
                 scene.level(),
                 scene.statics(),
                 scene.assets(),
                 kind,
                 shared.surfaceLight().anchor(),
-                format,
+                output().pictures(),
                 quality().spriteCoverage() == SpriteCoverage.KEPT);
         return share(
                 BillboardQuads.class,

@@ -1,5 +1,7 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.render.gl.PixelFormat;
+
 /** The form in which shaders write surfaces. */
 public enum Output {
     /** Tone-mapped, sRGB, dithered, directly into the 8-bit picture. */
@@ -12,5 +14,10 @@ public enum Output {
     /** The define that shaders test. */
     public String define() {
         return "OUTPUT_" + name();
+    }
+
+    /** Returns the format of pictures of colours: decoded from sRGB when sampled, or as stored. */
+    PixelFormat pictures() {
+        return this == PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
     }
 }

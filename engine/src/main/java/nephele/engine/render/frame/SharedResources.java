@@ -310,18 +310,15 @@ public final class SharedResources implements GlObject {
     /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */
     public PictureArrays colourPictures() {
         if (colourPictures == null) {
-            colourPictures = pictures(scene.materials().colourArrays(), colourFormat());
+            colourPictures =
+                    pictures(scene.materials().colourArrays(), request.output().pictures());
         }
         return colourPictures;
     }
 
-    private PixelFormat colourFormat() {
-        return request.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-    }
-
     /** Returns base colours of several sizes as one array of the greatest size. */
     public Texture colourPictures(List<Picture> pictures) {
-        return PictureArrays.enlarged(gl, this, pictures, colourFormat(), anisotropy());
+        return PictureArrays.enlarged(gl, this, pictures, request.output().pictures(), anisotropy());
     }
 
     /** Returns normal maps of several sizes as one array of the greatest size. */
