@@ -29,6 +29,8 @@ public final class StonesGrowth {
             new Place(-42, -72, 5),
             new Place(10, -72, 7),
             new Place(3, 40, 4),
+            new Place(5, 2, 4),
+            new Place(7, -12, 5),
             new Place(-9, -16, 4),
             new Place(-27, -17, 5),
             new Place(-47, -24, 6),
