@@ -19,10 +19,10 @@ final class QualityOptions {
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
             description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
-                    + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
-                    + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
-                    + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, impostorPixels,"
-                    + " spriteCoverage, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
+                + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
+                + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
+                + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, impostorPixels,"
+                + " spriteCoverage, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -179,7 +179,9 @@ public final class Solutions {
                 .shoot(Action.FIRE_FIRST, new Vec3(7.2, 17.6, 54.13))
                 .walkTo(7.2, 56.2)
                 .lookAlong(0, -4)
-                .doUntil(PlayerInput.FORWARD, now -> now.feet().z() < -20 && now.feet().z() > -26.5)
+                .doUntil(
+                        PlayerInput.FORWARD,
+                        now -> now.feet().z() < -20 && now.feet().z() > -26.5)
                 .walkTo(8, -15)
                 .walkTo(-26, -17)
                 .walkTo(-46, -24)

@@ -36,8 +36,8 @@ class StonesMapTest {
         for (PictureRecipe recipe : StonesGrowth.PICTURES) {
             byte[] kept = Files.readAllBytes(Path.of("assets", recipe.file()));
             BufferedImage painted = recipe.painter().get();
-            int[] wanted = painted.getRaster()
-                    .getSamples(0, 0, painted.getWidth(), painted.getHeight(), 0, (int[]) null);
+            int[] wanted =
+                    painted.getRaster().getSamples(0, 0, painted.getWidth(), painted.getHeight(), 0, (int[]) null);
             assertArrayEquals(wanted, samples(kept), recipe.file() + ": run gradle textures");
         }
     }

@@ -33,7 +33,7 @@ final class SeenLevels {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(LevelCatalogue::isLevel)
-                     .filter(SeenLevels::isWithoutImpostors)
+                    .filter(SeenLevels::isWithoutImpostors)
                     .map(Path::toString)
                     .sorted()
                     .toList();
