@@ -48,8 +48,9 @@ class EndedDragOfEachToolTest {
             {"id": "b", "linkedTo": "a", "centre": [3, 3, 0], "normal": [0, 0, 1], "widthMetres": 1, "heightMetres": 2}]
             """;
 
+    /** All but the terrain tool, whose strokes need a level file: TerrainToolTest has it. */
     private static Stream<ToolEntry> tools() {
-        return Tools.ALL.stream();
+        return Tools.ALL.stream().filter(tool -> !tool.id().equals("terrain"));
     }
 
     /** A drag that changes what is shown. */
@@ -133,7 +134,7 @@ class EndedDragOfEachToolTest {
 
     /** Returns each tool with each of some commands that change the document. */
     private static Stream<Arguments> toolsAndCommands() {
-        return Tools.ALL.stream().flatMap(tool -> Stream.of(
+        return tools().flatMap(tool -> Stream.of(
                         "redo", "delete", "duplicate", "paste", "select-all", "hide", "select-invert")
                 .map(command -> Arguments.of(tool, command)));
     }

@@ -26,6 +26,7 @@ public record EditorAction(
         EDIT(Words.of("Edit", "Editar", "Editar")),
         SELECT(Words.of("Select", "Selecionar", "Selecionar")),
         BRUSH(Words.of("Brush", "Bloco", "Bloco")),
+        TERRAIN(Words.of("Terrain", "Terreno", "Terreno")),
         VIEW(Words.of("View", "Exibir", "Ver")),
         TOOL(Words.of("Tool", "Ferramenta", "Ferramenta")),
         PLAY(Words.of("Play", "Jogar", "Jogar")),

@@ -58,7 +58,7 @@ final class TerrainActions {
         List<EditorAction> all = new ArrayList<>();
         for (Effect effect : Effect.values()) {
             all.add(EditorAction.of(
-                    id(effect), effect.title(), Menu.BRUSH, List.of(), call -> choose(call.session(), effect)));
+                    id(effect), effect.title(), Menu.TERRAIN, List.of(), call -> choose(call.session(), effect)));
         }
         all.add(sized(
                 "terrain-smaller",
@@ -83,7 +83,7 @@ final class TerrainActions {
         all.add(EditorAction.of(
                         "terrain-stroke",
                         Words.of("Stroke on a Terrain", "Pincelada num terreno", "Pincelada num terreno"),
-                        Menu.BRUSH,
+                        Menu.TERRAIN,
                         List.of(),
                         TerrainActions::stroke)
                 .taking("effect", "from", "to", "radius", "strength", "terrain")
@@ -100,7 +100,7 @@ final class TerrainActions {
     }
 
     private static EditorAction sized(String id, Words title, String key, UnaryOperator<TerrainBrush> change) {
-        return EditorAction.of(id, title, Menu.BRUSH, List.of(key), call -> {
+        return EditorAction.of(id, title, Menu.TERRAIN, List.of(key), call -> {
             EditorSession session = call.session();
             TerrainBrush before = session.options().terrainBrush();
             TerrainBrush after = change.apply(before);

@@ -8,7 +8,7 @@ import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
 
 /** The files of a level with the maps of a stroke that goes on, which are given without being decoded. */
-record PaintedAssets(PaintedMaps maps, AssetSource files) implements AssetSource {
+public record PaintedAssets(PaintedMaps maps, AssetSource files) implements AssetSource {
     @Override
     public byte[] bytes(String assetId) {
         Optional<HeightMap> map = maps.known(assetId);

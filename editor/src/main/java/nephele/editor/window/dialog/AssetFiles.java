@@ -11,6 +11,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.editor.terrain.PaintedAssets;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
@@ -25,7 +26,8 @@ final class AssetFiles {
     /** Returns the ids of a family, sorted. A folder that cannot be read is left out. */
     static List<String> of(AssetSource assets, AssetFamily family) {
         Set<String> ids = new TreeSet<>();
-        if (assets instanceof LevelAssets files) {
+        AssetSource written = assets instanceof PaintedAssets painted ? painted.files() : assets;
+        if (written instanceof LevelAssets files) {
             // Each source names the place that a file would have in its folder.
             files.places("file").stream().map(Path::getParent).forEach(root -> add(ids, root, family));
         }

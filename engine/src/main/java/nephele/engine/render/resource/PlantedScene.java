@@ -21,7 +21,7 @@ public final class PlantedScene implements GlObject {
     private static final int FLOATS = 8;
 
     private final Vec3 anchor;
-    private final PlantKinds kinds;
+    private final PlantedKinds kinds;
     private final BufferTexture texels;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] kindOf;
@@ -40,7 +40,7 @@ public final class PlantedScene implements GlObject {
     public PlantedScene(GlContext gl, Scene scene, PlantSource source) {
         anchor = source.anchor();
         PlantedModels planted = PlantedModels.of(scene.level(), scene.statics(), scene.assets());
-        kinds = new PlantKinds(gl, planted.kinds(), scene.materials(), source);
+        kinds = new PlantedKinds(gl, planted.kinds(), scene.materials(), source);
         int count = planted.plants().size();
         kindOf = new int[count];
         middles = new float[3 * count];

@@ -23,7 +23,7 @@ import nephele.engine.scene.impostor.KindSky;
 import org.lwjgl.system.MemoryUtil;
 
 /** The kinds of plants on the GPU: their meshes, their atlases as layers of two textures, and their numbers. */
-final class PlantKinds implements GlObject {
+final class PlantedKinds implements GlObject {
     private static final int FLOATS = 16;
 
     private final OwnedObjects owned;
@@ -45,7 +45,7 @@ final class PlantKinds implements GlObject {
 
     private record AtlasOf(Same form, Object material, Same picture, ColourDecoding decoding, int texels) {}
 
-    PlantKinds(GlContext gl, List<PlantedModels.Kind> kinds, SceneMaterials materials, PlantSource source) {
+    PlantedKinds(GlContext gl, List<PlantedModels.Kind> kinds, SceneMaterials materials, PlantSource source) {
         owned = new OwnedObjects(gl);
         int side = ImpostorAtlas.SIDE * source.texels();
         Texture.Extent extent = new Texture.Extent(side, side, Math.max(1, kinds.size()));
