@@ -134,9 +134,9 @@ class EndedDragOfEachToolTest {
 
     /** Returns each tool with each of some commands that change the document. */
     private static Stream<Arguments> toolsAndCommands() {
-        return tools().flatMap(tool -> Stream.of(
-                        "redo", "delete", "duplicate", "paste", "select-all", "hide", "select-invert")
-                .map(command -> Arguments.of(tool, command)));
+        return tools().flatMap(
+                        tool -> Stream.of("redo", "delete", "duplicate", "paste", "select-all", "hide", "select-invert")
+                                .map(command -> Arguments.of(tool, command)));
     }
 
     /** The command does the same as without the drag, and the rest of the movement nothing. */
