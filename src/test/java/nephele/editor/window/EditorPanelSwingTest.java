@@ -81,6 +81,7 @@ class EditorPanelSwingTest {
                 action("edit.redo", Menu.EDIT, Words.of("Redo", "Refazer", "Refazer"), "Ctrl+Shift+Z"),
                 action("select.none", Menu.SELECT, Words.of("Nothing", "Nada", "Nada"), "Esc"),
                 action("brush.hollow", Menu.BRUSH, Words.of("Hollow", "Esvaziar", "Esvaziar"), "H"),
+                action("terrain.raise", Menu.TERRAIN, Words.of("Raise", "Elevar", "Elevar"), "U"),
                 action("view.focus", Menu.VIEW, Words.of("Focus", "Enquadrar", "Enquadrar"), "F"),
                 action("play.start", Menu.PLAY, Words.of("Play", "Jogar", "Jogar"), "F5"),
                 action("prove.check", Menu.PROVE, Words.of("Check", "Verificar", "Verificar"), "F7"),
@@ -156,7 +157,9 @@ class EditorPanelSwingTest {
         for (Language other : Language.values()) {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, other));
             PanelPicture.layOut(panel, panel.getSize());
-            assertEquals(Menu.TOOL.title().in(other), bar.getMenu(5).getText());
+            assertEquals(
+                    Menu.TOOL.title().in(other),
+                    bar.getMenu(Menu.TOOL.ordinal()).getText());
             assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), other.title());
         }
     }

@@ -20,15 +20,6 @@ final class BenchBillboards {
 
     /** Adds ground and trees. @param empty with light that leaves textures as they are */
     static Level planted(Level empty, int count) {
-        Material ground = new Material("ground", ONE, "textures/bench/ground.png", null, null, null, Vec3.ZERO, 8);
-        Solid plain = new Solid.Box(
-                "ground",
-                "ground",
-                false,
-                TextureMapping.WORLD,
-                new Vec3(0, -0.5, 0),
-                new Vec3(2000, 1, 2000),
-                Map.of());
         Billboards trees = Billboards.at(
                         "trees",
                         "textures/bench/tree.png",
@@ -37,7 +28,24 @@ final class BenchBillboards {
                         TREE_METRES,
                         places(count))
                 .asBlended();
-        return empty.with(List.of(ground), List.of(plain)).withBillboards(List.of(trees));
+        return empty.with(List.of(ground()), List.of(plain(2000))).withBillboards(List.of(trees));
+    }
+
+    /** Returns the material of the plain. */
+    static Material ground() {
+        return new Material("ground", ONE, "textures/bench/ground.png", null, null, null, Vec3.ZERO, 8);
+    }
+
+    /** Returns level ground around the origin. @param side in metres */
+    static Solid plain(double side) {
+        return new Solid.Box(
+                "ground",
+                "ground",
+                false,
+                TextureMapping.WORLD,
+                new Vec3(0, -0.5, 0),
+                new Vec3(side, 1, side),
+                Map.of());
     }
 
     private static List<Vec3> places(int count) {

@@ -2,13 +2,10 @@ package nephele.lab.art.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.level.Solid;
-import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 
 /** The forests of the benchmark scenes: oaks, firs and birches, as dense however many they are. */
@@ -22,21 +19,13 @@ final class BenchForest {
     /** Adds ground and trees around the origin. */
     static Level planted(Level empty, int count) {
         double side = Math.sqrt(SQUARE_METRES_PER_TREE * count);
-        Material ground = new Material("ground", ONE, "textures/bench/ground.png", null, null, null, Vec3.ZERO, 8);
         Material leaves = new Material("plants", ONE, "textures/plants.png", null, null, null, Vec3.ZERO, 1);
-        Solid plain = new Solid.Box(
-                "ground",
-                "ground",
-                false,
-                TextureMapping.WORLD,
-                new Vec3(0, -0.5, 0),
-                new Vec3(side, 1, side),
-                Map.of());
         List<ModelPlacement> trees = new ArrayList<>();
         trees.add(trees("oak", 1, 2 * count / 5));
         trees.add(trees("fir", 2, 2 * count / 5));
         trees.add(trees("birch", 3, count / 5));
-        return empty.with(List.of(ground, leaves), List.of(plain), List.of(), trees);
+        return empty.with(
+                List.of(BenchBillboards.ground(), leaves), List.of(BenchBillboards.plain(side)), List.of(), trees);
     }
 
     private static ModelPlacement trees(String kind, int seed, int count) {

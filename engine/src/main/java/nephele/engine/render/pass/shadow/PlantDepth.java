@@ -1,6 +1,8 @@
 package nephele.engine.render.pass.shadow;
 
+import java.util.Comparator;
 import java.util.Map;
+import java.util.stream.IntStream;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
@@ -22,8 +24,8 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.ShadowFrame;
 
 /**
- * Draws the depth of plants into the sun's picture: their meshes if all together have few triangles, otherwise their
- * impostors, with the depths of their atlases.
+ * Draws the depth of plants into the sun's picture: the meshes of those kinds that have the fewest triangles, as many as
+ * have few together, and of other kinds the impostors, with the depths of their atlases.
  */
 final class PlantDepth {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
@@ -36,11 +38,12 @@ final class PlantDepth {
 
     private final GlContext gl;
     private final PlantedScene plants;
-    /** {@code null} if impostors are drawn. */
-    private final GlProgram<MeshUniforms> meshes;
+    /** For each kind whether its meshes are drawn. */
+    private final boolean[] isMesh;
 
+    private final GlProgram<MeshUniforms> meshes;
     private final PlantList list;
-    /** {@code null} if meshes are drawn. */
+    /** {@code null} if all are meshes. */
     private final GlProgram<SunUniforms> impostors;
 
     private final BillboardList quads;
@@ -55,17 +58,32 @@ final class PlantDepth {
         plants = context.share(PlantedScene.class, source, () -> new PlantedScene(gl, scene, source));
         list = context.own(new PlantList(gl));
         quads = context.own(new BillboardList(gl));
-        boolean isMeshes = triangles() <= MOST_TRIANGLES;
-        meshes = isMeshes ? meshes() : null;
-        impostors = isMeshes ? null : impostors();
+        isMesh = meshKinds(plants);
+        meshes = meshes();
+        impostors = IntStream.range(0, isMesh.length).allMatch(kind -> isMesh[kind]) ? null : impostors();
     }
 
-    private long triangles() {
-        long sum = 0;
-        for (int i = 0; i < plants.count(); i++) {
-            sum += plants.meshes().get(plants.kind(i)).triangles();
+    private static boolean[] meshKinds(PlantedScene plants) {
+        long[] triangles = new long[plants.meshes().size()];
+        for (int plant = 0; plant < plants.count(); plant++) {
+            int kind = plants.kind(plant);
+            triangles[kind] += plants.meshes().get(kind).triangles();
         }
-        return sum;
+        boolean[] isMesh = new boolean[triangles.length];
+        long sum = 0;
+        for (int kind : fewestFirst(triangles)) {
+            sum += triangles[kind];
+            isMesh[kind] = sum <= MOST_TRIANGLES;
+        }
+        return isMesh;
+    }
+
+    private static int[] fewestFirst(long[] triangles) {
+        return IntStream.range(0, triangles.length)
+                .boxed()
+                .sorted(Comparator.comparingLong(kind -> triangles[kind]))
+                .mapToInt(kind -> kind)
+                .toArray();
     }
 
     private GlProgram<MeshUniforms> meshes() {
@@ -104,24 +122,30 @@ final class PlantDepth {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         plants.bind();
         float[] clip = frame.clipFromAnchor().get(new float[16]);
-        if (meshes != null) {
-            meshes.use();
-            meshes.uniforms().clipFromAnchor().set(clip);
-            for (int kind = 0; kind < plants.meshes().size(); kind++) {
+        meshes.use();
+        meshes.uniforms().clipFromAnchor().set(clip);
+        for (int kind = 0; kind < isMesh.length; kind++) {
+            if (isMesh[kind]) {
                 drawMeshes(kind);
             }
-        } else {
-            impostors.use();
-            impostors.uniforms().clipFromAnchor().set(clip);
-            Vec3 towards = Directions.unit(direction);
-            impostors.uniforms().towardsSun().set((float) towards.x(), (float) towards.y(), (float) towards.z());
-            plants.bindAtlases();
-            quads.begin();
-            for (int plant = 0; plant < plants.count(); plant++) {
+        }
+        if (impostors != null) {
+            drawImpostors(clip, Directions.unit(direction));
+        }
+    }
+
+    private void drawImpostors(float[] clip, Vec3 towards) {
+        impostors.use();
+        impostors.uniforms().clipFromAnchor().set(clip);
+        impostors.uniforms().towardsSun().set((float) towards.x(), (float) towards.y(), (float) towards.z());
+        plants.bindAtlases();
+        quads.begin();
+        for (int plant = 0; plant < plants.count(); plant++) {
+            if (!isMesh[plants.kind(plant)]) {
                 quads.add(plant);
             }
-            quads.draw();
         }
+        quads.draw();
     }
 
     private void drawMeshes(int kind) {
