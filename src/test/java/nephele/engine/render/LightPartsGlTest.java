@@ -14,7 +14,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.scene.View;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class LightPartsGlTest {
     private static final int SIZE = 48;
@@ -29,17 +30,20 @@ class LightPartsGlTest {
                 .material("matt", new Vec3(0.2, 0.5, 0.3))
                 .box("shiny", new Vec3(0, -1, 0), new Vec3(200, 1, 200))
                 .box("matt", new Vec3(0, 0.5, 0), new Vec3(2, 2, 2))
+                .impostor("torus_1.5_0.45_24_12.3d", "matt")
                 .level();
     }
 
-    /** Light is a sum: the pictures of its parts make that of all. */
-    @Test
-    void partsSumUpToAll() {
+    /** Light is a sum: the pictures of its parts make that of all. The ring is an impostor from afar, a mesh from close by. */
+    @ParameterizedTest
+    @CsvSource({"2, 12, 4", "2, 2.5, 1"})
+    void partsSumUpToAll(double x, double y, double z) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            View view = offscreen.view(new Vec3(2, 12, 4), Vec3.ZERO);
+            View view = offscreen.view(new Vec3(x, y, z), Vec3.ZERO);
+            Quality quality = Quality.HIGH.withImpostorPixels(32);
             List<float[]> parts = Stream.of(LightParts.ALL, LightParts.AMBIENT, LightParts.DIFFUSE, LightParts.SPECULAR)
                     .map(shown -> offscreen
-                            .radiance(level(), TestAssets.NONE, List.of(view), Quality.HIGH.withLightParts(shown))
+                            .radiance(level(), new TestAssets(), List.of(view), quality.withLightParts(shown))
                             .get(0))
                     .toList();
             double[] sums = new double[4];

@@ -1,6 +1,7 @@
 package nephele.editor.action;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -23,8 +24,9 @@ import nephele.engine.math.Vec3;
 
 /** The brush of the terrain tool, and strokes by numbers. */
 final class TerrainActions {
-    private static final double RADIUS_STEP = Math.sqrt(2);
-    private static final double STRENGTH_STEP = Math.sqrt(2);
+    /** The factor of a step of radius or strength. */
+    private static final double STEP = Math.sqrt(2);
+
     private static final Words RADIUS = Words.of("Brush radius: %s m", "Raio do pincel: %s m", "Raio do pincel: %s m");
     private static final Words STRENGTH =
             Words.of("Brush strength: %s %%", "Força do pincel: %s %%", "Força do pincel: %s %%");
@@ -64,22 +66,22 @@ final class TerrainActions {
                 "terrain-smaller",
                 Words.of("Smaller Terrain Brush", "Pincel de terreno menor", "Pincel de terreno menor"),
                 "Alt+OpenBracket",
-                brush -> brush.ofRadius(brush.radiusMetres() / RADIUS_STEP)));
+                brush -> brush.ofRadius(brush.radiusMetres() / STEP)));
         all.add(sized(
                 "terrain-larger",
                 Words.of("Larger Terrain Brush", "Pincel de terreno maior", "Pincel de terreno maior"),
                 "Alt+CloseBracket",
-                brush -> brush.ofRadius(brush.radiusMetres() * RADIUS_STEP)));
+                brush -> brush.ofRadius(brush.radiusMetres() * STEP)));
         all.add(sized(
                 "terrain-weaker",
                 Words.of("Weaker Terrain Brush", "Pincel de terreno mais fraco", "Pincel de terreno mais fraco"),
                 "Alt+Shift+OpenBracket",
-                brush -> brush.ofStrength(brush.strength() / STRENGTH_STEP)));
+                brush -> brush.ofStrength(brush.strength() / STEP)));
         all.add(sized(
                 "terrain-stronger",
                 Words.of("Stronger Terrain Brush", "Pincel de terreno mais forte", "Pincel de terreno mais forte"),
                 "Alt+Shift+CloseBracket",
-                brush -> brush.ofStrength(brush.strength() * STRENGTH_STEP)));
+                brush -> brush.ofStrength(brush.strength() * STEP)));
         all.add(EditorAction.of(
                         "terrain-stroke",
                         Words.of("Stroke on a Terrain", "Pincelada num terreno", "Pincelada num terreno"),
@@ -136,15 +138,13 @@ final class TerrainActions {
 
     private static Effect effect(ActionCall call, Effect absent) throws ActionFailure {
         Optional<String> named = call.text("effect");
-        for (Effect effect : Effect.values()) {
-            if (named.isPresent() && named.get().equals(effect.name().toLowerCase(Locale.ROOT))) {
-                return effect;
-            }
+        if (named.isEmpty()) {
+            return absent;
         }
-        if (named.isPresent()) {
-            throw new ActionFailure(NO_EFFECT.with(named.get()));
-        }
-        return absent;
+        return Arrays.stream(Effect.values())
+                .filter(effect -> effect.name().toLowerCase(Locale.ROOT).equals(named.get()))
+                .findFirst()
+                .orElseThrow(() -> new ActionFailure(NO_EFFECT.with(named.get())));
     }
 
     private static Terrain terrain(ActionCall call) throws ActionFailure {

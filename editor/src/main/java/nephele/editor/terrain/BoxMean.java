@@ -1,17 +1,17 @@
 package nephele.editor.terrain;
 
-import nephele.editor.terrain.TerrainGrid.Part;
+import nephele.engine.math.heightfield.SampleRange;
 
 /** Means of values over rectangles of samples, from sums over all rectangles that begin at a corner (Crow 1984). */
 final class BoxMean {
-    private final Part part;
+    private final SampleRange part;
     private final int halfColumns;
     private final int halfRows;
     private final int stride;
     private final double[] sums;
 
     /** @param part the samples that means may need; those beyond it do not count */
-    BoxMean(float[] values, TerrainGrid grid, Part part, int halfColumns, int halfRows) {
+    BoxMean(float[] values, TerrainGrid grid, SampleRange part, int halfColumns, int halfRows) {
         this.part = part;
         this.halfColumns = halfColumns;
         this.halfRows = halfRows;

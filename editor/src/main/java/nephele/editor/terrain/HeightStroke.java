@@ -1,9 +1,9 @@
 package nephele.editor.terrain;
 
 import nephele.editor.terrain.TerrainBrush.Effect;
-import nephele.editor.terrain.TerrainGrid.Part;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.level.Terrain;
+import nephele.engine.math.heightfield.SampleRange;
 
 /**
  * A stroke on heights. They are floats in units of the map while it goes on, so that dabs of less than a unit add up,
@@ -23,7 +23,7 @@ public final class HeightStroke {
     private final float flat;
     private HeightMap map;
     /** What {@link #map} does not show yet; {@code null} for nothing. */
-    private Part unshown;
+    private SampleRange unshown;
 
     private boolean isAtLimit;
 
@@ -75,7 +75,7 @@ public final class HeightStroke {
     }
 
     private void dab(double x, double z) {
-        Part part = grid.around(x, z, radius);
+        SampleRange part = grid.around(x, z, radius);
         if (part.isEmpty()) {
             return;
         }
@@ -101,13 +101,13 @@ public final class HeightStroke {
         };
     }
 
-    private BoxMean mean(Part part) {
+    private BoxMean mean(SampleRange part) {
         int halfColumns = (int) Math.max(1, Math.round(MEAN_PER_RADIUS * radius / grid.cellX()));
         int halfRows = (int) Math.max(1, Math.round(MEAN_PER_RADIUS * radius / grid.cellZ()));
         return new BoxMean(values, grid, grid.grown(part, halfColumns, halfRows), halfColumns, halfRows);
     }
 
-    private HeightMap rounded(Part part) {
+    private HeightMap rounded(SampleRange part) {
         short[] rounded = map.values().clone();
         for (int row = part.firstRow(); row <= part.lastRow(); row++) {
             for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {

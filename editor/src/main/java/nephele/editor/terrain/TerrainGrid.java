@@ -1,6 +1,7 @@
 package nephele.editor.terrain;
 
 import nephele.engine.level.Terrain;
+import nephele.engine.math.heightfield.SampleRange;
 
 /**
  * The samples of a terrain's map in the world.
@@ -20,37 +21,14 @@ record TerrainGrid(double leastX, double leastZ, double cellX, double cellZ, int
                 rows);
     }
 
-    /** A rectangle of samples; the ends count. */
-    record Part(int firstColumn, int firstRow, int lastColumn, int lastRow) {
-        boolean isEmpty() {
-            return lastColumn < firstColumn || lastRow < firstRow;
-        }
-
-        Part union(Part other) {
-            return new Part(
-                    Math.min(firstColumn, other.firstColumn),
-                    Math.min(firstRow, other.firstRow),
-                    Math.max(lastColumn, other.lastColumn),
-                    Math.max(lastRow, other.lastRow));
-        }
-
-        int columns() {
-            return lastColumn - firstColumn + 1;
-        }
-
-        int rows() {
-            return lastRow - firstRow + 1;
-        }
-    }
-
     /** Returns a radius with which a dab reaches a sample wherever it is. */
     double effective(double radiusMetres) {
         return Math.max(radiusMetres, Math.max(cellX, cellZ));
     }
 
     /** Returns the samples within a distance along each axis; those beyond the border are left out. */
-    Part around(double x, double z, double metres) {
-        return new Part(
+    SampleRange around(double x, double z, double metres) {
+        return new SampleRange(
                 (int) Math.max(0, Math.ceil((x - metres - leastX) / cellX)),
                 (int) Math.max(0, Math.ceil((z - metres - leastZ) / cellZ)),
                 (int) Math.min(columns - 1.0, Math.floor((x + metres - leastX) / cellX)),
@@ -58,12 +36,12 @@ record TerrainGrid(double leastX, double leastZ, double cellX, double cellZ, int
     }
 
     /** Returns a part with so many more samples on each side. */
-    Part grown(Part part, int byColumns, int byRows) {
-        return new Part(
-                Math.max(0, part.firstColumn - byColumns),
-                Math.max(0, part.firstRow - byRows),
-                Math.min(columns - 1, part.lastColumn + byColumns),
-                Math.min(rows - 1, part.lastRow + byRows));
+    SampleRange grown(SampleRange part, int byColumns, int byRows) {
+        return new SampleRange(
+                Math.max(0, part.firstColumn() - byColumns),
+                Math.max(0, part.firstRow() - byRows),
+                Math.min(columns - 1, part.lastColumn() + byColumns),
+                Math.min(rows - 1, part.lastRow() + byRows));
     }
 
     /** Returns the squared distance of a sample from a place, divided by the square of a radius. */

@@ -61,6 +61,27 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
     }
 
     /** Returns true if the boxes overlap or touch; false if one is empty. */
+    /** Returns the distance of the nearest point of the box; 0 within it. */
+    public double nearest(Vec3 place) {
+        return nearest(place.x(), place.y(), place.z());
+    }
+
+    /** Returns the distance of the nearest point of the box; 0 within it. */
+    public double nearest(double x, double y, double z) {
+        double dx = Math.max(0, Math.max(minX - x, x - maxX));
+        double dy = Math.max(0, Math.max(minY - y, y - maxY));
+        double dz = Math.max(0, Math.max(minZ - z, z - maxZ));
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** Returns the distance of the farthest corner. */
+    public double farthest(double x, double y, double z) {
+        double dx = Math.max(maxX - x, x - minX);
+        double dy = Math.max(maxY - y, y - minY);
+        double dz = Math.max(maxZ - z, z - minZ);
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
     public boolean overlaps(Aabb b) {
         return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;
     }
@@ -73,6 +94,16 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
                 && minY <= bounds[at + 4]
                 && bounds[at + 2] <= maxZ
                 && minZ <= bounds[at + 5];
+    }
+
+    /** Returns true if a face is infinitely far away. */
+    public boolean isUnbounded() {
+        return Double.isInfinite(minX)
+                || Double.isInfinite(minY)
+                || Double.isInfinite(minZ)
+                || Double.isInfinite(maxX)
+                || Double.isInfinite(maxY)
+                || Double.isInfinite(maxZ);
     }
 
     /** Returns true if one of the six numbers from {@code at} on is infinite: three minima, three maxima. */

@@ -113,19 +113,15 @@ public final class Frustum {
 
     /**
      * Returns false only if no part of the box can be visible; always false for an empty box, true for an unbounded
-     * one.
+     * one. Allocates nothing.
      */
     public boolean mayIntersect(Aabb box) {
         if (box.isEmpty()) {
             return false;
         }
-        double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
-        return Aabb.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
-    }
-
-    /** Returns false only if no part of a bounded box, its six numbers from {@code at} on, can be visible; allocates nothing. */
-    public boolean mayIntersect(double[] bounds, int at) {
-        return classify(bounds, at, allPlanes()) != OUTSIDE;
+        return box.isUnbounded()
+                || classify(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ(), allPlanes())
+                        != OUTSIDE;
     }
 
     /** Returns false only if no part of the bounding sphere of a box can be visible. */
@@ -182,12 +178,17 @@ public final class Frustum {
      * @return the planes that intersect this box, 0 if it is inside all of them, or {@link #OUTSIDE}
      */
     public int classify(double[] bounds, int at, int mask) {
-        double minX = bounds[at] - eyeX;
-        double minY = bounds[at + 1] - eyeY;
-        double minZ = bounds[at + 2] - eyeZ;
-        double maxX = bounds[at + 3] - eyeX;
-        double maxY = bounds[at + 4] - eyeY;
-        double maxZ = bounds[at + 5] - eyeZ;
+        return classify(
+                bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3], bounds[at + 4], bounds[at + 5], mask);
+    }
+
+    private int classify(double left, double bottom, double back, double right, double top, double front, int mask) {
+        double minX = left - eyeX;
+        double minY = bottom - eyeY;
+        double minZ = back - eyeZ;
+        double maxX = right - eyeX;
+        double maxY = top - eyeY;
+        double maxZ = front - eyeZ;
         int cut = 0;
         for (int plane = 0; plane < count; plane++) {
             if ((mask & (1 << plane)) == 0) {

@@ -8,7 +8,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 
 /**
- * Turns placed models into triangles, except those that are drawn as impostors. Triangles share no vertices, because a vertex also holds its triangle's normal.
+ * Turns placed models into triangles, except those that are drawn as impostors. Triangles share no vertices, because a
+ * vertex also holds its triangle's normal.
  */
 final class ModelMesher {
     private static final int[] TRIANGLE = {0, 1, 2};

@@ -165,10 +165,7 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         for (int i = 0; i < 60; i++) {
             double middle = (near + far) / 2;
             Aabb box = Aabb.around(ahead().scaled(middle), size);
-            double x = Math.max(0, Math.max(box.minX(), -box.maxX()));
-            double y = Math.max(0, Math.max(box.minY(), -box.maxY()));
-            double z = Math.max(0, Math.max(box.minZ(), -box.maxZ()));
-            if (Math.sqrt(x * x + y * y + z * z) < distanceMetres()) {
+            if (box.nearest(Vec3.ZERO) < distanceMetres()) {
                 near = middle;
             } else {
                 far = middle;

@@ -9,9 +9,26 @@ public record SampleRange(int firstColumn, int firstRow, int lastColumn, int las
         return lastColumn < firstColumn || lastRow < firstRow;
     }
 
+    public int columns() {
+        return lastColumn - firstColumn + 1;
+    }
+
+    public int rows() {
+        return lastRow - firstRow + 1;
+    }
+
     /** Returns the number of samples. */
     public long count() {
-        return isEmpty() ? 0 : (lastColumn - firstColumn + 1L) * (lastRow - firstRow + 1L);
+        return isEmpty() ? 0 : (long) columns() * rows();
+    }
+
+    /** Returns the smallest range that holds both; neither is empty. */
+    public SampleRange union(SampleRange other) {
+        return new SampleRange(
+                Math.min(firstColumn, other.firstColumn),
+                Math.min(firstRow, other.firstRow),
+                Math.max(lastColumn, other.lastColumn),
+                Math.max(lastRow, other.lastRow));
     }
 
     /** Returns true if this has a sample within other ends, which count. */

@@ -8,6 +8,8 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource;
 import nephele.engine.render.resource.OwnedObjects;
+import nephele.engine.render.resource.PlantSource;
+import nephele.engine.render.resource.PlantedScene;
 import nephele.engine.scene.Scene;
 
 /**
@@ -58,6 +60,17 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
                         scene.statics(),
                         scene.assets(),
                         source));
+    }
+
+    /** Shares the level's models that are drawn as impostors. */
+    public PlantedScene plants() {
+        PlantSource source = PlantSource.of(
+                scene,
+                shared.surfaceLight().anchor(),
+                output().pictures(),
+                output().decoding(),
+                quality().impostorPixels());
+        return share(PlantedScene.class, source, () -> new PlantedScene(gl, scene, source));
     }
 
     /** Shares an object as {@link SharedResources#share} does. */

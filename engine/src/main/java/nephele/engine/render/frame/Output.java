@@ -1,5 +1,6 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.render.gl.PixelFormat;
 
 /** The form in which shaders write surfaces. */
@@ -17,7 +18,12 @@ public enum Output {
     }
 
     /** Returns the format of pictures of colours: decoded from sRGB when sampled, or as stored. */
-    PixelFormat pictures() {
+    public PixelFormat pictures() {
         return this == PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+    }
+
+    /** Returns what the numbers of such pictures mean. */
+    public ColourDecoding decoding() {
+        return this == PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
     }
 }

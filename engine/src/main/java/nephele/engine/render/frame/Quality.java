@@ -201,11 +201,11 @@ public record Quality(
     /** The parts of the light that surfaces reflect; what glows shows always. */
     public enum LightParts {
         ALL,
-        /** Of the sky or the constant. */
+        /** Light of the sky, or the ambient constant of the level. */
         AMBIENT,
-        /** Of sun, lamps and lightning, in all directions. */
+        /** Light of sun, lamps and lightning that is reflected diffusely. */
         DIFFUSE,
-        /** Of sun, lamps and lightning, mirrored. */
+        /** Light of sun, lamps and lightning that the specular lobe reflects. */
         SPECULAR
     }
 

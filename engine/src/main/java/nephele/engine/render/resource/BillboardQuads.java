@@ -1,7 +1,6 @@
 package nephele.engine.render.resource;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
@@ -34,11 +33,12 @@ public final class BillboardQuads implements GlObject {
     /** The middles, three numbers each, from the anchor. */
     private final float[] middles;
 
-    /** The bounds of the clusters in the world, however images are turned: six numbers each. */
-    private double[] boxes = new double[0];
-
-    /** Images from {@code first} to before {@code end} that have pictures of one array. */
-    public record Cluster(int first, int end, int array) {}
+    /**
+     * Images from {@code first} to before {@code end} that have pictures of one array.
+     *
+     * @param bounds in the world, however they are turned
+     */
+    public record Cluster(int first, int end, int array, Aabb bounds) {}
 
     /** An image before it is stored. */
     private record Image(PlantedBillboards.Group group, int number, int index, double turn, int array) {
@@ -128,28 +128,18 @@ public final class BillboardQuads implements GlObject {
             bounds = bounds.union(image.group().bounds(image.index()));
             boolean isLast = i + 1 == images.size() || images.get(i + 1).array() != image.array();
             if (isLast || i + 1 - first == PER_CLUSTER) {
-                addBox(bounds);
-                clusters.add(new Cluster(first, i + 1, image.array()));
+                clusters.add(new Cluster(first, i + 1, image.array(), bounds));
                 first = i + 1;
                 bounds = Aabb.EMPTY;
             }
         }
     }
 
-    private void addBox(Aabb b) {
-        int at = 6 * clusters.size();
-        if (boxes.length == at) {
-            boxes = Arrays.copyOf(boxes, 2 * at + 6);
-        }
-        double[] box = {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
-        System.arraycopy(box, 0, boxes, at, 6);
-    }
-
     /** Collects the clusters that may be visible, by arrays of pictures, then by place. */
     public void findSeen(Frustum frustum, List<Cluster> seen) {
         seen.clear();
         for (int i = 0; i < clusters.size(); i++) {
-            if (frustum.mayIntersect(boxes, 6 * i)) {
+            if (frustum.mayIntersect(clusters.get(i).bounds())) {
                 seen.add(clusters.get(i));
             }
         }

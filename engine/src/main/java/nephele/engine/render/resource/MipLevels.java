@@ -11,13 +11,8 @@ import nephele.engine.level.appearance.ColourDecoding;
  * metal.
  */
 public final class MipLevels {
-    private static final int GUESSES = 1024;
-
+    private final ColourDecoding.Codes codes;
     private final float[] linear = new float[256];
-    /** The limits between codes, in linear light. */
-    private final double[] limits = new double[255];
-    /** The code of k / GUESSES, a lower bound for values above it. */
-    private final int[] guesses = new int[GUESSES + 1];
 
     /** A picture in linear light, row by row. */
     @FunctionalInterface
@@ -26,18 +21,9 @@ public final class MipLevels {
     }
 
     private MipLevels(ColourDecoding decoding) {
+        codes = decoding.codes();
         for (int code = 0; code < linear.length; code++) {
-            linear[code] = (float) decoding.linear(code / 255.0);
-        }
-        for (int code = 0; code < limits.length; code++) {
-            limits[code] = decoding.linear((code + 0.5) / 255);
-        }
-        int code = 0;
-        for (int k = 0; k <= GUESSES; k++) {
-            while (code < limits.length && (double) k / GUESSES >= limits[code]) {
-                code++;
-            }
-            guesses[k] = code;
+            linear[code] = (float) codes.linear((byte) code);
         }
     }
 
@@ -68,20 +54,12 @@ public final class MipLevels {
             height = Math.max(height / 2, 1);
             byte[] rounded = new byte[level.length];
             for (int i = 0; i < level.length; i++) {
-                rounded[i] = ((i & 3) == 3 ? alphas : colours).code(level[i]);
+                rounded[i] = ((i & 3) == 3 ? alphas : colours).codes.nearest(level[i]);
             }
             levels.add(rounded);
             rows = (y, row) -> System.arraycopy(level, y * row.length, row, 0, row.length);
         }
         return levels;
-    }
-
-    private byte code(double value) {
-        int code = guesses[(int) (value * GUESSES)];
-        while (code < limits.length && value >= limits[code]) {
-            code++;
-        }
-        return (byte) code;
     }
 
     /** Halves a level; with an odd number of rows or columns, a texel covers a little more than two. */

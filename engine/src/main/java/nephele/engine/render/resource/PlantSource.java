@@ -13,12 +13,21 @@ import nephele.engine.scene.light.LightRequirements;
  *
  * @param anchor world position from which places are measured
  * @param format of the colours of their atlases
+ * @param decoding of these colours
  * @param texels along a side of a view
  */
 public record PlantSource(
-        Same statics, Same materials, Same assets, boolean isSkyLit, Vec3 anchor, PixelFormat format, int texels) {
+        Same statics,
+        Same materials,
+        Same assets,
+        boolean isSkyLit,
+        Vec3 anchor,
+        PixelFormat format,
+        ColourDecoding decoding,
+        int texels) {
     /** @param impostorPixels size below which impostors are drawn */
-    public static PlantSource of(Scene scene, Vec3 anchor, PixelFormat format, double impostorPixels) {
+    public static PlantSource of(
+            Scene scene, Vec3 anchor, PixelFormat format, ColourDecoding decoding, double impostorPixels) {
         return new PlantSource(
                 new Same(scene.statics()),
                 new Same(scene.materials()),
@@ -26,10 +35,7 @@ public record PlantSource(
                 LightRequirements.skyShines(scene.level()),
                 anchor,
                 format,
+                decoding,
                 ImpostorAtlas.texelsFor(impostorPixels));
-    }
-
-    ColourDecoding decoding() {
-        return format == PixelFormat.SRGB8_ALPHA8 ? ColourDecoding.SRGB : ColourDecoding.AS_STORED;
     }
 }

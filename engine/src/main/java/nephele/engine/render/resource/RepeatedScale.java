@@ -6,11 +6,11 @@ import nephele.engine.level.appearance.ColourDecoding;
 /** Enlarges pictures that repeat: bilinear in linear values, across their edges, rounded once. */
 public final class RepeatedScale {
     private final Picture from;
-    private final StoredCodes codes;
+    private final ColourDecoding.Codes codes;
 
     private RepeatedScale(Picture from, ColourDecoding decoding) {
         this.from = from;
-        codes = new StoredCodes(decoding);
+        codes = decoding.codes();
     }
 
     /**

@@ -40,12 +40,12 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
                     .resolve(albedo, image, column * texels, row * texels);
         });
         image.spreadDepths(texels, texels / 8);
-        AtlasCodes codes = new AtlasCodes(decoding);
+        ColourDecoding.Codes codes = decoding.codes();
         List<byte[]> colours = new ArrayList<>();
         List<byte[]> shapes = new ArrayList<>();
         for (AtlasImage level = image; ; level = level.halved()) {
-            colours.add(codes.colours(level));
-            shapes.add(codes.shapes(level));
+            colours.add(AtlasCodes.colours(level, codes));
+            shapes.add(AtlasCodes.shapes(level));
             if (level.side() == 1) {
                 return new ImpostorAtlas(image.side(), colours, shapes);
             }

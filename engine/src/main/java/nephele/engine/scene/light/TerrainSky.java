@@ -34,7 +34,7 @@ public final class TerrainSky {
     private final HeightField field;
     private final int columns;
     private final int rows;
-    /** Of the horizons' elevations, in all directions of each point. */
+    /** The tangents of the elevations of the horizons, {@link #AZIMUTHS} for each point. */
     private final float[] tangents;
 
     private final byte[] values;

@@ -20,16 +20,20 @@ vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift
 #endif
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+    // The sky's light is nearly linear in the normal.
+    Surface open = s;
+    open.normal = meanNormal;
+    sum += ambientLight(r, open);
+#endif
+#ifdef LIGHT_PARTS
+    r = shown(r);
+#endif
 #ifdef PUNCTUAL_LIGHTS
     sum += allLights(r, s);
 #endif
 #ifdef FLASH
     sum += flashLight(r, s);
-#endif
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
-    // The sky's light is nearly linear in the normal.
-    s.normal = meanNormal;
-    sum += ambientLight(r, s);
 #endif
 #ifdef SUN
     float cosine = max(dot(meanNormal, sunDirection), 0.0) + (1.0 - agreed) * ALL_DIRECTIONS;

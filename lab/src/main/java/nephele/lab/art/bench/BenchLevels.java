@@ -20,8 +20,8 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * The benchmark scenes as levels: clear, skybox, boxes, billboards, portals, bodies, terrain and forests. The engines that Nephele is compared with
- * draw the same scenes.
+ * The benchmark scenes as levels: clear, skybox, boxes, billboards, portals, bodies, terrain and forests. The engines that
+ * Nephele is compared with draw the same scenes, except for the forests.
  */
 public final class BenchLevels {
     private static final Vec3 ONE = new Vec3(1, 1, 1);

@@ -66,9 +66,9 @@ public final class StonesMap {
         double distance = distance(x + 64, z + 72) + 5 * rough(x / 24, z / 24, 3, 21.5);
         double top = HILL_TOP + 0.4 * rough(x / 7, z / 7, 2, 33.5);
         double hill = mix(height, top, ramp((62 - distance) / 46));
-        double top2 = site(hill, HILL_TOP, x, z, -40, -72, 6);
+        double flatTop = site(hill, HILL_TOP, x, z, -40, -72, 6);
         double edge = -34 + 1.6 * rough(x / 9, z / 9, 3, 27.5) * ramp((Math.abs(z + 72) - 3) / 5);
-        return mix(height, top2, ramp((edge + 4 - x) / 4));
+        return mix(height, flatTop, ramp((edge + 4 - x) / 4));
     }
 
     private double rock(double height, double x, double z) {

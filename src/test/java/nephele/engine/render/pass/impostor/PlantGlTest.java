@@ -29,7 +29,7 @@ import org.junit.jupiter.api.TestInstance;
 class PlantGlTest {
     private static final int SIZE = 96;
     private static final double BEGIN = 32;
-    /** Of half the angle of the views. */
+    /** The tangent of half the angle of the views. */
     private static final double TAN = 0.15;
 
     private static final String SHAPE = "torus_1_0.45_24_12.3d";

@@ -115,7 +115,7 @@ public final class CloudPass implements Pass {
         double seconds = shared.clouds().now().seconds();
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < clouds.size(); i++) {
-            nearest = Math.min(nearest, CloudRanges.distance(clouds.get(i).bounds(seconds), eye));
+            nearest = Math.min(nearest, clouds.get(i).bounds(seconds).nearest(eye));
         }
         return nearest < farthestSurface(eye);
     }
@@ -218,9 +218,6 @@ public final class CloudPass implements Pass {
         if (surfaces.isEmpty()) {
             return 0;
         }
-        double x = Math.max(Math.abs(eye.x() - surfaces.minX()), Math.abs(eye.x() - surfaces.maxX()));
-        double y = Math.max(Math.abs(eye.y() - surfaces.minY()), Math.abs(eye.y() - surfaces.maxY()));
-        double z = Math.max(Math.abs(eye.z() - surfaces.minZ()), Math.abs(eye.z() - surfaces.maxZ()));
-        return Math.sqrt(x * x + y * y + z * z);
+        return surfaces.farthest(eye.x(), eye.y(), eye.z());
     }
 }

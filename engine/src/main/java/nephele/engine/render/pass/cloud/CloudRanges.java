@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.View;
 
@@ -58,13 +57,6 @@ final class CloudRanges {
 
     int count() {
         return count;
-    }
-
-    static double distance(Aabb box, Vec3 eye) {
-        double x = Math.max(0, Math.max(box.minX() - eye.x(), eye.x() - box.maxX()));
-        double y = Math.max(0, Math.max(box.minY() - eye.y(), eye.y() - box.maxY()));
-        double z = Math.max(0, Math.max(box.minZ() - eye.z(), eye.z() - box.maxZ()));
-        return Math.sqrt(x * x + y * y + z * z);
     }
 
     void put(Places places, View view) {

@@ -65,7 +65,7 @@ public final class PlacedCloud {
 
     /** Returns the distance from a point to its bounds, metres; 0 inside. */
     public double distance(Vec3 from) {
-        return CloudRanges.distance(bounds(), from);
+        return bounds().nearest(from);
     }
 
     /** Returns its bounds at the time of the frame. */

@@ -7,7 +7,6 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -19,14 +18,11 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.KindMesh;
-import nephele.engine.render.resource.PlantSource;
 import nephele.engine.render.resource.PlantedScene;
 import nephele.engine.scene.Projection;
-import nephele.engine.scene.Scene;
 import nephele.engine.scene.impostor.ImpostorAtlas;
 
 /**
@@ -52,11 +48,8 @@ public final class ImpostorPass implements Pass {
         this.reads = reads;
         gl = context.gl();
         light = context.shared().surfaceLight();
-        Scene scene = context.scene();
-        PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
         double pixels = context.quality().impostorPixels();
-        PlantSource source = PlantSource.of(scene, light.anchor(), format, pixels);
-        plants = context.share(PlantedScene.class, source, () -> new PlantedScene(gl, scene, source));
+        plants = context.plants();
         choice = context.own(new PlantChoice(gl, plants, new PlantSizes(pixels)));
         impostorBlend = context.quality().samples() > 1 ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         impostor = pixels == 0 ? null : new PlantProgram(context, PlantProgram.Kind.IMPOSTOR);

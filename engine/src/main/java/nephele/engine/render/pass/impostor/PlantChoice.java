@@ -3,7 +3,6 @@ package nephele.engine.render.pass.impostor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -14,9 +13,8 @@ import nephele.engine.render.resource.PlantedScene.Cluster;
 import nephele.engine.scene.View;
 
 /**
- * The plants that a view draws, the nearest clusters first. Far clusters are chosen as a whole, and the farthest lose
- * some of their plants; a cluster in which some
- * plants are large enough for meshes is looked through.
+ * The plants that a view draws, the nearest clusters first. Far clusters are chosen as a whole, and the farthest lose some
+ * of their plants; clusters in which some plants are large enough for meshes are looked through.
  */
 final class PlantChoice implements GlObject {
     private final PlantedScene scene;
@@ -55,7 +53,7 @@ final class PlantChoice implements GlObject {
         List<Cluster> clusters = scene.clusters();
         for (int i = 0; i < clusters.size(); i++) {
             if (limits.mayIntersect(clusters.get(i).bounds())) {
-                float distance = (float) nearest(clusters.get(i).bounds(), view);
+                float distance = (float) clusters.get(i).bounds().nearest(view.eyeX(), view.eyeY(), view.eyeZ());
                 order[seen++] = (long) Float.floatToIntBits(distance) << 32 | i;
             }
         }
@@ -63,8 +61,8 @@ final class PlantChoice implements GlObject {
     }
 
     private void add(Cluster cluster, View view, double pixelsPerRadian) {
-        double near = nearest(cluster.bounds(), view);
-        double far = farthest(cluster.bounds(), view);
+        double near = cluster.bounds().nearest(view.eyeX(), view.eyeY(), view.eyeZ());
+        double far = cluster.bounds().farthest(view.eyeX(), view.eyeY(), view.eyeZ());
         if (sizes.isImpostor(cluster.most() * pixelsPerRadian / near)) {
             int drawn = PlantSizes.drawn(cluster.end() - cluster.first(), cluster.most() * pixelsPerRadian / near);
             for (int plant = cluster.first(); plant < cluster.first() + drawn; plant++) {
@@ -91,20 +89,6 @@ final class PlantChoice implements GlObject {
         float x = scene.middle(plant, 0) - eyeX;
         float y = scene.middle(plant, 1) - eyeY;
         float z = scene.middle(plant, 2) - eyeZ;
-        return Math.sqrt(x * x + y * y + z * z);
-    }
-
-    private static double nearest(Aabb box, View view) {
-        double x = Math.max(0, Math.max(box.minX() - view.eyeX(), view.eyeX() - box.maxX()));
-        double y = Math.max(0, Math.max(box.minY() - view.eyeY(), view.eyeY() - box.maxY()));
-        double z = Math.max(0, Math.max(box.minZ() - view.eyeZ(), view.eyeZ() - box.maxZ()));
-        return Math.sqrt(x * x + y * y + z * z);
-    }
-
-    private static double farthest(Aabb box, View view) {
-        double x = Math.max(box.maxX() - view.eyeX(), view.eyeX() - box.minX());
-        double y = Math.max(box.maxY() - view.eyeY(), view.eyeY() - box.minY());
-        double z = Math.max(box.maxZ() - view.eyeZ(), view.eyeZ() - box.minZ());
         return Math.sqrt(x * x + y * y + z * z);
     }
 

@@ -6,21 +6,17 @@ import java.util.stream.IntStream;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.PlantList;
-import nephele.engine.render.resource.PlantSource;
 import nephele.engine.render.resource.PlantedScene;
-import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.ShadowFrame;
 
 /**
@@ -50,20 +46,16 @@ final class PlantDepth {
 
     PlantDepth(LoadContext context) {
         gl = context.gl();
-        Scene scene = context.scene();
-        PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-        Vec3 anchor = context.shared().surfaceLight().anchor();
-        PlantSource source =
-                PlantSource.of(scene, anchor, format, context.quality().impostorPixels());
-        plants = context.share(PlantedScene.class, source, () -> new PlantedScene(gl, scene, source));
+        plants = context.plants();
         list = context.own(new PlantList(gl));
         quads = context.own(new BillboardList(gl));
-        isMesh = meshKinds(plants);
+        isMesh = meshKinds(plants, context.quality().impostorPixels() == 0 ? Long.MAX_VALUE : MOST_TRIANGLES);
         meshes = meshes();
         impostors = IntStream.range(0, isMesh.length).allMatch(kind -> isMesh[kind]) ? null : impostors();
     }
 
-    private static boolean[] meshKinds(PlantedScene plants) {
+    /** @param most triangles of all kinds whose meshes are drawn */
+    private static boolean[] meshKinds(PlantedScene plants, long most) {
         long[] triangles = new long[plants.meshes().size()];
         for (int plant = 0; plant < plants.count(); plant++) {
             int kind = plants.kind(plant);
@@ -73,7 +65,7 @@ final class PlantDepth {
         long sum = 0;
         for (int kind : fewestFirst(triangles)) {
             sum += triangles[kind];
-            isMesh[kind] = sum <= MOST_TRIANGLES;
+            isMesh[kind] = sum <= most;
         }
         return isMesh;
     }

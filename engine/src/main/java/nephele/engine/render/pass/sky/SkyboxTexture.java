@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
@@ -22,7 +21,7 @@ final class SkyboxTexture {
 
     static Texture upload(LoadContext context, SkyboxPictures faces) {
         int side = faces.side() + 2;
-        PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+        PixelFormat format = context.output().pictures();
         Texture.Extent extent = new Texture.Extent(side, side, 6);
         Texture texture =
                 new Texture(context.gl(), "skybox", Texture.Shape.ARRAY, format, extent, Sampling.LINEAR_CLAMP);

@@ -12,7 +12,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.render.resource.MipLevels;
-import nephele.engine.render.resource.StoredCodes;
 import nephele.engine.scene.SceneMaterials;
 import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
@@ -26,7 +25,7 @@ final class BakedLayers {
     private final TerrainLayers layers;
     private final double zeroHeight;
     private final List<Layer> pictures = new ArrayList<>();
-    private final StoredCodes codes;
+    private final ColourDecoding.Codes codes;
 
     /**
      * A layer's colour, from the mipmap level whose pixels are about as large as those of the mixture.
@@ -60,7 +59,7 @@ final class BakedLayers {
         field = grid.field();
         layers = TerrainLayers.of(grid.said());
         zeroHeight = grid.said().centre().y();
-        codes = new StoredCodes(decoding);
+        codes = decoding.codes();
         double pixel = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows()) / SIZE;
         for (int i = 0; i < layers.count(); i++) {
             Surface surface = materials.surfaces().get(materials.indexOf(layers.material(i)));

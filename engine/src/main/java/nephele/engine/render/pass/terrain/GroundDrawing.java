@@ -1,13 +1,11 @@
 package nephele.engine.render.pass.terrain;
 
 import java.util.List;
-import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
@@ -95,9 +93,9 @@ final class GroundDrawing {
     }
 
     private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
-        ColourDecoding decoding = context.output() == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
-        return context.shared()
-                .colourPictures(List.of(BakedLayers.of(grid, context.scene().materials(), decoding)));
+        var mixture = BakedLayers.of(
+                grid, context.scene().materials(), context.output().decoding());
+        return context.shared().colourPictures(List.of(mixture));
     }
 
     private static Texture colours(LoadContext context, LayerPictures pictures) {

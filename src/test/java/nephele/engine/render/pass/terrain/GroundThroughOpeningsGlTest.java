@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.render.pass.terrain;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,6 +16,8 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;

@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.render.pass.terrain;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -14,6 +14,9 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;

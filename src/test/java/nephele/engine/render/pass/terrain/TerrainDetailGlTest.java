@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.render.pass.terrain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -17,6 +17,9 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.TerrainDetail;
