@@ -66,7 +66,7 @@ vec3 projectedNormal(vec3 texel, int axis, vec3 n, vec3 facing) {
 }
 #endif
 
-// Adds what the pictures give. A loop over the pictures that are seen takes one turn on flat ground of one layer, also on
+// Adds what the pictures give. A loop over those that are seen takes one turn on flat ground of one layer, also on
 // a processor that executes both branches of a condition. Its turns differ between pixels, so it needs explicit derivatives.
 void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 place) {
     vec3 shares = max(abs(n) - LEAST_COMPONENT, 0.0);

@@ -22,7 +22,8 @@ final class CliffPainter {
             double bend = 0.05 * noise.cloud(u, v, 2, 4);
             double bed = noise.stretched(u, v + bend, 2, 13, 4);
             double rough = noise.cloud(u, v, 9, 6);
-            TileNoise.Cell block = blocks.cell(u + 0.06 * noise.cloud(v, u, 5, 4), v + bend, 6);
+            // Blocks are twice as broad as high.
+            TileNoise.Cell block = blocks.cell(u + 0.09 * noise.cloud(v, u, 5, 4), 2 * (v + bend), 5);
             double tilt = noise.cloud(u + block.identity(), v + 3 * block.identity(), 4, 2);
             texel.colour = STONE.mix(ArtPalette.LIMESTONE, 0.25 * Shapes.ramp(-0.3, 0.7, bed + 0.5 * tilt));
             texel.shade(1 + 0.16 * bed + 0.2 * rough + 0.16 * (block.identity() - 0.5));
@@ -35,8 +36,8 @@ final class CliffPainter {
     }
 
     private static void crack(Texel texel, TileNoise.Cell block, double open, double metres) {
-        double depth = Shapes.ramp(-0.5, 0.4, open) * (1 - Shapes.ramp(0, 0.1, block.second() - block.nearest()));
-        texel.shade(1 - 0.6 * depth);
+        double depth = Shapes.ramp(-0.1, 0.6, open) * (1 - Shapes.ramp(0, 0.07, block.second() - block.nearest()));
+        texel.shade(1 - 0.4 * depth);
         texel.height -= 0.02 * metres * depth;
     }
 }
