@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import nephele.app.scenes.SceneImport;
 import nephele.app.scenes.SceneName;
 import nephele.app.window.SystemDisplay;
+import nephele.editor.pane.OpeningViews;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
@@ -73,6 +74,7 @@ final class EditCommand implements Command {
         DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
+        session.panes(panes -> OpeningViews.of(opened.level(), panes));
         session.filing(Filing.of(files).with(EditCommand::importScene));
         session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {

@@ -3,7 +3,6 @@ package nephele.editor.action;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
-import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.document.Document;
 import nephele.editor.pane.PaneCamera.PaneSize;
@@ -167,17 +166,12 @@ final class ViewActions {
         Vec3 eye = call.vector("at");
         double yaw = call.number("yaw", 0);
         double pitch = call.number("pitch", 0);
-        UnaryOperator<PaneView> change = view -> new PaneView(
-                view.kind(),
-                new PerspectiveCamera(eye, yaw, pitch, view.perspective().verticalFovDegrees()),
-                PlanNavigation.at(view.plan(), eye),
-                view.mode());
-        call.session().panes(panes -> {
-            PaneLayout result = panes;
-            for (int i = 0; i < panes.views().size(); i++) {
-                result = result.with(i, change.apply(panes.views().get(i)));
-            }
-            return result;
-        });
+        call.session()
+                .panes(panes -> panes.each(view -> new PaneView(
+                        view.kind(),
+                        new PerspectiveCamera(
+                                eye, yaw, pitch, view.perspective().verticalFovDegrees()),
+                        PlanNavigation.at(view.plan(), eye),
+                        view.mode())));
     }
 }

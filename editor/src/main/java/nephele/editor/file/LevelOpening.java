@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.editor.pane.OpeningViews;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.LevelPackage;
 import nephele.editor.save.PackageException;
@@ -25,6 +26,7 @@ public final class LevelOpening {
             Path unpacked = isPackage ? unpacked(Path.of(typed)) : null;
             DocumentFile.Opened opened = DocumentFile.open(isPackage ? unpacked.toString() : typed);
             session.open(opened.file(), opened.level(), opened.assets());
+            session.panes(panes -> OpeningViews.of(opened.level(), panes));
             Optional<Words> told = isPackage
                     ? Optional.of(FileText.UNPACKED.with(unpacked.getParent()))
                     : opened.notice().map(Words::same);

@@ -3,6 +3,7 @@ package nephele.editor.pane;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import nephele.editor.pane.PaneCamera.PaneSize;
 
@@ -87,6 +88,15 @@ public record PaneLayout(
                 PaneView.of(PaneKind.FRONT, ViewMode.WIREFRAME),
                 PaneView.of(PaneKind.SIDE, ViewMode.WIREFRAME));
         return new PaneLayout(Arrangement.FOUR, 0, false, 0.5, 0.5, views);
+    }
+
+    /** Returns panes with each view changed, shown or not. */
+    public PaneLayout each(UnaryOperator<PaneView> change) {
+        PaneLayout result = this;
+        for (int i = 0; i < views.size(); i++) {
+            result = result.with(i, change.apply(views.get(i)));
+        }
+        return result;
     }
 
     /** Returns the active pane's view. */
