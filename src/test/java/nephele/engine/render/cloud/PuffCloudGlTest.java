@@ -166,7 +166,7 @@ class PuffCloudGlTest {
     @CsvSource({
         "PARTICLES, 0.05, 0.01",
         "PARTICLES, 0.05, 0.06",
-        "PARTICLES, 0.05, 0.4",
+        "PARTICLES, 0.06, 0.4",
         "BILLBOARD, 0.1, 0.01",
         "BILLBOARD, 0.1, 0.06",
         "BILLBOARD, 0.1, 0.4"
@@ -285,7 +285,7 @@ class PuffCloudGlTest {
                 float[] seen = renderer.readRadiance();
                 float middle = seen[3 * (3 * 1 + 1)];
                 boolean isEdgeOn = facing == BillboardFacing.AXIAL && Math.abs(y) > 0.8;
-                assertTrue(middle > 0.304 || isEdgeOn && middle >= 0.29, facing + " from " + away + ": " + middle);
+                assertTrue(middle > 0.302 || isEdgeOn && middle >= 0.29, facing + " from " + away + ": " + middle);
             }
         }
     }

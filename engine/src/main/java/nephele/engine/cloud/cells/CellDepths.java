@@ -7,6 +7,9 @@ import nephele.engine.cloud.light.AxisDepths;
 final class CellDepths {
     private final DensityCells density;
     private final CellBox cells;
+    /** Mean extinction. */
+    private final float[] perMetre;
+
     /** Depth towards −x, −y, −z of each centre, three values a cell. */
     private final float[] minus;
 
@@ -15,25 +18,25 @@ final class CellDepths {
     CellDepths(DensityCells density, CellBox cells) {
         this.density = density;
         this.cells = cells;
-        float[] perMetre = means();
+        perMetre = means();
         minus = new float[3 * cells.count()];
         plus = new float[3 * cells.count()];
         for (int axis = 0; axis < 3; axis++) {
-            sum(perMetre, axis);
+            sum(axis);
         }
     }
 
     private float[] means() {
-        float[] perMetre = new float[cells.count()];
+        float[] means = new float[cells.count()];
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
             var place = new CellPlace(density.cells());
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
-                    perMetre[cells.index(i, j, k)] = mean(place, i, j, k);
+                    means[cells.index(i, j, k)] = mean(place, i, j, k);
                 }
             }
         });
-        return perMetre;
+        return means;
     }
 
     private float mean(CellPlace place, int i, int j, int k) {
@@ -49,7 +52,7 @@ final class CellDepths {
     }
 
     /** Sums along the lines of one axis. */
-    private void sum(float[] perMetre, int axis) {
+    private void sum(int axis) {
         int count = axis == 0 ? cells.nx() : axis == 1 ? cells.ny() : cells.nz();
         int stride = axis == 0 ? 1 : axis == 1 ? cells.nx() : cells.nx() * cells.ny();
         double half = (axis == 0 ? cells.sizeX() : axis == 1 ? cells.sizeY() : cells.sizeZ()) / 2;
@@ -73,5 +76,10 @@ final class CellDepths {
     AxisDepths axes(int i, int j, int k) {
         int at = 3 * cells.index(i, j, k);
         return new AxisDepths(plus[at], minus[at], plus[at + 1], minus[at + 1], plus[at + 2], minus[at + 2]);
+    }
+
+    /** Returns the mean extinction of the cells. */
+    float[] perMetre() {
+        return perMetre;
     }
 }

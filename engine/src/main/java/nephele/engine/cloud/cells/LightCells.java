@@ -49,16 +49,20 @@ public final class LightCells {
         CellBox cells = dense.cells().coarser(around.divisor);
         float[] values = new float[VALUES * cells.count()];
         var sums = new CellDepths(dense, cells);
+        float[] shades = isLayer || around.others.isEmpty() ? null : new float[cells.count()];
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
             var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, around);
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
                     if (isNear(dense, cells, around.divisor, i, j, k)) {
-                        put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics));
+                        put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics, shades));
                     }
                 }
             }
         });
+        if (!isLayer) {
+            new ThickCloudLight(cells, sums, physics).mixInto(values, shades, around.towardsSun);
+        }
         return new LightCells(cells, values);
     }
 
@@ -94,7 +98,8 @@ public final class LightCells {
             axisCosine = -CellStack.diffuseAxis(isLayer, cells, sun).dot(sun);
         }
 
-        private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics) {
+        /** @param shades takes the depth of other clouds towards the sun; {@code null} if that is not wanted */
+        private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics, float[] shades) {
             double x = cells.centreX(i);
             double y = cells.centreY(j);
             double z = cells.centreZ(k);
@@ -102,11 +107,15 @@ public final class LightCells {
             Vec3 sun = around.towardsSun();
             double sunDepth = depths.from(0, x, y, z, sun.x(), sun.y(), sun.z());
             double shadeDepth = depths.from(0, x, y, z, -sun.x(), -sun.y(), -sun.z());
+            double ownDepth = sunDepth;
             for (ShadingCloud.Walk other : others) {
                 double edge = cells.sizeX() / around.divisor();
                 axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
                 sunDepth += other.from(x, y, z, edge, sun);
                 shadeDepth += other.from(x, y, z, edge, sun.negated());
+            }
+            if (shades != null) {
+                shades[cells.index(i, j, k)] = (float) (sunDepth - ownDepth);
             }
             return physics.at(axes, sunDepth, shadeDepth, axisCosine);
         }

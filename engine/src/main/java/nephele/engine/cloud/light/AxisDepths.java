@@ -22,13 +22,13 @@ public record AxisDepths(double x, double minusX, double y, double minusY, doubl
      * Returns the thickness of the slab that the cloud resembles at the point: Σ 1/τ² over the axes is that of a slab in
      * any orientation, and a ball's is less than its diameter since light leaks from all its sides.
      */
-    double slabThickness() {
+    public double slabThickness() {
         double sum = inverseSquare(x + minusX) + inverseSquare(y + minusY) + inverseSquare(z + minusZ);
         return 1 / Math.sqrt(sum);
     }
 
     /** Returns how much the cloud resembles a slab that is parallel to two axes: 0 for a ball, 1 for a layer. */
-    double flatness() {
+    public double flatness() {
         double a = x + minusX;
         double b = y + minusY;
         double c = z + minusZ;

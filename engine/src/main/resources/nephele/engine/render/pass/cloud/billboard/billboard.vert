@@ -13,9 +13,8 @@ out vec2 sun; // narrow and diffuse sunlight
 out vec3 sky;
 
 const vec3 UP = vec3(0.0, 1.0, 0.0);
-// Places in the picture at whose distance from the centre it is lit, and towards the eye, deviations.
-const float LIT_ASIDE = 0.8;
-const float LIT_NEARER = 0.8;
+// Places in the picture at whose distance from the centre it is lit, deviations.
+const float LIT_ASIDE = 1.2;
 
 // Turned about an upright axis, then tilted, by the angles of a source of 2004: yaw from x and z alone, divided by the
 // difference in x, and pitch from y and z alone. Wrong beside the axes, and undefined on them.
@@ -63,7 +62,8 @@ void main() {
     float own = puff.w * peak * 2.0 * ROOT_HALF_PI;
     vec2 beside = depthsBeside(towards, metres + vec2(-MOST_DEVIATIONS, MOST_DEVIATIONS) * puff.w);
     vec2 aside = flatness * LIT_ASIDE * puff.w * peakAndCorner.yz;
-    float nearer = min(LIT_NEARER * puff.w, 0.5 * metres);
+    // About as far as half of the diffuse light comes from: the denser the ball, the nearer to its front.
+    float nearer = min(sqrt(2.0 * log(1.0 + 0.5 * medium.y * own)) * puff.w, 0.5 * metres);
     vec3 place = puff.xyz + aside.x * across + aside.y * upwards - nearer * towards;
     PuffLight light = puffLight(place, towards, beside.x + min(0.5 * own, 0.5));
     depths = vec2(beside.x + beside.y, narrowFading(towards));

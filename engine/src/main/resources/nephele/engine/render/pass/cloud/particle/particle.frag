@@ -37,7 +37,7 @@ Lit litPart(PuffPart part, vec3 ray) {
         float inHalf = 0.5 * medium.x * stepMetres
             * cellDensity(textureLod(cloudDensity, texelOf(place, place.y, 0.0, cells.x), 0.0));
         depth += inHalf;
-        float weight = exp(-0.5 * along * along / (puff.w * puff.w) - depth);
+        float weight = exp(-0.5 * along * along / (puff.w * puff.w) - medium.y * depth);
         sums += weight * vec3(part.nearest + along, depth, 1.0);
         depth += inHalf;
     }
