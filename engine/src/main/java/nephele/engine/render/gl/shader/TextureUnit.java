@@ -71,7 +71,7 @@ public enum TextureUnit {
     /** The heights and slopes of a terrain, which is drawn before there are copies of a view. */
     TERRAIN_HEIGHTS(12),
     TERRAIN_SLOPES(13),
-    /** The painted layers of a terrain, whose fragments do not read {@link #TERRAIN_TILES}: its shader stays within 16. */
+    /** The painted layers of a terrain, whose program may read fifteen other textures; a shader can read 16. */
     TERRAIN_LAYERS(16),
     /** The metered exposure, bound throughout a frame. */
     EXPOSURE(15),
