@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
+import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -87,7 +88,7 @@ public final class TerrainPainting {
         if (said.layers().size() < 2) {
             throw new TerrainRefusal(TerrainText.FEW_LAYERS.with(said.id()));
         }
-        if (with.layer() >= said.layers().size()) {
+        if (with.effect() == Effect.PAINT && with.layer() >= said.layers().size()) {
             throw new TerrainRefusal(TerrainText.NO_LAYER.with(said.id(), with.layer()));
         }
         Optional<LayerMap> before = LayerPaint.read(said, assets);

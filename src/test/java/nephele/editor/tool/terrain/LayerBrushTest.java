@@ -160,6 +160,14 @@ class LayerBrushTest {
     }
 
     @Test
+    void erasingNeedsNoLayer() {
+        hand.stroke(-4, 4);
+        choose(Effect.ERASE, 5);
+        hand.stroke(-4, 4);
+        assertEquals(0, map().weight(16, 16));
+    }
+
+    @Test
     void aTerrainWithoutTheLayerSaysSo() {
         choose(Effect.PAINT, 5);
         hand.stroke(-4, 4);
