@@ -19,16 +19,30 @@ import nephele.engine.level.Terrain;
 public record PaintedLevel(Path file) {
     /** Writes the level and its map. */
     public static PaintedLevel in(Path folder) throws IOException {
+        return in(folder, "");
+    }
+
+    /** Writes the level with two layers, grass below 5 m and rock above. */
+    public static PaintedLevel layered(Path folder) throws IOException {
+        return in(
+                folder,
+                """
+                , "layers": [{"material": "grass", "toMetres": 5}, {"material": "rock", "fromMetres": 5}]
+                """);
+    }
+
+    private static PaintedLevel in(Path folder, String layers) throws IOException {
         short[] values = new short[33 * 33];
         Arrays.fill(values, (short) 20_000);
         Files.write(folder.resolve("flat.png"), HeightMapFile.png(new HeightMap(33, 33, 16, values)));
-        return new PaintedLevel(
-                Files.writeString(
-                        folder.resolve("level.json"),
-                        """
-                {"format": "nephele-level", "version": 1, "player": {"feet": [0, 4, 0]}, "terrains": [{"id": "hills",
-                "heightMap": "flat.png", "centre": [0, 0, 0], "sizeMetres": [64, 64], "heightRangeMetres": [0, 10]}]}
-                """));
+        return new PaintedLevel(Files.writeString(
+                folder.resolve("level.json"),
+                """
+                {"format": "nephele-level", "version": 1, "player": {"feet": [0, 4, 0]},
+                "materials": [{"id": "grass", "baseColour": [0.1, 0.4, 0.1]}, {"id": "rock"}], "terrains": [{"id": "hills",
+                "heightMap": "flat.png", "centre": [0, 0, 0], "sizeMetres": [64, 64], "heightRangeMetres": [0, 10]%s}]}
+                """
+                        .formatted(layers)));
     }
 
     /** Opens it. */

@@ -12,6 +12,7 @@ import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
@@ -31,9 +32,12 @@ final class TerrainActions {
     private static final Words STRENGTH =
             Words.of("Brush strength: %s %%", "Força do pincel: %s %%", "Força do pincel: %s %%");
     private static final Words NO_EFFECT = Words.of(
-            "there is no effect '%s': raise, lower, smooth, flatten",
-            "não há o efeito '%s': raise, lower, smooth, flatten",
-            "não há o efeito '%s': raise, lower, smooth, flatten");
+            "there is no effect '%s': raise, lower, smooth, flatten, paint, erase",
+            "não há o efeito '%s': raise, lower, smooth, flatten, paint, erase",
+            "não há o efeito '%s': raise, lower, smooth, flatten, paint, erase");
+    private static final Words LAYER = Words.of("Layer: %s", "Camada: %s", "Camada: %s");
+    private static final Words NO_LAYER =
+            Words.of("there is no layer '%s': %s", "não há a camada '%s': %s", "não há a camada '%s': %s");
     private static final Words NO_TERRAIN =
             Words.of("there is no terrain '%s'", "não há o terreno '%s'", "não há o terreno '%s'");
 
@@ -83,12 +87,20 @@ final class TerrainActions {
                 "Alt+Shift+CloseBracket",
                 brush -> brush.ofStrength(brush.strength() * STEP)));
         all.add(EditorAction.of(
+                        "terrain-layer",
+                        Words.of("Next Layer to Paint", "Próxima camada a pintar", "Camada seguinte a pintar"),
+                        Menu.TERRAIN,
+                        List.of(),
+                        TerrainActions::layer)
+                .taking("layer")
+                .when(session -> LayerChoice.names(session.document().now()).size() > 1));
+        all.add(EditorAction.of(
                         "terrain-stroke",
                         Words.of("Stroke on a Terrain", "Pincelada num terreno", "Pincelada num terreno"),
                         Menu.TERRAIN,
                         List.of(),
                         TerrainActions::stroke)
-                .taking("effect", "from", "to", "radius", "strength", "terrain")
+                .taking("effect", "layer", "from", "to", "radius", "strength", "terrain")
                 .when(session -> !session.document().level().terrains().isEmpty()));
         return List.copyOf(all);
     }
@@ -115,22 +127,43 @@ final class TerrainActions {
         });
     }
 
+    /** Chooses the layer that is named, without a name the next one, and painting. */
+    private static void layer(ActionCall call) throws ActionFailure {
+        EditorSession session = call.session();
+        List<String> names = LayerChoice.names(session.document().now());
+        TerrainBrush before = session.options().terrainBrush();
+        int next = call.text("layer").isPresent() ? layer(call, names, 0) : (before.layer() + 1) % names.size();
+        session.options().terrainBrush(before.ofLayer(next));
+        session.status(LAYER.with(names.get(next)));
+        choose(session, Effect.PAINT);
+    }
+
+    private static int layer(ActionCall call, List<String> names, int absent) throws ActionFailure {
+        Optional<String> text = call.text("layer");
+        return text.isEmpty()
+                ? absent
+                : LayerChoice.index(names, text.get())
+                        .orElseThrow(() -> new ActionFailure(NO_LAYER.with(text.get(), String.join(", ", names))));
+    }
+
     /** Paints along a line; what is not given is that of the tool, the terrain the first one. */
     private static void stroke(ActionCall call) throws ActionFailure {
         EditorSession session = call.session();
         TerrainBrush chosen = session.options().terrainBrush();
+        Terrain terrain = terrain(call);
         TerrainBrush brush = new TerrainBrush(
                 effect(call, chosen.effect()),
                 call.number("radius", chosen.radiusMetres()),
-                call.number("strength", chosen.strength()));
+                call.number("strength", chosen.strength()),
+                layer(call, LayerChoice.names(terrain), chosen.layer()));
         Vec3 from = call.vector("from");
         Vec3 to = call.vector("to", from);
         TerrainPainting painting = new TerrainPainting(session.document(), session.maps());
         try {
-            painting.begin(terrain(call), session.assets(), brush, from.x(), from.z());
+            painting.begin(terrain, session.assets(), brush, from.x(), from.z());
             painting.to(to.x(), to.z());
             painting.notice().ifPresent(session::status);
-            painting.end();
+            painting.end().ifPresent(session::status);
         } catch (TerrainRefusal refusal) {
             throw new ActionFailure(refusal.told());
         }

@@ -92,6 +92,7 @@ public final class FieldWords {
             word("irradiance", "Irradiance", "Irradiância", "Irradiância"),
             word("kind", "Kind", "Tipo", "Tipo"),
             word("latitudeDegrees", "Latitude", "Latitude", "Latitude"),
+            word("layerMap", "Painted layers", "Camadas pintadas", "Camadas pintadas"),
             word("layers", "Layers", "Camadas", "Camadas"),
             word("lightning", "Lightning", "Relâmpagos", "Relâmpagos"),
             word("layout", "Layout", "Disposição", "Disposição"),

@@ -1,6 +1,10 @@
 package nephele.editor.terrain;
 
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.text.Words;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.level.Terrain;
 import nephele.engine.math.heightfield.SampleRange;
@@ -9,13 +13,15 @@ import nephele.engine.math.heightfield.SampleRange;
  * A stroke on heights. They are floats in units of the map while it goes on, so that dabs of less than a unit add up,
  * and stay within what the map can hold.
  */
-public final class HeightStroke {
+public final class HeightStroke implements TerrainStroke {
     /** Smoothing takes the mean over a square whose half side is this share of the radius. */
     private static final double MEAN_PER_RADIUS = 0.25;
 
     private final TerrainBrush brush;
     private final TerrainGrid grid;
     private final double radius;
+    private final Terrain.HeightRange range;
+    private final HeightMap before;
     private final double lowMetres;
     private final double metresPerUnit;
     private final float[] values;
@@ -36,11 +42,12 @@ public final class HeightStroke {
     public HeightStroke(Terrain said, HeightMap map, TerrainBrush brush, double x, double z) {
         this.brush = brush;
         this.map = map;
+        before = map;
+        range = said.heightRangeMetres();
         grid = TerrainGrid.of(said, map.columns(), map.rows());
         radius = grid.effective(brush.radiusMetres());
-        lowMetres = said.heightRangeMetres().low();
-        metresPerUnit =
-                (said.heightRangeMetres().high() - said.heightRangeMetres().low()) / HeightMap.FULL_SCALE;
+        lowMetres = range.low();
+        metresPerUnit = (range.high() - range.low()) / HeightMap.FULL_SCALE;
         values = new float[map.values().length];
         for (int i = 0; i < values.length; i++) {
             values[i] = map.values()[i] & 0xffff;
@@ -50,7 +57,7 @@ public final class HeightStroke {
         dab(x, z);
     }
 
-    /** Goes on straight to a place. */
+    @Override
     public void to(double x, double z) {
         dabs.to(x, z, this::dab);
     }
@@ -72,6 +79,50 @@ public final class HeightStroke {
     /** Returns the height of a place above the terrain's centre, that of the border beside the map. */
     double heightMetres(double x, double z) {
         return lowMetres + metresPerUnit * valueAt(x, z);
+    }
+
+    @Override
+    public boolean isTouched() {
+        return map() != before;
+    }
+
+    @Override
+    public boolean isChange() {
+        return !Arrays.equals(before.values(), map().values());
+    }
+
+    @Override
+    public PaintedMap painted() {
+        return PaintedMap.of(map());
+    }
+
+    @Override
+    public Terrain on(Terrain said, String file) {
+        return said.withHeightMap(file);
+    }
+
+    @Override
+    public String name(Terrain said) {
+        return said.id();
+    }
+
+    @Override
+    public OptionalDouble height(double x, double z) {
+        return OptionalDouble.of(heightMetres(x, z));
+    }
+
+    @Override
+    public Optional<Words> notice() {
+        return isAtLimit
+                ? Optional.of(TerrainText.AT_LIMIT.with(
+                        NumberWords.of(Math.min(range.low(), range.high())),
+                        NumberWords.of(Math.max(range.low(), range.high()))))
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<Words> objection() {
+        return Optional.empty();
     }
 
     private void dab(double x, double z) {
@@ -98,6 +149,7 @@ public final class HeightStroke {
             case LOWER -> -weight * brush.riseMetres() / metresPerUnit;
             case SMOOTH -> weight * brush.strength() * (mean - values[at]);
             case FLATTEN -> weight * brush.strength() * (flat - values[at]);
+            case PAINT, ERASE -> 0;
         };
     }
 

@@ -4,20 +4,19 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 
 /** The files of a level with the maps of a stroke that goes on, which are given without being decoded. */
 public record PaintedAssets(PaintedMaps maps, AssetSource files) implements AssetSource {
     @Override
     public byte[] bytes(String assetId) {
-        Optional<HeightMap> map = maps.known(assetId);
-        return map.isPresent() && !files.exists(assetId) ? HeightMapFile.png(map.get()) : files.bytes(assetId);
+        Optional<PaintedMap> map = maps.known(assetId);
+        return map.isPresent() && !files.exists(assetId) ? map.get().file().get() : files.bytes(assetId);
     }
 
     @Override
     public <T> T decoded(String assetId, Class<T> kind, BiFunction<String, byte[], T> decode) {
         return maps.known(assetId)
+                .map(PaintedMap::decoded)
                 .filter(kind::isInstance)
                 .map(kind::cast)
                 .orElseGet(() -> files.decoded(assetId, kind, decode));

@@ -14,8 +14,6 @@ import nephele.editor.save.ContentHash;
 import nephele.editor.save.NamedAssets;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Level;
 
 /**
@@ -30,7 +28,7 @@ public final class PaintedMaps {
 
     private final Supplier<Optional<Path>> levelFile;
     /** The latest maps by their ids. */
-    private final Map<String, HeightMap> known = new LinkedHashMap<>();
+    private final Map<String, PaintedMap> known = new LinkedHashMap<>();
     /** The files of this session's maps by their ids. */
     private final Map<String, Path> written = new HashMap<>();
     /** Those that no saved level has named. */
@@ -54,12 +52,12 @@ public final class PaintedMaps {
     }
 
     /** Keeps a map in memory until a few others have been shown; returns its id. */
-    public synchronized String show(HeightMap map) {
+    synchronized String show(PaintedMap map) {
         shown++;
         return remember(FOLDER + "stroke-" + shown + ".png", map);
     }
 
-    private String remember(String id, HeightMap map) {
+    private String remember(String id, PaintedMap map) {
         known.remove(id);
         known.put(id, map);
         if (known.size() > MOST_KNOWN) {
@@ -68,20 +66,20 @@ public final class PaintedMaps {
         return id;
     }
 
-    synchronized Optional<HeightMap> known(String id) {
+    synchronized Optional<PaintedMap> known(String id) {
         return Optional.ofNullable(known.get(id));
     }
 
     /**
      * Writes a map to a file of its own, unless there is one of the same content; returns its id.
      *
-     * @param terrain begins the file's name
+     * @param beginning of the file's name
      * @throws IOException if it cannot be written; nothing has changed then
      */
-    public String keep(String terrain, HeightMap map) throws IOException {
+    String keep(String beginning, PaintedMap map) throws IOException {
         Path level = levelFile.get().orElseThrow(() -> new IOException("the level has no folder yet"));
-        byte[] content = HeightMapFile.png(map);
-        String name = terrain.replaceAll("[^A-Za-z0-9_-]", "-");
+        byte[] content = map.file().get();
+        String name = beginning.replaceAll("[^A-Za-z0-9_-]", "-");
         String id = FOLDER + name + "-" + ContentHash.of(content).substring(0, HASH_DIGITS) + ".png";
         Path file = level.resolveSibling(id);
         if (!Files.exists(file)) {

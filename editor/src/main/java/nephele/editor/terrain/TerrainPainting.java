@@ -1,22 +1,24 @@
 package nephele.editor.terrain;
 
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
+import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
+import nephele.engine.level.terrain.LayerPaint;
 
-/** Strokes on the terrains of a document: a drag that shows the heights so far, and one step at its end. */
+/** Strokes on the terrains of a document: a drag that shows the map so far, and one step at its end. */
 public final class TerrainPainting {
     private static final String SECTION = "terrains";
 
@@ -26,19 +28,20 @@ public final class TerrainPainting {
     private Terrain painted;
 
     private TerrainBrush brush;
-    private HeightMap before;
-    private HeightStroke stroke;
+    private TerrainStroke stroke;
 
     public TerrainPainting(Document document, PaintedMaps maps) {
         this.document = document;
         this.maps = maps;
     }
 
-    /** Returns the world y of a place on the heights of the stroke; empty without one. */
+    /** Returns the world y of a place on the heights of the stroke; empty without one that changes heights. */
     public OptionalDouble y(double x, double z) {
-        return painted == null
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(painted.centre().y() + stroke.heightMetres(x, z));
+        return painted == null ? OptionalDouble.empty() : y(painted.centre().y(), stroke.height(x, z));
+    }
+
+    private static OptionalDouble y(double centre, OptionalDouble height) {
+        return height.isPresent() ? OptionalDouble.of(centre + height.getAsDouble()) : height;
     }
 
     /**
@@ -53,18 +56,48 @@ public final class TerrainPainting {
         if (!maps.canKeep()) {
             throw new TerrainRefusal(TerrainText.SAVE_FIRST.words());
         }
-        if (said.heightRangeMetres().low() == said.heightRangeMetres().high()) {
-            throw new TerrainRefusal(TerrainText.NO_RANGE.with(said.id()));
-        }
+        stroke = stroke(said, assets, with, x, z);
+        brush = with;
+        painted = said;
+        show();
+    }
+
+    private static TerrainStroke stroke(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+            throws TerrainRefusal {
         try {
-            before = assets.decoded(said.heightMap(), HeightMap.class, HeightMapFile::read);
+            return with.effect().isPaint() ? paint(said, assets, with, x, z) : shape(said, assets, with, x, z);
         } catch (AssetException unusable) {
             throw new TerrainRefusal(TerrainText.UNUSABLE.with(unusable.getMessage()));
         }
-        brush = with;
-        painted = said;
-        stroke = new HeightStroke(said, before, with, x, z);
-        show();
+    }
+
+    private static TerrainStroke shape(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+            throws TerrainRefusal {
+        if (said.heightRangeMetres().low() == said.heightRangeMetres().high()) {
+            throw new TerrainRefusal(TerrainText.NO_RANGE.with(said.id()));
+        }
+        return new HeightStroke(said, heights(said, assets), with, x, z);
+    }
+
+    private static HeightMap heights(Terrain said, AssetSource assets) {
+        return assets.decoded(said.heightMap(), HeightMap.class, HeightMapFile::read);
+    }
+
+    private static TerrainStroke paint(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+            throws TerrainRefusal {
+        if (said.layers().size() < 2) {
+            throw new TerrainRefusal(TerrainText.FEW_LAYERS.with(said.id()));
+        }
+        if (with.effect() == Effect.PAINT && with.layer() >= said.layers().size()) {
+            throw new TerrainRefusal(TerrainText.NO_LAYER.with(said.id(), with.layer()));
+        }
+        Optional<LayerMap> before = LayerPaint.read(said, assets);
+        return new LayerStroke(said, before.orElseGet(() -> blank(heights(said, assets))), with, x, z);
+    }
+
+    /** Returns the map of a terrain that was never painted: a texel for each sample of the heights. */
+    private static LayerMap blank(HeightMap heights) {
+        return LayerMap.blank(heights.columns(), heights.rows());
     }
 
     /** Goes on to a place; does nothing without a stroke. */
@@ -76,9 +109,8 @@ public final class TerrainPainting {
     }
 
     private void show() {
-        HeightMap now = stroke.map();
-        if (now != before) {
-            String id = maps.show(now);
+        if (stroke.isTouched()) {
+            String id = maps.show(stroke.painted());
             document.drag(start -> withMap(start, id));
         }
     }
@@ -86,26 +118,28 @@ public final class TerrainPainting {
     private Snapshot withMap(Snapshot start, String id) {
         EntityRef ref = new EntityRef(SECTION, painted.id());
         return start.with((Level)
-                document.entities().changed(start.level(), List.of(ref), said -> ((Terrain) said).withHeightMap(id)));
+                document.entities().changed(start.level(), List.of(ref), said -> stroke.on((Terrain) said, id)));
     }
 
     /**
-     * Makes the stroke one step; one that has changed no height makes none.
+     * Makes the stroke one step; one that has changed nothing makes none.
      *
+     * @return the reason why it has changed nothing, empty if it has or if there is none to tell
      * @throws TerrainRefusal if its map cannot be kept; the level is then as before
      */
-    public void end() throws TerrainRefusal {
+    public Optional<Words> end() throws TerrainRefusal {
         if (painted == null) {
-            return;
+            return Optional.empty();
         }
         try {
-            if (Arrays.equals(before.values(), stroke.map().values())) {
+            if (!stroke.isChange()) {
                 document.cancelDrag();
-            } else {
-                String id = maps.keep(painted.id(), stroke.map());
-                document.drag(start -> withMap(start, id));
-                document.commitDrag(brush.effect().title());
+                return stroke.objection();
             }
+            String id = maps.keep(stroke.name(painted), stroke.painted());
+            document.drag(start -> withMap(start, id));
+            document.commitDrag(brush.effect().title());
+            return Optional.empty();
         } catch (IOException problem) {
             document.cancelDrag();
             throw new TerrainRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
@@ -125,17 +159,10 @@ public final class TerrainPainting {
     private void forget() {
         painted = null;
         stroke = null;
-        before = null;
     }
 
     /** Returns what the user should know of the stroke; empty for nothing. */
     public Optional<Words> notice() {
-        if (painted == null || !stroke.isAtLimit()) {
-            return Optional.empty();
-        }
-        Terrain.HeightRange range = painted.heightRangeMetres();
-        return Optional.of(TerrainText.AT_LIMIT.with(
-                NumberWords.of(Math.min(range.low(), range.high())),
-                NumberWords.of(Math.max(range.low(), range.high()))));
+        return painted == null ? Optional.empty() : stroke.notice();
     }
 }

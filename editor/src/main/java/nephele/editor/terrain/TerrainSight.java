@@ -42,7 +42,7 @@ public final class TerrainSight {
             boolean isShown = !hidden.contains("terrains/" + grid.said().id());
             if (isShown && field.nearest(ray, limit, sees(field), hit)) {
                 limit = hit.distance();
-                nearest = new Hit(grid.said(), field, ray.at(limit));
+                nearest = new Hit(level.terrains().get(grid.index()), field, ray.at(limit));
             }
         }
         return Optional.ofNullable(nearest);
@@ -57,7 +57,11 @@ public final class TerrainSight {
         if (terrains.isEmpty()) {
             return List.of();
         }
-        Level bare = Level.of("", "", level.environment(), List.of()).withTerrains(terrains);
+        // Sight needs no paint, so a layer map that cannot be read hides nothing.
+        Level bare = Level.of("", "", level.environment(), List.of())
+                .withTerrains(terrains.stream()
+                        .map(terrain -> terrain.withLayerMap(null))
+                        .toList());
         try {
             if (placed == null || placed.assets() != assets) {
                 placed = PlacedLevel.of(bare, assets);

@@ -5,9 +5,9 @@ import nephele.editor.text.Words;
 /** What painting a terrain tells its user. */
 public enum TerrainText {
     SAVE_FIRST(
-            "Save the level first: painted heights are files in its folder",
-            "Salve a fase antes: os relevos pintados são arquivos na pasta dela",
-            "Guarda o nível primeiro: os relevos pintados são ficheiros na pasta dele"),
+            "Save the level first: strokes on terrains make files in its folder",
+            "Salve a fase antes: as pinceladas no terreno criam arquivos na pasta dela",
+            "Guarda o nível primeiro: as pinceladas no terreno criam ficheiros na pasta dele"),
     NO_TERRAIN(
             "There is no terrain here: Add has one",
             "Não há terreno aqui: Adicionar tem um",
@@ -21,8 +21,21 @@ public enum TerrainText {
             "Heights of this terrain end at %s m and %s m: its range can be changed",
             "As alturas deste terreno vão de %s m a %s m: a faixa pode ser mudada",
             "As alturas deste terreno vão de %s m a %s m: o intervalo pode ser mudado"),
+    FEW_LAYERS(
+            "The terrain %s has no layers to choose from: give it two or more",
+            "O terreno %s não tem camadas para escolher: dê a ele duas ou mais",
+            "O terreno %s não tem camadas para escolher: dá-lhe duas ou mais"),
+    NO_LAYER(
+            "The terrain %s has no layer %s: choose another one",
+            "O terreno %s não tem a camada %s: escolha outra", "O terreno %s não tem a camada %s: escolhe outra"),
+    TOO_WEAK(
+            "Too weak to replace the layer that is painted here: go over it more often, or with more strength",
+            "Fraco demais para substituir a camada pintada aqui: passe mais vezes, ou com mais força",
+            "Fraco de mais para substituir a camada pintada aqui: passa mais vezes, ou com mais força"),
     NOT_KEPT("The stroke is lost: %s", "A pincelada se perdeu: %s", "A pincelada perdeu-se: %s"),
     UNUSABLE("It can't be painted: %s", "Não pode ser pintado: %s", "Não pode ser pintado: %s"),
+    PAINT("Paint %s", "Pintar %s", "Pintar %s"),
+    PAINT_BRUSH("%s: radius %s m, strength %s %%", "%s: raio %s m, força %s %%", "%s: raio %s m, força %s %%"),
     BRUSH(
             "%s: radius %s m, strength %s %%, height %s m",
             "%s: raio %s m, força %s %%, altura %s m", "%s: raio %s m, força %s %%, altura %s m");

@@ -31,8 +31,10 @@ final class OptionBar extends JPanel {
     private final transient EditorCommands commands;
     private final transient List<CommandButton> shown = new ArrayList<>();
     private final JComboBox<Double> grid = new JComboBox<>();
+    private final LayerBox layers;
     private transient EditorKeys keys;
     private String shownTool = "";
+    private boolean isLayersShown;
 
     OptionBar(EditorSession session, EditorCommands commands) {
         super(new WrappingRow());
@@ -45,6 +47,7 @@ final class OptionBar extends JPanel {
         grid.setRenderer(new StepCell());
         // The widest text, "0.125 m", and the arrow.
         grid.setPrototypeDisplayValue(Grid.FINEST_METRES);
+        layers = new LayerBox(session);
         grid.addActionListener(event -> {
             double step = (Double) grid.getSelectedItem();
             if (step != session.grid().stepMetres()) {
@@ -77,6 +80,13 @@ final class OptionBar extends JPanel {
             separator();
             group(ToolBarOptions.of(shownTool));
         }
+        isLayersShown = LayerBox.isOffered(session);
+        if (isLayersShown) {
+            layers.setToolTipText(WindowText.LAYER_TO_PAINT.in(language));
+            layers.getAccessibleContext().setAccessibleName(WindowText.LAYER_TO_PAINT.in(language));
+            layers.updateUI();
+            add(layers);
+        }
         refresh();
         revalidate();
         repaint();
@@ -102,12 +112,16 @@ final class OptionBar extends JPanel {
 
     /** Shows what holds now; another tool brings its own options. */
     void refresh() {
-        if (keys != null && !shownTool.equals(session.toolEntry().id())) {
+        boolean isSame = shownTool.equals(session.toolEntry().id()) && isLayersShown == LayerBox.isOffered(session);
+        if (keys != null && !isSame) {
             fill();
             return;
         }
         shown.forEach(CommandButton::refresh);
         grid.setSelectedItem(session.grid().stepMetres());
+        if (isLayersShown) {
+            layers.refresh();
+        }
     }
 
     private static final class StepCell extends DefaultListCellRenderer {

@@ -40,6 +40,8 @@ final class ToolBarOptions {
                     "terrain-lower",
                     "terrain-smooth",
                     "terrain-flatten",
+                    "terrain-paint",
+                    "terrain-erase",
                     "terrain-smaller",
                     "terrain-larger",
                     "terrain-weaker",

@@ -11,6 +11,7 @@ public enum WindowText implements Text {
     STATUS("Status", "Estado", "Estado"),
     GRID("Grid %s m", "Grade %s m", "Grelha %s m"),
     GRID_STEP("Step of the grid", "Passo da grade", "Passo da grelha"),
+    LAYER_TO_PAINT("Layer to paint", "Camada a pintar", "Camada a pintar"),
     OPTIONS("View and tool options", "Vista e opções da ferramenta", "Vista e opções da ferramenta"),
     SAVE("Save", "Salvar", "Guardar"),
     DISCARD("Don't save", "Não salvar", "Não guardar"),

@@ -16,4 +16,8 @@ record PictureLimits(int sidePixels, long pixels, int fileBytes, String saved) {
             (long) HeightMap.MOST_SAMPLES * HeightMap.MOST_SAMPLES,
             AssetLimits.MAX_FILE_BYTES,
             "16-bit PNG");
+
+    /** The limits of layer maps. */
+    static final PictureLimits LAYERS =
+            new PictureLimits(HEIGHTS.sidePixels(), HEIGHTS.pixels(), HEIGHTS.fileBytes(), "8-bit grey PNG with alpha");
 }

@@ -12,6 +12,8 @@ import nephele.engine.math.Vec3;
  * @param centre the middle of the rectangle; its y is the level of height 0
  * @param heightRangeMetres the heights of the least and the greatest value that the map can hold
  * @param layers mixed as {@link nephele.engine.level.terrain.TerrainLayers} says; with none the ground is grey
+ * @param layerMap asset id of a grey PNG with alpha, or {@code null}: the layers that are painted, as {@link
+ *     nephele.engine.level.terrain.LayerPaint} says
  * @param portalable whether portals can be placed where the ground is flat
  */
 public record Terrain(
@@ -21,7 +23,20 @@ public record Terrain(
         @Written(required = true, array = true, prototype = "[256, 256]") Sides sizeMetres,
         @Written(required = true, array = true, prototype = "[0, 40]") HeightRange heightRangeMetres,
         @Written(most = 8) List<Layer> layers,
+        @Written(text = TextKind.ASSET) String layerMap,
         @Written boolean portalable) {
+    /** Creates a terrain without painted layers. */
+    public Terrain(
+            String id,
+            String heightMap,
+            Vec3 centre,
+            Sides sizeMetres,
+            HeightRange heightRangeMetres,
+            List<Layer> layers,
+            boolean portalable) {
+        this(id, heightMap, centre, sizeMetres, heightRangeMetres, layers, null, portalable);
+    }
+
     /** The lengths of the rectangle's sides along x and z. */
     public record Sides(
             @Written(required = true, min = 0.01, max = 1e6, spatial = Spatial.LENGTH) double x,
@@ -54,16 +69,21 @@ public record Terrain(
 
     /** Returns this terrain with another height map. */
     public Terrain withHeightMap(String file) {
-        return new Terrain(id, file, centre, sizeMetres, heightRangeMetres, layers, portalable);
+        return new Terrain(id, file, centre, sizeMetres, heightRangeMetres, layers, layerMap, portalable);
     }
 
-    /** Returns this terrain with other layers. */
+    /** Returns this terrain with other layers, of which none is painted. */
     public Terrain withLayers(List<Layer> others) {
-        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, others, portalable);
+        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, others, null, portalable);
+    }
+
+    /** Returns this terrain with another layer map, {@code null} for none. */
+    public Terrain withLayerMap(String file) {
+        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, layers, file, portalable);
     }
 
     /** Returns this terrain at another place. */
     public Terrain at(Vec3 place) {
-        return new Terrain(id, heightMap, place, sizeMetres, heightRangeMetres, layers, portalable);
+        return new Terrain(id, heightMap, place, sizeMetres, heightRangeMetres, layers, layerMap, portalable);
     }
 }

@@ -1,10 +1,12 @@
 package nephele.engine.reference;
 
+import java.util.Optional;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.NormalMap;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.terrain.GroundProjections;
+import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -24,11 +26,13 @@ final class GroundShape implements TracedShape {
     private final StaticShape.HeightGrid grid;
     private final HeightField field;
     private final TerrainLayers layers;
+    private final Optional<LayerPaint> paint;
 
     GroundShape(StaticShape.HeightGrid grid) {
         this.grid = grid;
         field = grid.field();
         layers = TerrainLayers.of(grid.said());
+        paint = grid.painted().map(map -> new LayerPaint(grid.said(), map));
     }
 
     @Override
@@ -73,6 +77,7 @@ final class GroundShape implements TracedShape {
         Mixture mixture = new Mixture(smooth);
         double[] weights = new double[layers.count()];
         layers.weights(place.y() - grid.said().centre().y(), smooth.y(), weights);
+        paint.ifPresent(over -> over.over(place.x(), place.z(), weights));
         for (int i = 0; i < weights.length; i++) {
             if (weights[i] > 0) {
                 mixture.add(weights[i], looks.textures().skin(layers.material(i)), place);

@@ -1,5 +1,6 @@
 package nephele.editor.tool.terrain;
 
+import static nephele.editor.tool.terrain.PlanHand.at;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -17,23 +18,17 @@ import nephele.editor.action.ScriptDesk;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.document.Notes;
 import nephele.editor.mark.Mark;
-import nephele.editor.pane.PaneCamera.PaneSize;
-import nephele.editor.pane.PaneKind;
-import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainText;
-import nephele.editor.tool.Pointer;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
-import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,23 +49,8 @@ class TerrainToolTest {
         session.options().terrainBrush(new TerrainBrush(Effect.RAISE, 8, 1));
     }
 
-    /** The pointer in the plan from above, with a pixel for each 10 cm. */
-    private static Pointer at(double x, double z, Modifier... held) {
-        return new Pointer(
-                PaneKind.TOP,
-                new PlanCamera(PaneKind.TOP, Vec3.ZERO, 0.1),
-                new PaneSize(800, 600),
-                400 + 10 * x,
-                300 + 10 * z,
-                Button.PRIMARY,
-                Set.of(held),
-                1);
-    }
-
     private void stroke(double fromX, double toX, Modifier... held) {
-        session.drag().press(at(fromX, 0, held));
-        session.drag().move(at(toX, 0, held));
-        session.drag().release(at(toX, 0, held));
+        new PlanHand(session).stroke(fromX, toX, held);
     }
 
     private int value(int column, int row) {

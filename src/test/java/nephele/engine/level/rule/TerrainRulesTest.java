@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.LayerMap;
+import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
@@ -103,5 +105,38 @@ class TerrainRulesTest {
         Terrain flat = new Terrain(
                 "t", "map.r16", Vec3.ZERO, said.sizeMetres(), new Terrain.HeightRange(-2, -2), List.of(all()), true);
         assertEquals(List.of(), problems(MAP, flat));
+    }
+
+    private static LayerMap painted(int layer) {
+        return new LayerMap(2, 2, new byte[] {0, 9, 0, 0, (byte) layer, 1, 99, 0});
+    }
+
+    @Test
+    void aLayerMapMustBeReadableAndNameLayersThatExist() {
+        Terrain said = TestTerrain.said("t", "map.r16", layer(-1e7, 4, 0, 0, 90), layer(4, 1e7, 0, 0, 90))
+                .withLayerMap("layers.png");
+        List<Problem> missing = problems(MAP, said);
+        assertEquals("terrains[0].layerMap", missing.get(0).path());
+        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy);
+        assertEquals(List.of(), problems(assets.file("layers.png", LayerMapFile.png(painted(1))), said));
+        List<Problem> beyond = problems(assets.file("layers.png", LayerMapFile.png(painted(2))), said);
+        assertEquals("terrains[0].layerMap", beyond.get(0).path());
+        assertTrue(
+                beyond.get(0)
+                        .message()
+                        .contains("layers.png: paints layer 2 at pixel (0, 1), and 't' has layers 0 to 1"),
+                beyond::toString);
+        assertTrue(problems(assets, said.withLayers(List.of()).withLayerMap("layers.png"))
+                .get(0)
+                .message()
+                .contains("has no layers"));
+    }
+
+    @Test
+    void aLayerBeyondAllHeightsMayBePainted() {
+        Terrain said = TestTerrain.said("t", "map.r16", all(), layer(60, 70, 0, 0, 90));
+        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy).file("layers.png", LayerMapFile.png(painted(1)));
+        assertEquals(1, problems(assets, said).size());
+        assertEquals(List.of(), problems(assets, said.withLayerMap("layers.png")));
     }
 }

@@ -64,8 +64,9 @@ public final class LevelRepair implements LevelDerivation {
                 models(level.models()));
         List<Terrain> terrains = level.terrains().stream()
                 .filter(terrain -> !isUnusable(terrain.heightMap()))
+                .map(terrain -> isPaintUnusable(terrain) ? terrain.withLayerMap(null) : terrain)
                 .toList();
-        repaired = terrains.size() == level.terrains().size() ? repaired : repaired.withTerrains(terrains);
+        repaired = terrains.equals(level.terrains()) ? repaired : repaired.withTerrains(terrains);
         Environment environment = usable(level.environment());
         return environment == level.environment() ? repaired : repaired.with(environment, level.lights());
     }
@@ -84,6 +85,10 @@ public final class LevelRepair implements LevelDerivation {
     private boolean isUnusable(String file) {
         // The message of a mesh file names its line, too.
         return unusableFiles.keySet().stream().anyMatch(bad -> bad.equals(file) || bad.startsWith(file + ":"));
+    }
+
+    private boolean isPaintUnusable(Terrain terrain) {
+        return terrain.layerMap() != null && isUnusable(terrain.layerMap());
     }
 
     private Material usable(Material said) {
@@ -149,7 +154,8 @@ public final class LevelRepair implements LevelDerivation {
         boolean isClouds = level.environment().clouds().stream()
                 .anyMatch(cloud ->
                         cloud.density().assetId().filter(assetId::equals).isPresent());
-        boolean isTerrains = level.terrains().stream().anyMatch(terrain -> isUnusable(terrain.heightMap()));
+        boolean isTerrains = level.terrains().stream()
+                .anyMatch(terrain -> isUnusable(terrain.heightMap()) || isPaintUnusable(terrain));
         return isMaterials || isModels || isTerrains || isSky || isClouds;
     }
 

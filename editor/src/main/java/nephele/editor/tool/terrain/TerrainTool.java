@@ -3,8 +3,10 @@ package nephele.editor.tool.terrain;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.mark.Mark;
+import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
+import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
 import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.terrain.TerrainSight;
@@ -17,17 +19,18 @@ import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 
-/** Paints heights with a round brush: a drag is one stroke. */
+/** Paints heights or layers with a round brush: a drag is one stroke. */
 public final class TerrainTool implements Tool {
     public static final ToolEntry ENTRY = new ToolEntry(
             "terrain",
             Words.of("Terrain", "Terreno", "Terreno"),
             Words.of(
-                    "Drag over a terrain to shape it; Shift lowers",
-                    "Arraste sobre um terreno para moldá-lo; Shift rebaixa",
-                    "Arrasta sobre um terreno para o moldar; Shift rebaixa"),
+                    "Drag over a terrain to shape or paint it; Shift lowers or erases",
+                    "Arraste sobre um terreno para moldá-lo ou pintá-lo; Shift rebaixa ou apaga",
+                    "Arrasta sobre um terreno para o moldar ou pintar; Shift rebaixa ou apaga"),
             "T",
             "terrain",
             TerrainTool::new);
@@ -107,7 +110,7 @@ public final class TerrainTool implements Tool {
     public void released(Pointer pointer) {
         pressed = null;
         try {
-            painting.end();
+            painting.end().ifPresent(context::status);
         } catch (TerrainRefusal refusal) {
             context.status(refusal.told());
         }
@@ -143,11 +146,23 @@ public final class TerrainTool implements Tool {
             return ENTRY.description();
         }
         TerrainBrush shown = context.options().terrainBrush().with(brush.effect());
+        if (shown.effect().isPaint()) {
+            return TerrainText.PAINT_BRUSH.with(
+                    title(shown, hovered.terrain()),
+                    NumberWords.of(shown.radiusMetres()),
+                    Math.round(100 * shown.strength()));
+        }
         return TerrainText.BRUSH.with(
                 shown.effect().title(),
                 NumberWords.of(shown.radiusMetres()),
                 Math.round(100 * shown.strength()),
                 NumberWords.of(y(hovered.point().x(), hovered.point().z())
                         - hovered.terrain().centre().y()));
+    }
+
+    private static Words title(TerrainBrush shown, Terrain said) {
+        return shown.effect() == Effect.PAINT
+                ? TerrainText.PAINT.with(LayerChoice.name(said, shown.layer()))
+                : shown.effect().title();
     }
 }

@@ -1,2 +1,2 @@
-/** The tool that paints the heights of terrains. */
+/** The tool that paints the heights and layers of terrains. */
 package nephele.editor.tool.terrain;

@@ -4,11 +4,15 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
+import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainField;
 import nephele.engine.math.heightfield.HeightField;
 
@@ -24,7 +28,7 @@ final class Grounds {
      * Returns the grids of an edited level; the list itself if nothing has changed, and the heights of terrains that only
      * look different or lie elsewhere.
      *
-     * @throws nephele.engine.asset.AssetException that names a height map that is missing or cannot be used
+     * @throws nephele.engine.asset.AssetException that names a height or layer map that is missing or cannot be used
      */
     static List<StaticShape.HeightGrid> edited(List<StaticShape.HeightGrid> before, Level level, AssetSource assets) {
         List<Terrain> terrains = level.terrains();
@@ -47,11 +51,18 @@ final class Grounds {
                 boolean isAtSamePlace = known.said().centre().equals(said.centre());
                 HeightField field = isAtSamePlace ? known.field() : TerrainField.moved(known.field(), said);
                 boolean isSame = isAtSamePlace && known.index() == index && known.said() == said;
-                return isSame ? known : new StaticShape.HeightGrid(index, said, field);
+                return isSame ? known : new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
             }
         }
         HeightMap map = maps.computeIfAbsent(
                 said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
-        return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map));
+        return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map), LayerPaint.read(said, assets));
+    }
+
+    /** Returns the layer map of a terrain, if possible the object that it had before. */
+    private static Optional<LayerMap> painted(Terrain said, StaticShape.HeightGrid known, AssetSource assets) {
+        boolean isSame = Objects.equals(said.layerMap(), known.said().layerMap())
+                && said.layers().size() == known.said().layers().size();
+        return isSame ? known.painted() : LayerPaint.read(said, assets);
     }
 }

@@ -1,5 +1,7 @@
 package nephele.engine.level.placed;
 
+import java.util.Optional;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Terrain;
 import nephele.engine.math.Aabb;
@@ -58,8 +60,14 @@ public sealed interface StaticShape {
      * A terrain of the level. It is solid.
      *
      * @param index in the level's list
+     * @param painted its layer map, empty if none is seen
      */
-    record HeightGrid(int index, Terrain said, HeightField field) implements StaticShape {
+    record HeightGrid(int index, Terrain said, HeightField field, Optional<LayerMap> painted) implements StaticShape {
+        /** Creates a terrain without painted layers. */
+        public HeightGrid(int index, Terrain said, HeightField field) {
+            this(index, said, field, Optional.empty());
+        }
+
         public String id() {
             return said.id();
         }

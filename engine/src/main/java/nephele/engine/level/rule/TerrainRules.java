@@ -14,9 +14,10 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.json.NumberText;
+import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainField;
 
-/** Layers of terrains are limited sensibly and leave nothing bare, and all height maps can be read. */
+/** Layers of terrains are limited sensibly and leave nothing bare, and all height and layer maps can be read. */
 final class TerrainRules {
     /** The height difference of two values of a map from which terraces are seen and felt. */
     private static final double STEP_METRES = 0.1;
@@ -31,8 +32,7 @@ final class TerrainRules {
                 }
                 int wrong = 0;
                 for (int i = 0; i < terrain.layers().size(); i++) {
-                    wrong +=
-                            limits(path + ".layers[" + i + "]", terrain.layers().get(i), range, report) ? 0 : 1;
+                    wrong += limits(path + ".layers[" + i + "]", terrain, i, report) ? 0 : 1;
                 }
                 if (wrong == 0 && !terrain.layers().isEmpty()) {
                     cover(path + ".layers", terrain, report);
@@ -41,15 +41,18 @@ final class TerrainRules {
 
     static final LevelRule READABLE = (level, assets, report) -> {
         Map<String, String> objections = new HashMap<>();
-        LevelRule.each(
-                "terrains", level.terrains(), (path, terrain) -> readable(path, terrain, assets, objections, report));
+        LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
+            readable(path, terrain, assets, objections, report);
+            paintable(path, terrain, assets, report);
+        });
     };
 
     private TerrainRules() {}
 
     /** Returns false after it has reported an error. */
-    private static boolean limits(
-            String path, Terrain.Layer layer, Terrain.HeightRange range, Consumer<Problem> report) {
+    private static boolean limits(String path, Terrain terrain, int index, Consumer<Problem> report) {
+        Terrain.Layer layer = terrain.layers().get(index);
+        Terrain.HeightRange range = terrain.heightRangeMetres();
         double metres = layer.toMetres() - layer.fromMetres();
         if (!(metres > 0)) {
             report.accept(
@@ -68,11 +71,12 @@ final class TerrainRules {
             return false;
         }
         double half = layer.blendMetres() / 2;
-        if (layer.fromMetres() - half > range.high() || layer.toMetres() + half < range.low()) {
+        boolean isOutside = layer.fromMetres() - half > range.high() || layer.toMetres() + half < range.low();
+        if (isOutside && terrain.layerMap() == null) {
             report.accept(Problem.warning(
                     path,
                     "it is above or below all of the terrain's heights, " + text(range.low()) + " m to "
-                            + text(range.high()) + " m: change its limits or delete it"));
+                            + text(range.high()) + " m: change its limits, paint it, or delete it"));
         }
         return true;
     }
@@ -151,6 +155,15 @@ final class TerrainRules {
         if (objections.containsKey(file)) {
             report.accept(
                     Problem.error(path + ".heightMap", objections.get(file)).about(Topic.MISSING_ASSET));
+        }
+    }
+
+    private static void paintable(String path, Terrain terrain, AssetSource assets, Consumer<Problem> report) {
+        try {
+            LayerPaint.read(terrain, assets);
+        } catch (AssetException problem) {
+            report.accept(
+                    Problem.error(path + ".layerMap", problem.getMessage()).about(Topic.MISSING_ASSET));
         }
     }
 

@@ -1,5 +1,6 @@
 // The mixture of a terrain's layers. Twin: nephele.engine.level.terrain.TerrainLayers, which explains the weights. LAYERS
 // is the number of layers, each material at its index. BAKED: their colours are mixed already.
+// PAINTED: a layer map replaces parts of the mixture.
 
 uniform vec4 layerHeights[LAYERS]; // where the weight begins to rise and is 1, begins to fall and is 0, metres
 uniform vec4 layerSlopes[LAYERS]; // by the upward component of the normal: where it falls from 1 and is 0, rises and is 1
@@ -33,6 +34,36 @@ float layerWeight(int layer, float height, float up) {
     return layerRise(height, h.x, h.y) * layerFall(height, h.z, h.w) * layerFall(up, s.x, s.y)
             * layerRise(up, s.z, s.w);
 }
+
+#ifdef PAINTED
+// Twin: nephele.engine.level.terrain.LayerPaint.
+uniform sampler2D layerMap; // index of a layer, of 255, and its weight
+uniform vec2 texelsPerMetre;
+
+// Replaces weights, whose sum is 1, by what is painted at a place in metres from the terrain's origin.
+void paintOver(inout float weights[LAYERS], vec2 place) {
+    ivec2 last = textureSize(layerMap, 0) - 1;
+    vec2 at = clamp(place * texelsPerMetre, vec2(0.0), vec2(last));
+    ivec2 least = min(ivec2(at), last - 1);
+    vec2 within = at - vec2(least);
+    vec2 opposite = 1.0 - within;
+    vec4 shares = vec4(opposite.x, within.x, opposite.x, within.x) * vec4(opposite.yy, within.yy);
+    vec2 t00 = texelFetch(layerMap, least, 0).rg;
+    vec2 t10 = texelFetch(layerMap, least + ivec2(1, 0), 0).rg;
+    vec2 t01 = texelFetch(layerMap, least + ivec2(0, 1), 0).rg;
+    vec2 t11 = texelFetch(layerMap, least + 1, 0).rg;
+    vec4 painted = vec4(t00.g, t10.g, t01.g, t11.g);
+    if (painted == vec4(0.0)) {
+        return;
+    }
+    vec4 layers = round(255.0 * vec4(t00.r, t10.r, t01.r, t11.r));
+    float kept = dot(shares, 1.0 - painted);
+    painted *= shares;
+    for (int i = 0; i < LAYERS; i++) {
+        weights[i] = kept * weights[i] + dot(painted, vec4(equal(layers, vec4(float(i)))));
+    }
+}
+#endif
 
 #ifdef BAKED
 uniform vec2 bakedPerMetre; // 1 / the terrain's sides
@@ -111,9 +142,14 @@ GroundMaterial groundAt(vec3 place, vec3 n) {
         weights[i] = layerWeight(i, place.y, n.y);
         total += weights[i];
     }
-    GroundMaterial sum = GroundMaterial(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
     for (int i = 0; i < LAYERS; i++) {
         weights[i] = total > 0.0 ? weights[i] / total : (i == 0 ? 1.0 : 0.0);
+    }
+#ifdef PAINTED
+    paintOver(weights, place.xz);
+#endif
+    GroundMaterial sum = GroundMaterial(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
+    for (int i = 0; i < LAYERS; i++) {
         Material material = materialAt(float(i));
         sum.emission += weights[i] * material.emissionMetallic.rgb;
         sum.metallic += weights[i] * material.emissionMetallic.a;

@@ -1,8 +1,8 @@
 package nephele.engine.render.gl.shader;
 
 /**
- * The assignment of texture units. OpenGL 4.1 guarantees {@value #COUNT} for a program. Units with the same number
- * belong to draws that never read both.
+ * The assignment of texture units. OpenGL 4.1 guarantees that each shader of a program can read 16, and that there are 80.
+ * Units with the same number belong to draws that never read both.
  */
 public enum TextureUnit {
     /** Base colours of materials, or the only picture of a pass: sky faces, letters, a picture to be tone-mapped. */
@@ -71,6 +71,8 @@ public enum TextureUnit {
     /** The heights and slopes of a terrain, which is drawn before there are copies of a view. */
     TERRAIN_HEIGHTS(12),
     TERRAIN_SLOPES(13),
+    /** The painted layers of a terrain, whose program may read fifteen other textures; a shader can read 16. */
+    TERRAIN_LAYERS(16),
     /** The metered exposure, bound throughout a frame. */
     EXPOSURE(15),
 
@@ -81,7 +83,7 @@ public enum TextureUnit {
     SCENE_LIGHTS(3),
     SCENE_PICTURE(4);
 
-    public static final int COUNT = 16;
+    public static final int COUNT = 17;
 
     private final int number;
 

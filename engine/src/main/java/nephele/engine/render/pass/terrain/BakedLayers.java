@@ -3,10 +3,12 @@ package nephele.engine.render.pass.terrain;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
@@ -23,6 +25,7 @@ final class BakedLayers {
 
     private final HeightField field;
     private final TerrainLayers layers;
+    private final Optional<LayerPaint> paint;
     private final double zeroHeight;
     private final List<Layer> pictures = new ArrayList<>();
     private final ColourDecoding.Codes codes;
@@ -58,6 +61,7 @@ final class BakedLayers {
     private BakedLayers(StaticShape.HeightGrid grid, SceneMaterials materials, ColourDecoding decoding) {
         field = grid.field();
         layers = TerrainLayers.of(grid.said());
+        paint = grid.painted().map(map -> new LayerPaint(grid.said(), map));
         zeroHeight = grid.said().centre().y();
         codes = decoding.codes();
         double pixel = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows()) / SIZE;
@@ -89,6 +93,9 @@ final class BakedLayers {
                     HeightFieldSurface.y(field, x, z) - zeroHeight,
                     HeightFieldSurface.normal(field, x, z).y(),
                     weights);
+            if (paint.isPresent()) {
+                paint.get().over(x, z, weights);
+            }
             Arrays.fill(rgb, 0);
             for (int layer = 0; layer < weights.length; layer++) {
                 add(pictures.get(layer), weights[layer], x, z, rgb);

@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.terrain;
 
 import java.util.List;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
@@ -39,6 +40,9 @@ final class GroundDrawing {
     /** {@code null} if the sky does not shine. */
     private final GroundSky sky;
 
+    /** {@code null} without painted layers. */
+    private final GroundPaint paint;
+
     /** {@code null} without pictures. */
     private final Texture colours;
 
@@ -59,6 +63,7 @@ final class GroundDrawing {
         look = isBaked ? said.baked() : said;
         light = context.shared().surfaceLight();
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
+        paint = grid.painted().map(map -> paint(context, map)).orElse(null);
         program = program(context);
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(
@@ -76,12 +81,19 @@ final class GroundDrawing {
 
     private record TilesOf(Same field) {}
 
+    private record PaintOf(Same map) {}
+
+    private static GroundPaint paint(LoadContext context, LayerMap map) {
+        return context.share(GroundPaint.class, new PaintOf(new Same(map)), () -> new GroundPaint(context.gl(), map));
+    }
+
     private GlProgram<GroundUniforms> program(LoadContext context) {
         SurfaceVariant surface = SurfaceVariant.of(look.kind(), context.quality());
         var defines = surface.addTo(
                         light.addForDynamicObjects(Defines.of(context))
                                 .withIf(tiles != null, "DETAIL")
                                 .withIf(isBaked, "BAKED")
+                                .withIf(paint != null, "PAINTED")
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
@@ -120,6 +132,9 @@ final class GroundDrawing {
         if (LightRequirements.skyShines(context.scene().level())) {
             uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
         }
+        if (paint != null) {
+            uniforms.sampler("layerMap", TextureUnit.TERRAIN_LAYERS);
+        }
         return GroundUniforms.of(
                 uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
     }
@@ -138,6 +153,10 @@ final class GroundDrawing {
         mesh.bind();
         if (sky != null) {
             sky.bind();
+        }
+        if (paint != null) {
+            paint.bind();
+            uniforms.setPaint(mesh.field(), paint.map());
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.terrain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.DetailView;
@@ -21,6 +22,7 @@ import nephele.engine.render.resource.TerrainUniforms;
  * @param detailView absent if all triangles are drawn
  * @param cell absent if no picture or light needs it
  * @param bakedPerMetre absent unless layers are mixed into one picture
+ * @param texelsPerMetre of the layer map; absent without one
  * @param heights empty for one layer, which is everywhere
  * @param slopes the same
  * @param originFromAnchor absent if no light needs positions
@@ -32,6 +34,7 @@ record GroundUniforms(
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
         Optional<Vector2> bakedPerMetre,
+        Optional<Vector2> texelsPerMetre,
         List<Vector4> heights,
         List<Vector4> slopes,
         List<Vector3> origins) {
@@ -52,12 +55,17 @@ record GroundUniforms(
         return new GroundUniforms(
                 TerrainUniforms.of(uniforms),
                 isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
-                uniforms.reads("cellMetres") ? Optional.of(uniforms.vector2("cellMetres")) : Optional.empty(),
+                vector2(uniforms, "cellMetres"),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
-                uniforms.reads("bakedPerMetre") ? Optional.of(uniforms.vector2("bakedPerMetre")) : Optional.empty(),
+                vector2(uniforms, "bakedPerMetre"),
+                vector2(uniforms, "texelsPerMetre"),
                 heights,
                 slopes,
                 origins);
+    }
+
+    private static Optional<Vector2> vector2(Uniforms uniforms, String name) {
+        return uniforms.reads(name) ? Optional.of(uniforms.vector2(name)) : Optional.empty();
     }
 
     void set(HeightField field, GroundLook look, Vec3 anchor) {
@@ -75,6 +83,12 @@ record GroundUniforms(
             Vec3 repeats = look.origins().get(i);
             origins.get(i).set((float) repeats.x(), (float) repeats.y(), (float) repeats.z());
         }
+    }
+
+    void setPaint(HeightField field, LayerMap map) {
+        double columns = (map.columns() - 1) / (field.cellX() * field.cellColumns());
+        double rows = (map.rows() - 1) / (field.cellZ() * field.cellRows());
+        texelsPerMetre.ifPresent(perMetre -> perMetre.set((float) columns, (float) rows));
     }
 
     void setDetail(DetailView view) {
