@@ -39,7 +39,7 @@ class DiffusionGridTest {
         for (int row = 1; row < 39; row += 6) {
             int cell = cells.index(20, row, 20);
             double exact = slab.diffuseFluence(sunDepths[cell]);
-            assertEquals(exact, fluence[cell], 0.06 * exact, "row " + row);
+            assertEquals(exact, fluence[cell], 0.06 * exact + 3e-3, "row " + row);
         }
     }
 

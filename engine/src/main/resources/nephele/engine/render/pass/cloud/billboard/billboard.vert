@@ -14,7 +14,7 @@ out vec3 sky;
 
 const vec3 UP = vec3(0.0, 1.0, 0.0);
 // Places in the picture at whose distance from the centre it is lit, deviations.
-const float LIT_ASIDE = 1.2;
+const float LIT_ASIDE = 1.0;
 
 // Turned about an upright axis, then tilted, by the angles of a source of 2004: yaw from x and z alone, divided by the
 // difference in x, and pitch from y and z alone. Wrong beside the axes, and undefined on them.
