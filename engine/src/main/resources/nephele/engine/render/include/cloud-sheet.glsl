@@ -1,11 +1,12 @@
 // A cloud as a sheet at the middle of its heights. Where a ray meets it the column above and below is read, and counts as
 // even from the cloud's base to its top: the optical depth of the ray is that of the column divided by the cosine, and ends
-// where a curved layer does. Its light is that of one step of a march. Twin of the mesh: nephele.engine.cloud.sheet.CurvedMesh.
+// where a curved layer does. Its light is that of a march of two steps. Twin of the mesh: nephele.engine.cloud.sheet.CurvedMesh.
 #include "cloud-span.glsl"
 #include "cloud-light.glsl"
 
 uniform vec2 sheet; // x: height of the eye over a round planet; y: longest way through the cloud, metres
 
+const int SHEET_STEPS = 2; // of the march through a column
 const float FARTHEST_SHEET = 1e7; // metres
 
 // A part of a ray in the cloud: what it passes of a column.
@@ -38,12 +39,16 @@ void addSheet(inout CloudRay ray, RayAngles angles, vec3 direction, SheetPart pa
         return;
     }
     vec2 span = columnSpan(column);
-    float mean = meanDepth(depth);
-    float lit = mix(part.heights.x, part.heights.y, mean / max(depth, 1e-20));
-    float height = cloudBase.y + cloudHalf.y * mix(span.x, span.y, lit);
-    vec4 cell = textureLod(cloudDensity, texelOf(place, height, boxOf(place).x, cells.x), 0.0);
-    vec4 light = lightAt(place, height);
-    addPart(ray, angles, depth, mean, light, max(cell.b, light.a), part.metres);
+    float box = boxOf(place).x;
+    float stepDepth = depth / float(SHEET_STEPS);
+    float mean = meanDepth(stepDepth);
+    for (int n = 0; n < SHEET_STEPS; n++) {
+        float lit = mix(part.heights.x, part.heights.y, (float(n) + mean / max(stepDepth, 1e-20)) / float(SHEET_STEPS));
+        float height = cloudBase.y + cloudHalf.y * mix(span.x, span.y, lit);
+        vec4 cell = textureLod(cloudDensity, texelOf(place, height, box, cells.x), 0.0);
+        vec4 light = lightAt(place, height);
+        addPart(ray, angles, stepDepth, mean, light, max(cell.b, light.a), part.metres);
+    }
 }
 
 // Where a part of a ray that rises, or falls, throughout is nearest to the sheet.
