@@ -176,6 +176,28 @@ class CloudHistoryGlTest {
         requireLooksAs(truth, drawn(flight, CloudHistory.SIXTEEN_FRAMES), 0.025, 0.02);
     }
 
+    /** A frame after an eye has left a cloud, rays meet another one far behind it. */
+    @Test
+    void nothingIsLeftOfACloudThatTheEyeHasLeft() {
+        Level level = new TestLevel()
+                .sun(new Vec3(0.4, 0.8, 0.3), 4)
+                .sky(new Sky.Gradient(new Vec3(0.1, 0.3, 0.8), new Vec3(0.5, 0.6, 0.8), new Vec3(0.2, 0.2, 0.2)))
+                .cloud(new Vec3(0, 10, 0), new Vec3(20, 12, 20), 0.4, 1, 0.6)
+                .cloud(new Vec3(0, 600, -3000), new Vec3(6000, 1500, 400), 5e-4, 1, 0.6)
+                .level();
+        Scene scene = Scene.of(level, TestAssets.NONE);
+        try (Renderer shared = load(scene, CloudHistory.SIXTEEN_FRAMES);
+                Renderer whole = load(scene, CloudHistory.NONE)) {
+            double error = 0;
+            for (double z : new double[] {-6, -8, -11}) {
+                View view = offscreen.view(new Vec3(0, 10, z), new Vec3(0, 10.2, z - 1));
+                error = HdrFlip.of(picture(drawn(whole, view)), picture(drawn(shared, view)))
+                        .mean();
+            }
+            assertTrue(error < 0.01, "FLIP " + error);
+        }
+    }
+
     /** The frames of a flight. @param steps how much each but the first differs from the one before */
     private record Film(List<LinearPicture> frames, List<Double> steps) {
         static Film of(List<View> flight, Function<View, LinearPicture> draw) {

@@ -120,10 +120,14 @@ final class CloudLayer implements GlObject, RayGrid {
         return side == 1 ? 0 : side / 2 * (frame & 1) + row(frame >> 2, side / 2);
     }
 
-    /** Ends the layer and restores the limits of the view. */
-    void end(View view, FullScreenTriangle triangle) {
+    /**
+     * Ends the layer and restores the limits of the view.
+     *
+     * @param nearestMetres distance of the nearest cloud that may be in the layer
+     */
+    void end(View view, double nearestMetres, FullScreenTriangle triangle) {
         if (before != null) {
-            complete(view, triangle);
+            complete(view, nearestMetres, triangle);
         }
         join(triangle);
         gl.state().endLayer(limits);
@@ -135,7 +139,7 @@ final class CloudLayer implements GlObject, RayGrid {
         return secondsBefore;
     }
 
-    private void complete(View view, FullScreenTriangle triangle) {
+    private void complete(View view, double nearestMetres, FullScreenTriangle triangle) {
         if (program == null) {
             program = new SpreadProgram(context);
         }
@@ -150,6 +154,7 @@ final class CloudLayer implements GlObject, RayGrid {
         program.use(
                 before,
                 view,
+                nearestMetres,
                 new SpreadProgram.Square(side, column(frame, side), row(frame, side)),
                 (double) width / divisor,
                 (double) height / divisor);

@@ -112,12 +112,17 @@ public final class CloudPass implements Pass {
 
     /** Returns true if surfaces can be among the clouds that an eye sees. */
     private boolean isMixed(Vec3 eye) {
+        return nearest(eye) < farthestSurface(eye);
+    }
+
+    /** Returns the distance from an eye to the nearest bounds of a cloud, metres. */
+    private double nearest(Vec3 eye) {
         double seconds = shared.clouds().now().seconds();
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < clouds.size(); i++) {
             nearest = Math.min(nearest, clouds.get(i).bounds(seconds).nearest(eye));
         }
-        return nearest < farthestSurface(eye);
+        return nearest;
     }
 
     @Override
@@ -157,7 +162,7 @@ public final class CloudPass implements Pass {
         CloudLayer layer = isMain(frame) ? mainLayer : nestedLayer;
         layer.begin(frame.surface(), shared.cuts(), now.seconds());
         draw(CloudPixels.WHOLE, view, layer);
-        layer.end(view, triangle);
+        layer.end(view, nearest(view.eye()), triangle);
         frame.surface().bind();
         drawLayer(layer, view, mixed);
         if (mixed) {
@@ -172,7 +177,7 @@ public final class CloudPass implements Pass {
         flash.endBolt();
         flash.layer().begin(frame.surface(), shared.cuts(), now.seconds());
         draw(CloudPixels.FLASH, view, flash.layer());
-        flash.layer().end(view, triangle);
+        flash.layer().end(view, nearest(view.eye()), triangle);
         flash.add(frame, mixed ? ranges : null, triangle);
     }
 

@@ -14,6 +14,11 @@ import nephele.engine.scene.View;
 final class SpreadProgram {
     private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
 
+    /** As far away as clouds count that a ray may have met before and does not meet now, with the eye in their bounds. */
+    private static final double NEAREST_KILOMETRES = 0.02;
+
+    private static final double SKY_KILOMETRES = 100;
+
     private final GlProgram<Places> program;
 
     private record Places(
@@ -23,7 +28,8 @@ final class SpreadProgram {
             Uniforms.Vector3 up,
             Uniforms.Vector3 forward,
             Uniforms.Vector3 moved,
-            Uniforms.Vector2 half) {
+            Uniforms.Vector2 half,
+            Uniforms.Scalar clear) {
         static Places of(Uniforms uniforms) {
             uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("fresh", TextureUnit.SPREAD_FRESH);
@@ -36,7 +42,8 @@ final class SpreadProgram {
                     uniforms.vector3("beforeUp"),
                     uniforms.vector3("beforeForward"),
                     uniforms.vector3("moved"),
-                    uniforms.vector2("halfLayer"));
+                    uniforms.vector2("halfLayer"),
+                    uniforms.scalar("clearKilometres"));
         }
     }
 
@@ -53,14 +60,16 @@ final class SpreadProgram {
     }
 
     /**
+     * @param nearestMetres distance of the nearest cloud
      * @param across pixels of the layer across the view, not rounded
      * @param upwards pixels of the layer from the view's lower to its upper side
      */
-    void use(View before, View now, Square square, double across, double upwards) {
+    void use(View before, View now, double nearestMetres, Square square, double across, double upwards) {
         program.use();
         Places places = program.uniforms();
         places.step().set((float) (2 / across), (float) (2 / upwards));
         places.square().set(square.side(), square.column(), square.row());
+        places.clear().set((float) Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearestMetres / 1000)));
         places.half().set((float) (across / 2), (float) (upwards / 2));
         set(places.right(), before.right(), 1 / before.projection().tanHalfWidth());
         set(places.up(), before.up(), 1 / before.projection().tanHalfHeight());
