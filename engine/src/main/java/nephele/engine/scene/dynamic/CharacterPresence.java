@@ -9,6 +9,6 @@ public enum CharacterPresence {
 
     /** Returns whether a character, or the sphere of an observer in its place, may be visible in a level. */
     public CharacterPresence in(Level level) {
-        return level.observer() != null ? POSSIBLE : this;
+        return level.observerStart() != null ? POSSIBLE : this;
     }
 }

@@ -79,7 +79,8 @@ public record DynamicObjects(
         List<Surface> materials = new ArrayList<>(known.surfaces());
         if (character == CharacterPresence.POSSIBLE) {
             members.add(new int[] {FIGURE});
-            groups.add(level.observer() == null ? characterGroup(mesh, materials) : observerGroup(round, materials));
+            groups.add(
+                    level.observerStart() == null ? characterGroup(mesh, materials) : observerGroup(round, materials));
         }
         return new DynamicObjects(
                 mesh.finished(), List.copyOf(groups), List.copyOf(materials), List.copyOf(members), shapes, materialOf);

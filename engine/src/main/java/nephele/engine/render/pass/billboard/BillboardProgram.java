@@ -34,7 +34,7 @@ final class BillboardProgram {
         boolean isAnimated = context.scene().level().billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
         boolean meetsSurfaces = kind == Kind.BLENDED && context.request().meetsSurfaces();
-        boolean isObserved = context.scene().level().observer() != null;
+        boolean isObserved = context.scene().level().observerStart() != null;
         var defines = light.addForDynamicObjects(Defines.of(context))
                 .with("LAMBERT")
                 .with("PER_SHEET", BillboardList.PER_SHEET)
@@ -68,7 +68,7 @@ final class BillboardProgram {
         SolidMesh.eyeInCell(view, anchor, eye);
         program.uniforms().high().set(eye[0], eye[1], eye[2]);
         program.uniforms().low().set(eye[3], eye[4], eye[5]);
-        if (program.uniforms().observer() != null) {
+        if (program.uniforms().observer() != null && observer != null) {
             Vec3 place = observer.centre().minus(anchor);
             program.uniforms().observer().set((float) place.x(), (float) place.y(), (float) place.z());
         }

@@ -36,7 +36,7 @@ final class BillboardDepth {
         gl = context.gl();
         quads = context.billboards(Kind.WITH_EDGES);
         list = context.own(new BillboardList(gl));
-        boolean isObserved = context.scene().level().observer() != null;
+        boolean isObserved = context.scene().level().observerStart() != null;
         Map<String, String> perSheet = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET));
         Map<String, String> observed = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET), "OBSERVER", "");
         program = new GlProgram<>(
@@ -64,9 +64,9 @@ final class BillboardDepth {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
         program.uniforms().clipFromAnchor().set(frame.clipFromAnchor().get(new float[16]));
-        if (program.uniforms().observer() != null) {
+        if (program.uniforms().observer() != null && observer != null) {
             set(program.uniforms().observer(), observer.minus(frame.anchor()));
-        } else {
+        } else if (program.uniforms().observer() == null) {
             set(program.uniforms().towardsSun(), Directions.unit(direction));
             set(program.uniforms().mapRight(), frame.right());
         }
