@@ -57,7 +57,8 @@ class PrototypesTest {
                         "environment.fog",
                         "environment.lightning",
                         "player",
-                        "portalGun"),
+                        "portalGun",
+                        "observer"),
                 LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());
     }
 

@@ -23,6 +23,7 @@ final class BadLevelRun {
         all.addAll(BadValues.ALL);
         all.addAll(BadRelations.ALL);
         all.addAll(BadBillboards.ALL);
+        all.addAll(BadObservers.ALL);
         all.addAll(BadImpostors.ALL);
         return all;
     }

@@ -18,6 +18,7 @@ import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
+import nephele.engine.playthrough.ObserverView;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.ToneMappedPicture;
@@ -94,6 +95,7 @@ final class RenderCommand implements Command {
                 var renderer = AssetProblems.named(opened, () -> renderer(opened, gl, terminal))) {
             var state = FrameState.atStart(renderer.scene().level());
             state.seconds(timeSeconds);
+            observe(renderer, state);
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.view(0), state, target);
             }
@@ -101,6 +103,15 @@ final class RenderCommand implements Command {
             save(renderer, target);
         }
         return ExitCode.DONE;
+    }
+
+    /** Colours the sphere of an observer at its start by what it touches. */
+    private static void observe(Renderer renderer, FrameState state) {
+        var scene = renderer.scene();
+        ObserverView observer = ObserverView.of(scene.level(), scene.statics().models());
+        if (observer != null && state.observer() != null) {
+            state.observer(observer.at(state.observer().centre()));
+        }
     }
 
     private OpenedLevel byTechnique(OpenedLevel opened) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
+import nephele.app.play.observer.BoundOutlines;
 import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
@@ -38,6 +39,7 @@ final class Display implements AutoCloseable {
     private final GlContext gl;
     private final Lettering lettering = new Lettering();
     private final OverlayPass overlay;
+    private final BoundOutlines outlines;
     private final Hud hud = new Hud(lettering);
     private final Screenshots screenshots;
     private final Message message;
@@ -52,6 +54,7 @@ final class Display implements AutoCloseable {
         this.screenshots = screenshots;
         this.message = message;
         overlay = new OverlayPass(gl, lettering);
+        outlines = new BoundOutlines(gl);
         cost = new FrameCost(gl);
     }
 
@@ -81,6 +84,7 @@ final class Display implements AutoCloseable {
                 ? Wipe.MIDDLE
                 : content.comparison().wipe();
         session.picture().draw(view, walk.frameState(), wipe, picture, listener);
+        outlines.draw(walk.observer(), view, picture);
         if (shot == Shot.WITHOUT_OVERLAY) {
             save(picture);
         }
@@ -137,6 +141,7 @@ final class Display implements AutoCloseable {
     @Override
     public void close() {
         overlay.close();
+        outlines.close();
         cost.close();
     }
 }

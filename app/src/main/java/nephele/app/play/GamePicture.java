@@ -5,6 +5,7 @@ import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.play.hud.HudContent.Page;
+import nephele.app.play.observer.ObserverTexts;
 import nephele.app.play.wipe.ComparisonTexts;
 import nephele.app.play.wipe.WipeControl;
 import nephele.app.settings.GameSettings;
@@ -87,7 +88,7 @@ final class GamePicture {
                 current.figureLines(),
                 message.texts(),
                 banner(stage, loading),
-                isPlaying ? sight(session, area) : null,
+                isPlaying && session.walk().observer() == null ? sight(session, area) : null,
                 comparison(session),
                 keys());
         var listener = current.figures().frameBegins();
@@ -147,11 +148,16 @@ final class GamePicture {
         return (System.nanoTime() - titleNanos) / 1e9;
     }
 
+    private Banner running(Language language) {
+        Banner aim = captions.aim(language);
+        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), files.settings());
+    }
+
     private Banner banner(GameStage stage, Loading loading) {
         Language language = files.settings().get(Settings.LANGUAGE);
         return switch (stage) {
             case STARTING -> loading == null ? null : Captions.of(loading, language);
-            case RUNNING -> captions.aim(language);
+            case RUNNING -> running(language);
             default -> null;
         };
     }

@@ -19,6 +19,7 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
+import nephele.engine.playthrough.ObserverView;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.render.Capture;
@@ -171,7 +172,10 @@ public final class OffscreenWalk {
     private Playthrough walk(Preparation.Prepared prepared, Replay replay) {
         var from = request.from() != null ? request.from() : replay.start();
         var beginning = new Playthrough.Beginning(request.level().fileName(), replay.settings(), from);
-        return new Playthrough(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
+        Level level = prepared.opened().level();
+        var playthrough = new Playthrough(level, prepared.world(), beginning, new ReplayInput(replay));
+        playthrough.observe(ObserverView.of(level, prepared.scene().statics().models()));
+        return playthrough;
     }
 
     private RenderTarget target(GlContext gl) {

@@ -9,10 +9,12 @@ import nephele.engine.draw.Preparation;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
+import nephele.engine.playthrough.ObserverView;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.playthrough.TakenOverInput;
 import nephele.engine.playthrough.TickInput;
+import nephele.engine.playthrough.UnturnedInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
@@ -68,11 +70,13 @@ final class Session implements AutoCloseable {
         var from = request.from() == null && replay != null ? replay.start() : request.from();
         playthrough = new Playthrough(
                 level, world, new Playthrough.Beginning(request.level().fileName(), settings, from), hands());
+        playthrough.observe(ObserverView.of(level, prepared.scene().statics().models()));
         apply();
     }
 
     private TickInput hands() {
-        var live = new LiveInput(input, request.player().files()::settings);
+        var device = new LiveInput(input, request.player().files()::settings);
+        TickInput live = level.observer() == null ? device : new UnturnedInput(device);
         if (request.shown() == null) {
             return live;
         }

@@ -42,6 +42,7 @@ public final class EntityWords {
         kind("bodies", Group.PLAY);
         kind("portals", Group.PLAY);
         kind("portalGun", Group.PLAY);
+        kind("observer", Group.PLAY);
         kind("lights", Group.LIGHT);
         kind("environment.sun", Group.LIGHT);
         kind("emitters", Group.SCENE);

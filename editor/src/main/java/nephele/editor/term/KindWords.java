@@ -23,6 +23,7 @@ public final class KindWords {
             word("gradient", "Gradient", "Gradiente", "Gradiente"),
             word("material", "Material", "Material", "Material"),
             word("modelplacement", "Model", "Modelo", "Modelo"),
+            word("observer", "Observer's sphere", "Esfera do observador", "Esfera do observador"),
             word("planes", "Solid of planes", "Sólido de planos", "Sólido de planos"),
             word("playerstart", "Player start", "Início do jogador", "Início do jogador"),
             word("point", "Point light", "Luz pontual", "Luz pontual"),

@@ -3,10 +3,11 @@ package nephele.engine.level;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import nephele.engine.math.Vec3;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
- * absent environment is the empty one, an absent player or portal gun is {@code null}. Contains no derived data.
+ * absent environment is the empty one, an absent player, portal gun or observer is {@code null}. Contains no derived data.
  *
  * @param aim the task of the level in a line for the player, in each language
  * @param editor what only the editor reads: nothing that is drawn or simulated depends on it
@@ -28,8 +29,35 @@ public record Level(
         @Written(most = 256) List<Emitter> emitters,
         @Written(most = 16) List<Terrain> terrains,
         @Written(most = 1000) List<Billboards> billboards,
+        @Written Observer observer,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
         @Written(absent = "{}") EditorNotes editor) {
+    /**
+     * A sphere that stands for the player's body before a camera that does not move. Billboards face its centre instead
+     * of the eye, and it has another colour while it touches the bounds of a model.
+     *
+     * @param camera {@code null} for the level's first
+     * @param bounds with which the game begins
+     */
+    public record Observer(
+            @Written(text = TextKind.ID, refersTo = "cameras") String camera,
+            @Written(absent = "0.5", min = 0.05, max = 100, spatial = Spatial.LENGTH) double radiusMetres,
+            @Written(absent = "\"sphere\"") Bounds bounds) {
+        /** The volume around a model that the sphere touches; its word in a level file is the name in lower case. */
+        public enum Bounds {
+            SPHERE,
+            BOX,
+            ORIENTED_BOX,
+            TREE,
+            TRIANGLES
+        }
+    }
+
+    /** Returns the centre of the observer's sphere at the start; {@code null} without an observer or a player. */
+    public Vec3 observerStart() {
+        return observer == null || player == null ? null : player.feet().plus(new Vec3(0, observer.radiusMetres(), 0));
+    }
+
     /** Returns a level with an environment and cameras and nothing else. */
     public static Level of(String name, String description, Environment environment, List<Camera> cameras) {
         return new Level(
@@ -49,6 +77,7 @@ public record Level(
                 List.of(),
                 List.of(),
                 List.of(),
+                null,
                 Map.of(),
                 EditorNotes.NONE);
     }
@@ -118,6 +147,11 @@ public record Level(
         return with(draft -> draft.billboards = otherBillboards);
     }
 
+    /** Returns this level with another observer; {@code null} for none. */
+    public Level withObserver(Observer other) {
+        return with(draft -> draft.observer = other);
+    }
+
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
         return with(draft -> draft.editor = notes);
@@ -145,6 +179,7 @@ public record Level(
         private List<Emitter> emitters;
         private List<Terrain> terrains;
         private List<Billboards> billboards;
+        private Observer observer;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -162,6 +197,7 @@ public record Level(
             emitters = from.emitters;
             terrains = from.terrains;
             billboards = from.billboards;
+            observer = from.observer;
             editor = from.editor;
         }
 
@@ -183,6 +219,7 @@ public record Level(
                     emitters,
                     terrains,
                     billboards,
+                    observer,
                     from.aim,
                     editor);
         }

@@ -13,7 +13,11 @@ public record BoundingSphere(Vec3 centre, double radius) {
      * kept.
      */
     public static BoundingSphere of(Mesh mesh) {
-        float[] positions = mesh.positions();
+        return of(mesh.positions());
+    }
+
+    /** Returns a sphere as {@link #of(Mesh)} does. @param positions x, y, z of each vertex */
+    public static BoundingSphere of(float[] positions) {
         if (positions.length == 0) {
             return new BoundingSphere(Vec3.ZERO, 0);
         }

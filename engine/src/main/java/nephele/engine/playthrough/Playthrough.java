@@ -58,6 +58,7 @@ public final class Playthrough {
     private Vec3 heldFromEye;
     private double heldClarity;
     private boolean isCut = true;
+    private ObserverView observer;
     private AnimationState animationBefore = AnimationState.STANDING;
     private AnimationState animationAfter = AnimationState.STANDING;
 
@@ -92,6 +93,16 @@ public final class Playthrough {
         live = new FrameInterpolation(level);
         boom = new CameraBoom(simLevel.statics(), secondsPerTick);
         aiming = new ShotPreviews(simulation);
+    }
+
+    /** Shows the walk before an observer's camera; {@code null} for the player's view. */
+    public void observe(ObserverView from) {
+        observer = from;
+    }
+
+    /** Returns the observer's view; {@code null} without one. */
+    public ObserverView observer() {
+        return observer;
     }
 
     /** Simulates the ticks that are due after a frame of this length. */
@@ -205,13 +216,20 @@ public final class Playthrough {
         return simulation.canPickUp(after);
     }
 
-    /** Switches between first and third person. */
+    /** Switches between first and third person; before an observer's camera to the next bounds. */
     public void changePerson() {
-        boom.toggle();
+        if (observer == null) {
+            boom.toggle();
+        } else {
+            observer.nextBounds();
+        }
     }
 
-    /** Returns the player's view between the last two ticks: from the eye, or from the camera boom. */
+    /** Returns the player's view between the last two ticks: from the eye, the camera boom or an observer's camera. */
     public View view(double aspect) {
+        if (observer != null) {
+            return observer.view(aspect);
+        }
         PlayerPose camera = seen().camera();
         boolean isSame = view != null
                 && viewedFrom == camera
@@ -255,7 +273,10 @@ public final class Playthrough {
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
-        live.held(after, heldFromCamera(share), heldClarity);
+        live.held(after, heldFromCamera(share), observer == null ? heldClarity : 0);
+        if (observer != null) {
+            live.frameState().observer(observer.sphere(seen().player().body(), after.player()));
+        }
         live.character(seen().player(), animationBefore.towards(animationAfter, share), seconds);
         return live.frameState();
     }

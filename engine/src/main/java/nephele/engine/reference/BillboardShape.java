@@ -14,7 +14,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * An image of a billboard with edges, without sway. Crossed ones stand still, as drawn. The others face each ray's own
+ * An image of a billboard with edges, without sway. Crossed ones stand still, as drawn; so do all before an observer. The others face each ray's own
  * origin at infinity instead of the eye, which behind portals no ray knows: seen at an angle θ off their middle, they are
  * smaller by θ² / 2 of that distance than drawn ones. Shadow rays meet them turned to the light, as in the sun's map.
  */
@@ -29,13 +29,22 @@ final class BillboardShape implements TracedShape {
     private final Picture picture;
     private final ColourDecoding decoding;
     private final double turn;
+    private final Vec3 observer;
     private final Vec3 middle;
     private final double halfWidth;
     private final double halfHeight;
 
-    /** @param quarterTurns of a crossed one's image: 0 or 1 */
+    /**
+     * @param quarterTurns of a crossed one's image: 0 or 1
+     * @param observer the place that it faces; {@code null} for the origin of each ray
+     */
     BillboardShape(
-            PlantedBillboards.Group group, int index, int quarterTurns, Picture picture, ColourDecoding decoding) {
+            PlantedBillboards.Group group,
+            int index,
+            int quarterTurns,
+            Picture picture,
+            ColourDecoding decoding,
+            Vec3 observer) {
         this.group = group;
         this.index = index;
         this.picture = picture;
@@ -44,6 +53,7 @@ final class BillboardShape implements TracedShape {
         Billboards.Size size = group.said().sizeMetres();
         halfWidth = size.width() * group.scale(index) / 2;
         halfHeight = size.height() * group.scale(index) / 2;
+        this.observer = observer;
         middle = group.feet().get(index).plus(new Vec3(0, halfHeight, 0));
     }
 
@@ -56,7 +66,8 @@ final class BillboardShape implements TracedShape {
         Facing facing = group.said().facing() == Facing.SCREEN
                 ? Facing.SPHERICAL
                 : group.said().facing();
-        FacingAxes axes = FacingAxes.of(facing, direction.negated(), SIDE, UP, turn);
+        Vec3 towards = observer == null ? direction.negated() : observer.minus(middle);
+        FacingAxes axes = FacingAxes.of(facing, towards, SIDE, UP, turn);
         Vec3 front = axes.front();
         Vec3 toMiddle = middle.minus(new Vec3(ray.originX(), ray.originY(), ray.originZ()));
         double parameter = toMiddle.dot(front) / direction.dot(front);

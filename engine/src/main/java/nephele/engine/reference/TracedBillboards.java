@@ -8,6 +8,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.billboard.Sprite;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Vec3;
 
 /**
  * The billboards that rays intersect: those with edges. Blended ones are not traced, as particles are not.
@@ -21,6 +22,7 @@ record TracedBillboards(List<TracedShape> shapes, List<Integer> groups) {
     static TracedBillboards of(PlacedLevel placed, ColourDecoding decoding, double seconds) {
         List<TracedShape> shapes = new ArrayList<>();
         List<Integer> groups = new ArrayList<>();
+        Vec3 observer = placed.level().observerStart();
         PlantedBillboards planted = PlantedBillboards.of(placed.level(), placed.statics(), placed.assets());
         for (int number = 0; number < planted.groups().size(); number++) {
             PlantedBillboards.Group group = planted.groups().get(number);
@@ -32,7 +34,7 @@ record TracedBillboards(List<TracedShape> shapes, List<Integer> groups) {
             for (int i = 0; i < images * group.feet().size(); i++) {
                 int index = i / images;
                 Picture picture = sprite.frames().get(frame(group, index, seconds));
-                shapes.add(new BillboardShape(group, index, i % images, picture, decoding));
+                shapes.add(new BillboardShape(group, index, i % images, picture, decoding, observer));
                 groups.add(number);
             }
         }

@@ -36,6 +36,7 @@ public final class FrameState {
     private double[] openness;
     private int[] colours;
     private Posture character;
+    private ObserverSphere observer;
     private List<PortalPreview> previews = List.of();
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
@@ -60,6 +61,10 @@ public final class FrameState {
             start.body(i, body.centre().toVector(), new Quaterniond());
         }
         start.portals(Portals.of(level));
+        Vec3 centre = level.observerStart();
+        start.observer = centre == null
+                ? null
+                : new ObserverSphere(centre, level.observer().radiusMetres(), false);
         return start;
     }
 
@@ -181,6 +186,15 @@ public final class FrameState {
         character = now;
     }
 
+    /** Returns the sphere that billboards face; {@code null} if they face the eye. */
+    public ObserverSphere observer() {
+        return observer;
+    }
+
+    public void observer(ObserverSphere now) {
+        observer = now;
+    }
+
     /** Returns the body that its holder's eye sees, or {@link #NOTHING}; it is drawn transparent. */
     public int held() {
         return held;
@@ -218,6 +232,14 @@ public final class FrameState {
     public void previews(List<PortalPreview> now) {
         previews = now;
     }
+
+    /**
+     * The observer's sphere.
+     *
+     * @param centre metres, which billboards face
+     * @param touches whether it has the colour of a contact
+     */
+    public record ObserverSphere(Vec3 centre, double radiusMetres, boolean touches) {}
 
     /**
      * The position and the animation state of a character.

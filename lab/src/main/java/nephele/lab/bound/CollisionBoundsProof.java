@@ -3,6 +3,7 @@ package nephele.lab.bound;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import nephele.engine.model.bound.Bound;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;

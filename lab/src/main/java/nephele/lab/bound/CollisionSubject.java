@@ -2,6 +2,7 @@ package nephele.lab.bound;
 
 import java.util.List;
 import java.util.stream.LongStream;
+import nephele.engine.model.bound.Bound;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;

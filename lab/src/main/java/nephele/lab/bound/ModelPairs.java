@@ -6,6 +6,9 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.placed.MeshAssets;
 import nephele.engine.math.Chance;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
+import nephele.engine.model.bound.BoundedModel;
+import nephele.engine.model.bound.Pose;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 

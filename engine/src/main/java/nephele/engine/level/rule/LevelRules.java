@@ -30,6 +30,7 @@ public final class LevelRules {
             BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
+            ObserverRules.SEEN,
             ExitRules.REACHABLE,
             EmitterRules.COUNT,
             EmitterRules.USED,

@@ -23,7 +23,8 @@ public record FrameRequest(
      */
     public static FrameRequest of(
             Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence character) {
-        return new FrameRequest(level, LightMaps.of(level, statics, quality, character), output, quality, character);
+        CharacterPresence shown = character.in(level);
+        return new FrameRequest(level, LightMaps.of(level, statics, quality, shown), output, quality, shown);
     }
 
     /** Returns a request with quality HIGH and without a character. */

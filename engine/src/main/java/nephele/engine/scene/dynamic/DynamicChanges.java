@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Objects;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState;
+import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.FrameState.Posture;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -16,6 +17,7 @@ final class DynamicChanges {
     private final Quaterniond turn = new Quaterniond();
     private Portals portals;
     private Posture character;
+    private ObserverSphere observer;
     private double seconds;
 
     DynamicChanges(int bodies) {
@@ -46,7 +48,9 @@ final class DynamicChanges {
 
     private boolean isCharacterNew(FrameState frameState) {
         boolean isNew = frameState.character() != null && seconds != frameState.seconds()
-                || !Objects.equals(frameState.character(), character);
+                || !Objects.equals(frameState.character(), character)
+                || !Objects.equals(frameState.observer(), observer);
+        observer = frameState.observer();
         character = frameState.character();
         seconds = frameState.seconds();
         return isNew;

@@ -80,7 +80,7 @@ public final class DynamicInstances {
                 groupStart[group] = instances;
                 for (int member : dynamicObjects.members().get(group)) {
                     if (member == DynamicObjects.FIGURE) {
-                        addCharacter(frameState);
+                        addFigure(frameState);
                     } else {
                         add(frameState, member);
                     }
@@ -109,6 +109,27 @@ public final class DynamicInstances {
             pack(PortalCopies.slot(copy, 0), oneShape[0], dynamicObjects.materialOf()[body]);
         }
         bodyEnd[body] = instances;
+    }
+
+    private void addFigure(FrameState frameState) {
+        if (frameState.observer() == null) {
+            addCharacter(frameState);
+        } else {
+            addObserver(frameState);
+        }
+    }
+
+    private void addObserver(FrameState frameState) {
+        FrameState.ObserverSphere sphere = frameState.observer();
+        centre.set(sphere.centre().x(), sphere.centre().y(), sphere.centre().z());
+        places.begin(1);
+        places.place(0, centre, turn.identity(), centre);
+        oneShape[0] = DynamicShape.sphere(sphere.radiusMetres());
+        places.makeCopies(frameState.portals(), oneShape);
+        for (int copy = 0; copy < places.copies(); copy++) {
+            seeSky(copy);
+            pack(PortalCopies.slot(copy, 0), oneShape[0], dynamicObjects.observerMaterial(sphere.touches()));
+        }
     }
 
     private void addCharacter(FrameState frameState) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials;
 import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
@@ -39,6 +41,14 @@ public record DynamicObjects(
     /** The flatness of the coarse mesh, in radii of the character's first part. */
     private static final double COARSE_FLATNESS = 0.005;
 
+    /** Of an observer's sphere: apart from all models, and in contact. */
+    private static final List<Material> OBSERVER_MATERIALS =
+            List.of(observerMaterial(0.06, 0.2, 0.62), observerMaterial(0.9, 0.1, 0.02));
+
+    private static Material observerMaterial(double r, double g, double b) {
+        return new Material("observer", new Vec3(r, g, b), null, 0.35, 0.0, null, Vec3.ZERO, 1);
+    }
+
     private record Key(boolean round, SolidBatch.Kind kind) {}
 
     public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence character) {
@@ -69,7 +79,8 @@ public record DynamicObjects(
         List<Surface> materials = new ArrayList<>(known.surfaces());
         if (character == CharacterPresence.POSSIBLE) {
             members.add(new int[] {FIGURE});
-            groups.add(characterGroup(mesh, materials));
+            groups.add(
+                    level.observerStart() == null ? characterGroup(mesh, materials) : observerGroup(round, materials));
         }
         return new DynamicObjects(
                 mesh.finished(), List.copyOf(groups), List.copyOf(materials), List.copyOf(members), shapes, materialOf);
@@ -77,25 +88,46 @@ public record DynamicObjects(
 
     /** Appends the character's materials, all in one block. */
     private static DynamicGroup characterGroup(Builder mesh, List<Surface> materials) {
-        int perBlock = SolidGeometry.MATERIALS_PER_BLOCK;
-        while (materials.size() % perBlock + CharacterMesh.MATERIALS.size() > perBlock) {
-            materials.add(materials.get(0));
-        }
-        int first = materials.size();
-        CharacterMesh.MATERIALS.forEach(material -> materials.add(new Surface(material, Slot.NONE, Slot.NONE)));
+        int first = append(CharacterMesh.MATERIALS, materials);
         Range[] fine = CharacterMesh.add(mesh, FINE);
         Range[] coarse = CharacterMesh.add(mesh, COARSE);
         return new DynamicGroup(
                 new Range[] {fine[0], coarse[0]},
                 new Range[] {fine[1], coarse[1]},
                 new double[] {0, COARSE_FLATNESS},
-                new SolidBatch.Kind(false, -1, -1, first / perBlock),
+                new SolidBatch.Kind(false, -1, -1, first / SolidGeometry.MATERIALS_PER_BLOCK),
                 CharacterPart.ALL.length);
+    }
+
+    private static DynamicGroup observerGroup(Range[] round, List<Surface> materials) {
+        int first = append(OBSERVER_MATERIALS, materials);
+        return new DynamicGroup(
+                round,
+                null,
+                BodyMeshes.flatness(),
+                new SolidBatch.Kind(false, -1, -1, first / SolidGeometry.MATERIALS_PER_BLOCK),
+                1);
+    }
+
+    /** Appends materials, all in one block, and returns the index of the first. */
+    private static int append(List<Material> more, List<Surface> materials) {
+        int perBlock = SolidGeometry.MATERIALS_PER_BLOCK;
+        while (materials.size() % perBlock + more.size() > perBlock) {
+            materials.add(materials.get(0));
+        }
+        int first = materials.size();
+        more.forEach(material -> materials.add(new Surface(material, Slot.NONE, Slot.NONE)));
+        return first;
     }
 
     /** Returns the index in their block of the character's first material. */
     int characterMaterial() {
         return (materials.size() - CharacterMesh.MATERIALS.size()) % SolidGeometry.MATERIALS_PER_BLOCK;
+    }
+
+    /** Returns the index in its block of the material of an observer's sphere. */
+    int observerMaterial(boolean touches) {
+        return (materials.size() - (touches ? 1 : 2)) % SolidGeometry.MATERIALS_PER_BLOCK;
     }
 
     private static SolidBatch.Kind kind(Surface surface, int material) {

@@ -33,6 +33,10 @@ public record DynamicShape(int kind, Vec3 half, double halfAxisMetres) {
         return new DynamicShape(axis > 0 ? CAPSULE : SPHERE, equal(capsule.radiusMetres()), axis);
     }
 
+    static DynamicShape sphere(double radiusMetres) {
+        return new DynamicShape(SPHERE, equal(radiusMetres), 0);
+    }
+
     private static Vec3 equal(double x) {
         return new Vec3(x, x, x);
     }

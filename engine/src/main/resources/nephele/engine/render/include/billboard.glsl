@@ -82,6 +82,12 @@ BillboardAxes facingAxes(int facing, vec3 toEye, vec3 side, vec3 above, float tu
     return BillboardAxes(vec3(cos(angle), 0.0, -sin(angle)), vec3(0.0, 1.0, 0.0));
 }
 
+// Returns the axes towards an observer who has no picture: those parallel to it turn about their middle.
+BillboardAxes observedAxes(int facing, vec3 toObserver, float turn) {
+    int faced = facing == SCREEN ? SPHERICAL : facing;
+    return facingAxes(faced, toObserver, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), turn);
+}
+
 // Returns the metres by which the upper edge is moved towards +x.
 float swayMetres(vec4 wind, Billboard b, float height) {
     if (wind.x == 0.0) {

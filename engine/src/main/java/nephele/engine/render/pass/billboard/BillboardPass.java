@@ -27,7 +27,7 @@ import nephele.engine.render.resource.BillboardSource.Kind;
 import nephele.engine.scene.View;
 
 /**
- * Draws billboards in each view, turned to its eye. Those with edges are drawn by clusters, in the order of
+ * Draws billboards in each view, turned to its eye or to the level's observer. Those with edges are drawn by clusters, in the order of
  * their places; blended ones each for itself, the farthest first, equal distances in the order of the level.
  */
 public final class BillboardPass implements Pass {
@@ -99,7 +99,7 @@ public final class BillboardPass implements Pass {
         Depth depth = kind == Kind.BLENDED ? Depth.LESS_OR_EQUAL : Depth.LESS_AND_WRITE;
         gl.state().set(depth, blend, Cull.NONE, frame.clipDistances());
         light.bind(reads);
-        program.use(frame.view());
+        program.use(frame.view(), frame.frameState().observer());
         quads.bind();
         if (kind == Kind.BLENDED) {
             drawSorted(frame.view());

@@ -14,13 +14,15 @@ import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 
 /** The shaders of billboards. */
 final class BillboardProgram {
     private static final String FOLDER = "/nephele/engine/render/pass/billboard/";
 
-    private record Eye(Uniforms.Vector3 high, Uniforms.Vector3 low) {}
+    /** @param observer {@code null} if billboards face the eye */
+    private record Eye(Uniforms.Vector3 high, Uniforms.Vector3 low, Uniforms.Vector3 observer) {}
 
     private final GlProgram<Eye> program;
     private final Vec3 anchor;
@@ -32,12 +34,14 @@ final class BillboardProgram {
         boolean isAnimated = context.scene().level().billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
         boolean meetsSurfaces = kind == Kind.BLENDED && context.request().meetsSurfaces();
+        boolean isObserved = context.scene().level().observerStart() != null;
         var defines = light.addForDynamicObjects(Defines.of(context))
                 .with("LAMBERT")
                 .with("PER_SHEET", BillboardList.PER_SHEET)
                 .withIf(kind == Kind.BLENDED, "BLENDED")
                 .withIf(isAnimated, "ANIMATED")
                 .withIf(meetsSurfaces, "SURFACES")
+                .withIf(isObserved, "OBSERVER")
                 .values();
         program = new GlProgram<>(
                 context.gl(),
@@ -51,14 +55,22 @@ final class BillboardProgram {
                     if (meetsSurfaces) {
                         uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     }
-                    return new Eye(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"));
+                    return new Eye(
+                            uniforms.vector3("eyeHigh"),
+                            uniforms.vector3("eyeLow"),
+                            isObserved ? uniforms.vector3("observer") : null);
                 });
     }
 
-    void use(View view) {
+    /** @param observer {@code null} if billboards face the eye */
+    void use(View view, ObserverSphere observer) {
         program.use();
         SolidMesh.eyeInCell(view, anchor, eye);
         program.uniforms().high().set(eye[0], eye[1], eye[2]);
         program.uniforms().low().set(eye[3], eye[4], eye[5]);
+        if (program.uniforms().observer() != null && observer != null) {
+            Vec3 place = observer.centre().minus(anchor);
+            program.uniforms().observer().set((float) place.x(), (float) place.y(), (float) place.z());
+        }
     }
 }

@@ -16,12 +16,16 @@ import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
 import nephele.engine.scene.light.ShadowFrame;
 
-/** Draws the depth of billboards with edges into the sun's picture, turned to the sun as they are to an eye. */
+/** Draws the depth of billboards with edges into the sun's picture, turned to the sun as they are to an eye, or to the level's observer. */
 final class BillboardDepth {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
+    /** Either the sun's or the observer's uniforms are {@code null}. */
     private record SunUniforms(
-            Uniforms.Matrix4 clipFromAnchor, Uniforms.Vector3 towardsSun, Uniforms.Vector3 mapRight) {}
+            Uniforms.Matrix4 clipFromAnchor,
+            Uniforms.Vector3 towardsSun,
+            Uniforms.Vector3 mapRight,
+            Uniforms.Vector3 observer) {}
 
     private final GlContext gl;
     private final BillboardQuads quads;
@@ -32,32 +36,45 @@ final class BillboardDepth {
         gl = context.gl();
         quads = context.billboards(Kind.WITH_EDGES);
         list = context.own(new BillboardList(gl));
+        boolean isObserved = context.scene().level().observerStart() != null;
+        Map<String, String> perSheet = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET));
+        Map<String, String> observed = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET), "OBSERVER", "");
         program = new GlProgram<>(
                 gl,
-                ShaderSource.load(
-                        FOLDER + "billboard-depth.vert",
-                        Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET))),
+                ShaderSource.load(FOLDER + "billboard-depth.vert", isObserved ? observed : perSheet),
                 ShaderSource.load(FOLDER + "billboard-depth.frag", Map.of()),
                 uniforms -> {
                     BillboardQuads.tie(uniforms);
                     return new SunUniforms(
                             uniforms.matrix4("clipFromAnchor"),
-                            uniforms.vector3("towardsSun"),
-                            uniforms.vector3("mapRight"));
+                            isObserved ? null : uniforms.vector3("towardsSun"),
+                            isObserved ? null : uniforms.vector3("mapRight"),
+                            isObserved ? uniforms.vector3("observer") : null);
                 });
     }
 
-    /** Draws into the bound target. @param direction towards the sun, any length */
-    void draw(ShadowFrame frame, Vec3 direction) {
+    /**
+     * Draws into the bound target.
+     *
+     * @param direction towards the sun, any length
+     * @param observer the place that they face; {@code null} if they face the sun
+     */
+    void draw(ShadowFrame frame, Vec3 direction, Vec3 observer) {
         quads.follow(0);
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
-        Vec3 towards = Directions.unit(direction);
         program.uniforms().clipFromAnchor().set(frame.clipFromAnchor().get(new float[16]));
-        program.uniforms().towardsSun().set((float) towards.x(), (float) towards.y(), (float) towards.z());
-        Vec3 right = frame.right();
-        program.uniforms().mapRight().set((float) right.x(), (float) right.y(), (float) right.z());
+        if (program.uniforms().observer() != null && observer != null) {
+            set(program.uniforms().observer(), observer.minus(frame.anchor()));
+        } else if (program.uniforms().observer() == null) {
+            set(program.uniforms().towardsSun(), Directions.unit(direction));
+            set(program.uniforms().mapRight(), frame.right());
+        }
         quads.bind();
         list.draw(quads.clusters(), quads);
+    }
+
+    private static void set(Uniforms.Vector3 uniform, Vec3 value) {
+        uniform.set((float) value.x(), (float) value.y(), (float) value.z());
     }
 }

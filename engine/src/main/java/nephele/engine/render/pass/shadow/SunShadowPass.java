@@ -1,11 +1,13 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -21,11 +23,13 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
 
 /**
- * Draws the sun's depth map of all solids that can cast a shadow on another, again when the sun or a solid has changed.
+ * Draws the sun's depth map of all solids that can cast a shadow on another, again when the sun, a solid or the observer
+ * has changed.
  */
 public final class SunShadowPass implements Pass {
     public static final RenderFeature FEATURE =
@@ -54,12 +58,19 @@ public final class SunShadowPass implements Pass {
 
     /** The data on which a map depends. */
     private record Content(
-            Same solids, Same models, Same planted, Same plantsOn, List<HeightField> ground, ShadowFrame frame) {
+            Same solids,
+            Same models,
+            Same planted,
+            Same plantsOn,
+            Vec3 observer,
+            List<HeightField> ground,
+            ShadowFrame frame) {
         boolean differsInGroundAlone(Content other) {
             return solids.equals(other.solids)
                     && models.equals(other.models)
                     && planted.equals(other.planted)
                     && plantsOn.equals(other.plantsOn)
+                    && Objects.equals(observer, other.observer)
                     && frame.equals(other.frame);
         }
     }
@@ -99,12 +110,22 @@ public final class SunShadowPass implements Pass {
     @Override
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
-        if (contents.isEmpty() || contents.get(0).frame != frame) {
-            contents = List.of(new Content(solids, models, planted, plantsOn, ground, frame));
+        Vec3 observer = observer(context.frameState());
+        if (contents.isEmpty()
+                || contents.get(0).frame != frame
+                || !Objects.equals(contents.get(0).observer, observer)) {
+            contents = List.of(new Content(solids, models, planted, plantsOn, observer, ground, frame));
             size = new Texture.Extent(frame.width(), frame.height(), 1);
         }
         Texture texture = map.showing(contents, size, (layer, target, before) -> draw(target, frame, (Content) before));
         shared.publish(Target.SUN_SHADOW, texture);
+    }
+
+    /** Returns the place on which the billboards' shadows depend besides the sun; {@code null} for none. */
+    private Vec3 observer(FrameState state) {
+        return billboards == null || state.observer() == null
+                ? null
+                : state.observer().centre();
     }
 
     private void draw(RenderTarget target, ShadowFrame frame, Content before) {
@@ -117,7 +138,7 @@ public final class SunShadowPass implements Pass {
             depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
         }
         if (billboards != null) {
-            billboards.draw(frame, light.towardsSun());
+            billboards.draw(frame, light.towardsSun(), contents.get(0).observer);
         }
         if (plants != null) {
             plants.draw(frame, light.towardsSun());

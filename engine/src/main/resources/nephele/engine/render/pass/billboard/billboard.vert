@@ -10,6 +10,9 @@
 
 uniform vec3 eyeHigh; // from the anchor
 uniform vec3 eyeLow;
+#ifdef OBSERVER
+uniform vec3 observer; // from the anchor; faced instead of the eye
+#endif
 
 out vec2 st;
 flat out vec3 layers; // this frame's, the next one's and its share
@@ -87,8 +90,12 @@ void main() {
     vec2 size = shape.xy * b.scale;
     vec3 middle = vec3(0.0, 0.5 * size.y, 0.0);
     vec3 relative = (b.foot - eyeHigh) - eyeLow + middle;
+#ifdef OBSERVER
+    BillboardAxes axes = observedAxes(int(shape.z), observer - b.foot - middle, b.turn);
+#else
     BillboardAxes axes =
             facingAxes(int(shape.z), -relative, normalize(viewRight.xyz), normalize(viewUp.xyz), b.turn);
+#endif
     vec3 fromMiddle = cornerFromMiddle(axes, size, swayMetres(billboardGroup(b.group, 2), b, size.y));
     vec3 position = relative + fromMiddle;
 

@@ -1,10 +1,14 @@
-// A billboard as it faces the sun, without the swing of its sway.
+// A billboard as it faces the sun, or the level's observer, without the swing of its sway.
 #include "shadow-filter.glsl"
 #include "billboard.glsl"
 
 uniform mat4 clipFromAnchor;
+#ifdef OBSERVER
+uniform vec3 observer; // from the anchor
+#else
 uniform vec3 towardsSun; // unit
 uniform vec3 mapRight; // unit
+#endif
 
 out vec2 st;
 flat out float layer;
@@ -20,8 +24,12 @@ void main() {
     vec4 shape = billboardGroup(b.group, 0);
     vec2 size = shape.xy * b.scale;
     int facing = int(shape.z);
+#ifdef OBSERVER
+    BillboardAxes axes = observedAxes(facing, observer - b.foot - vec3(0.0, 0.5 * size.y, 0.0), b.turn);
+#else
     facing = facing == SCREEN ? SPHERICAL : facing > CROSSED ? CYLINDRICAL : facing;
     BillboardAxes axes = facingAxes(facing, towardsSun, mapRight, vec3(0.0, 1.0, 0.0), b.turn);
+#endif
     float lean = size.y * billboardGroup(b.group, 2).x;
     vec3 position = b.foot + vec3(0.0, 0.5 * size.y, 0.0) + cornerFromMiddle(axes, size, lean);
     gl_Position = clipFromAnchor * vec4(position, 1.0);

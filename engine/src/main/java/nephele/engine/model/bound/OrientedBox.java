@@ -1,4 +1,4 @@
-package nephele.lab.bound;
+package nephele.engine.model.bound;
 
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -11,11 +11,11 @@ import nephele.engine.math.Vec3;
  * @param z unit direction of its third axis, perpendicular to both
  * @param half half its edges along its axes, metres
  */
-record OrientedBox(Vec3 centre, Vec3 x, Vec3 y, Vec3 z, Vec3 half) {
+public record OrientedBox(Vec3 centre, Vec3 x, Vec3 y, Vec3 z, Vec3 half) {
     /** Boxes closer than this share of their size touch, so that rounding separates none that do. */
     private static final double SLACK = 1e-9;
 
-    static OrientedBox of(Aabb local, Pose at) {
+    public static OrientedBox of(Aabb local, Pose at) {
         var half = new Vec3(
                 (local.maxX() - local.minX()) / 2,
                 (local.maxY() - local.minY()) / 2,
@@ -24,7 +24,7 @@ record OrientedBox(Vec3 centre, Vec3 x, Vec3 y, Vec3 z, Vec3 half) {
     }
 
     /** Returns the smallest box along the world's axes that contains this one. */
-    Aabb upright() {
+    public Aabb upright() {
         var size = new Vec3(
                 Math.abs(x.x()) * half.x() + Math.abs(y.x()) * half.y() + Math.abs(z.x()) * half.z(),
                 Math.abs(x.y()) * half.x() + Math.abs(y.y()) * half.y() + Math.abs(z.y()) * half.z(),

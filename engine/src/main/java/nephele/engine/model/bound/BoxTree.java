@@ -1,12 +1,14 @@
-package nephele.lab.bound;
+package nephele.engine.model.bound;
 
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
+import java.util.function.Predicate;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /** The triangles of a model in a binary tree of boxes along the model's axes; a leaf has one triangle. Immutable. */
-final class BoxTree {
+public final class BoxTree {
     private static final Pose STILL = new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), Vec3.ZERO);
 
     private final Aabb box;
@@ -30,7 +32,7 @@ final class BoxTree {
     }
 
     /** @param triangles three corners each, at least one triangle */
-    static BoxTree of(Vec3[][] triangles) {
+    public static BoxTree of(Vec3[][] triangles) {
         Aabb box = Aabb.EMPTY;
         for (Vec3[] triangle : triangles) {
             box = box.union(Aabb.of(Arrays.asList(triangle)));
@@ -58,8 +60,38 @@ final class BoxTree {
         return axis == 0 ? all.x() : axis == 1 ? all.y() : all.z();
     }
 
-    Aabb box() {
+    public Aabb box() {
         return box;
+    }
+
+    /** Returns whether a leaf's box has a point in common with a ball and its triangle passes a test. */
+    boolean touches(Vec3 centre, double radius, Predicate<Vec3[]> test) {
+        if (box.nearest(centre) > radius) {
+            return false;
+        }
+        return triangle == null
+                ? low.touches(centre, radius, test) || high.touches(centre, radius, test)
+                : test.test(triangle);
+    }
+
+    /** Adds the boxes of a level of the tree, and the leaves' above it. */
+    void addBoxes(int levelsBelow, List<Aabb> boxes) {
+        if (triangle != null || levelsBelow == 0) {
+            boxes.add(box);
+        } else {
+            low.addBoxes(levelsBelow - 1, boxes);
+            high.addBoxes(levelsBelow - 1, boxes);
+        }
+    }
+
+    /** Adds the corners of all triangles. */
+    void addTriangles(List<Vec3[]> triangles) {
+        if (triangle != null) {
+            triangles.add(triangle);
+        } else {
+            low.addTriangles(triangles);
+            high.addTriangles(triangles);
+        }
     }
 
     /**

@@ -1,9 +1,9 @@
-package nephele.lab.bound;
+package nephele.engine.model.bound;
 
 import nephele.engine.math.Vec3;
 
 /** The exact test whether two triangles have a point in common. */
-final class TrianglePair {
+public final class TrianglePair {
     private TrianglePair() {}
 
     /**
@@ -14,7 +14,7 @@ final class TrianglePair {
      * @param a three corners
      * @param b three corners
      */
-    static boolean touch(Vec3[] a, Vec3[] b) {
+    public static boolean touch(Vec3[] a, Vec3[] b) {
         Vec3 normalA = a[1].minus(a[0]).cross(a[2].minus(a[0]));
         Vec3 normalB = b[1].minus(b[0]).cross(b[2].minus(b[0]));
         if (separates(normalA, a, b) || separates(normalB, a, b)) {

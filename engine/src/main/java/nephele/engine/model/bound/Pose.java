@@ -1,4 +1,4 @@
-package nephele.lab.bound;
+package nephele.engine.model.bound;
 
 import nephele.engine.math.Chance;
 import nephele.engine.math.Rotations;
@@ -14,8 +14,8 @@ import org.joml.Vector3d;
  * @param z where its z axis points, unit length
  * @param at where its origin is, metres
  */
-record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
-    static Pose turned(Quaterniond by, Vec3 at) {
+public record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
+    public static Pose turned(Quaterniond by, Vec3 at) {
         return new Pose(
                 Vec3.of(by.transform(new Vector3d(1, 0, 0))),
                 Vec3.of(by.transform(new Vector3d(0, 1, 0))),
@@ -28,7 +28,7 @@ record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
      *
      * @param purpose of the first of three random numbers
      */
-    static Pose random(long dice, int purpose, Vec3 at) {
+    public static Pose random(long dice, int purpose, Vec3 at) {
         double share = Chance.unit(dice, purpose);
         double first = 2 * Math.PI * Chance.unit(dice, purpose + 1);
         double second = 2 * Math.PI * Chance.unit(dice, purpose + 2);
@@ -40,16 +40,21 @@ record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
     }
 
     /** Returns where a point of the body is in the world. */
-    Vec3 moved(Vec3 point) {
+    public Vec3 moved(Vec3 point) {
         return at.addScaled(point.x(), x).addScaled(point.y(), y).addScaled(point.z(), z);
     }
 
-    Pose movedTo(Vec3 place) {
+    /** Returns where a point of the world is in the body's coordinates. */
+    public Vec3 seen(Vec3 point) {
+        return turnedBack(point.minus(at));
+    }
+
+    public Pose movedTo(Vec3 place) {
         return new Pose(x, y, z, place);
     }
 
     /** Returns the pose of this body as another one sees it. */
-    Pose seenFrom(Pose other) {
+    public Pose seenFrom(Pose other) {
         return new Pose(
                 other.turnedBack(x), other.turnedBack(y), other.turnedBack(z), other.turnedBack(at.minus(other.at)));
     }

@@ -1,0 +1,82 @@
+package nephele.engine.level.placed;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level.Observer.Bounds;
+import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
+import nephele.engine.model.bound.BoundedModel;
+import nephele.engine.model.bound.Pose;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+
+/** The bounding volumes of a level's models in the world; immutable. Models without triangles have none. */
+public final class ModelBounds {
+    private record Placed(BoundedModel model, Pose at) {}
+
+    private final List<Placed> all = new ArrayList<>();
+
+    private ModelBounds() {}
+
+    /** Makes the bounds of all models. Oriented boxes are turned with the model, also if it is sheared. */
+    public static ModelBounds of(PlacedModels models) {
+        var bounds = new ModelBounds();
+        for (PlacedModel model : models.all()) {
+            if (!model.isEmpty()) {
+                Pose at = pose(model.worldFromModel());
+                bounds.all.add(new Placed(BoundedModel.of(model.said().id(), triangles(model.triangles(), at)), at));
+            }
+        }
+        return bounds;
+    }
+
+    /** Returns the pose with the directions of the model's axes; made perpendicular from the first on (Gram–Schmidt). */
+    private static Pose pose(Matrix4dc worldFromModel) {
+        Vector3d x = worldFromModel.getColumn(0, new org.joml.Vector4d()).xyz(new Vector3d());
+        Vector3d y = worldFromModel.getColumn(1, new org.joml.Vector4d()).xyz(new Vector3d());
+        x.normalize();
+        y.fma(-y.dot(x), x).normalize();
+        Vec3 at = Vec3.of(worldFromModel.getTranslation(new Vector3d()));
+        return x.isFinite() && y.isFinite()
+                ? new Pose(Vec3.of(x), Vec3.of(y), Vec3.of(x).cross(Vec3.of(y)), at)
+                : new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), at);
+    }
+
+    private static Vec3[][] triangles(WorldTriangles world, Pose at) {
+        Vec3[][] triangles = new Vec3[world.count()][3];
+        for (int i = 0; i < 3 * triangles.length; i++) {
+            int from = 3 * world.vertices()[i];
+            triangles[i / 3][i % 3] = at.seen(
+                    new Vec3(world.positions()[from], world.positions()[from + 1], world.positions()[from + 2]));
+        }
+        return triangles;
+    }
+
+    /** Returns whether a ball has a point in common with the volume of a model. */
+    public boolean touch(Bounds kind, Vec3 centre, double radiusMetres) {
+        Bound bound = bound(kind);
+        for (Placed placed : all) {
+            if (bound.touches(placed.model, placed.at, centre, radiusMetres)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns the lines that show the volumes: pairs of points in the world. */
+    public List<Vec3> outlines(Bounds kind) {
+        List<Vec3> ends = new ArrayList<>();
+        all.forEach(placed -> placed.model.outline(bound(kind), placed.at, ends));
+        return ends;
+    }
+
+    private static Bound bound(Bounds kind) {
+        return switch (kind) {
+            case SPHERE -> Bound.SPHERE;
+            case BOX -> Bound.AXIS_ALIGNED_BOX;
+            case ORIENTED_BOX -> Bound.ORIENTED_BOX;
+            case TREE -> Bound.HIERARCHY;
+            case TRIANGLES -> Bound.TRIANGLES;
+        };
+    }
+}
