@@ -85,7 +85,8 @@ class OutlinerModelTest {
         List<String> game = PaletteModel.entries(LevelStructure.LEVEL, EntityWords.Group.PLAY).stream()
                 .map(entry -> entry.words().english())
                 .toList();
-        assertEquals(List.of("Start", "Exit", "Cube", "Ball", "Capsule", "Portal", "Portal gun"), game);
+        assertEquals(
+                List.of("Start", "Exit", "Cube", "Ball", "Capsule", "Portal", "Portal gun", "Observer's sphere"), game);
         for (PaletteModel.Entry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
         }

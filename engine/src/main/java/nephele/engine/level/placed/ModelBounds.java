@@ -9,6 +9,7 @@ import nephele.engine.model.bound.BoundedModel;
 import nephele.engine.model.bound.Pose;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
+import org.joml.Vector4d;
 
 /** The bounding volumes of a level's models in the world; immutable. Models without triangles have none. */
 public final class ModelBounds {
@@ -32,8 +33,8 @@ public final class ModelBounds {
 
     /** Returns the pose with the directions of the model's axes; made perpendicular from the first on (Gram–Schmidt). */
     private static Pose pose(Matrix4dc worldFromModel) {
-        Vector3d x = worldFromModel.getColumn(0, new org.joml.Vector4d()).xyz(new Vector3d());
-        Vector3d y = worldFromModel.getColumn(1, new org.joml.Vector4d()).xyz(new Vector3d());
+        Vector3d x = worldFromModel.getColumn(0, new Vector4d()).xyz(new Vector3d());
+        Vector3d y = worldFromModel.getColumn(1, new Vector4d()).xyz(new Vector3d());
         x.normalize();
         y.fma(-y.dot(x), x).normalize();
         Vec3 at = Vec3.of(worldFromModel.getTranslation(new Vector3d()));

@@ -44,13 +44,15 @@ final class SeenLevels {
 
     /**
      * Returns a level with those billboards alone that stand still, without wind. The tracer turns others to each ray, the
-     * picture to the eye of each view, so that their edges differ by more than a pixel; blended ones are not traced.
+     * picture to the eye of each view, so that their edges differ by more than a pixel; blended ones are not traced, and
+     * neither is the sphere of an observer.
      */
     static Level compared(Level level) {
-        return level.withBillboards(level.billboards().stream()
-                .filter(group -> group.facing() == Facing.CROSSED && !group.blended())
-                .map(Billboards::withoutWind)
-                .toList());
+        return level.withObserver(null)
+                .withBillboards(level.billboards().stream()
+                        .filter(group -> group.facing() == Facing.CROSSED && !group.blended())
+                        .map(Billboards::withoutWind)
+                        .toList());
     }
 
     private static boolean isWithoutImpostors(Path file) {

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.FullScreenTriangle;
@@ -43,6 +44,17 @@ final class CloudLayer implements GlObject, RayGrid {
     private int height;
     private int frame;
     private int cuts;
+
+    /**
+     * The cloud that may have moved farthest in a picture between two frames.
+     *
+     * @param metres from the eye to its bounds
+     */
+    record Nearest(PlacedCloud cloud, double metres) {
+        private Vec3 blown(double secondsBefore, double seconds) {
+            return cloud.source().drift(seconds).minus(cloud.source().drift(secondsBefore));
+        }
+    }
 
     /**
      * @param divisor pixels of the view along each side of one of the layer
@@ -123,11 +135,11 @@ final class CloudLayer implements GlObject, RayGrid {
     /**
      * Ends the layer and restores the limits of the view.
      *
-     * @param nearestMetres distance of the nearest cloud that may be in the layer
+     * @param nearest that may be in the layer
      */
-    void end(View view, double nearestMetres, FullScreenTriangle triangle) {
+    void end(View view, Nearest nearest, FullScreenTriangle triangle) {
         if (before != null) {
-            complete(view, nearestMetres, triangle);
+            complete(view, nearest, triangle);
         }
         join(triangle);
         gl.state().endLayer(limits);
@@ -139,7 +151,7 @@ final class CloudLayer implements GlObject, RayGrid {
         return secondsBefore;
     }
 
-    private void complete(View view, double nearestMetres, FullScreenTriangle triangle) {
+    private void complete(View view, Nearest nearest, FullScreenTriangle triangle) {
         if (program == null) {
             program = new SpreadProgram(context);
         }
@@ -154,7 +166,8 @@ final class CloudLayer implements GlObject, RayGrid {
         program.use(
                 before,
                 view,
-                nearestMetres,
+                nearest.metres(),
+                nearest.blown(secondsBefore, seconds),
                 new SpreadProgram.Square(side, column(frame, side), row(frame, side)),
                 (double) width / divisor,
                 (double) height / divisor);

@@ -112,17 +112,22 @@ public final class CloudPass implements Pass {
 
     /** Returns true if surfaces can be among the clouds that an eye sees. */
     private boolean isMixed(Vec3 eye) {
-        return nearest(eye) < farthestSurface(eye);
+        return nearest(eye).metres() < farthestSurface(eye);
     }
 
-    /** Returns the distance from an eye to the nearest bounds of a cloud, metres. */
-    private double nearest(Vec3 eye) {
+    /** Returns the cloud whose bounds are nearest to an eye. */
+    private CloudLayer.Nearest nearest(Vec3 eye) {
         double seconds = shared.clouds().now().seconds();
-        double nearest = Double.POSITIVE_INFINITY;
+        double least = Double.POSITIVE_INFINITY;
+        PlacedCloud nearest = null;
         for (int i = 0; i < clouds.size(); i++) {
-            nearest = Math.min(nearest, clouds.get(i).bounds(seconds).nearest(eye));
+            double metres = clouds.get(i).bounds(seconds).nearest(eye);
+            if (nearest == null || metres < least) {
+                least = metres;
+                nearest = clouds.get(i);
+            }
         }
-        return nearest;
+        return new CloudLayer.Nearest(nearest, least);
     }
 
     @Override

@@ -29,7 +29,8 @@ final class SpreadProgram {
             Uniforms.Vector3 forward,
             Uniforms.Vector3 moved,
             Uniforms.Vector2 half,
-            Uniforms.Scalar clear) {
+            Uniforms.Scalar nearest,
+            Uniforms.Vector3 passed) {
         static Places of(Uniforms uniforms) {
             uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("fresh", TextureUnit.SPREAD_FRESH);
@@ -43,7 +44,8 @@ final class SpreadProgram {
                     uniforms.vector3("beforeForward"),
                     uniforms.vector3("moved"),
                     uniforms.vector2("halfLayer"),
-                    uniforms.scalar("clearKilometres"));
+                    uniforms.scalar("nearestKilometres"),
+                    uniforms.vector3("movedPast"));
         }
     }
 
@@ -61,15 +63,28 @@ final class SpreadProgram {
 
     /**
      * @param nearestMetres distance of the nearest cloud
+     * @param nearestBlown how far the wind has carried it, metres
      * @param across pixels of the layer across the view, not rounded
      * @param upwards pixels of the layer from the view's lower to its upper side
      */
-    void use(View before, View now, double nearestMetres, Square square, double across, double upwards) {
+    void use(
+            View before,
+            View now,
+            double nearestMetres,
+            Vec3 nearestBlown,
+            Square square,
+            double across,
+            double upwards) {
         program.use();
         Places places = program.uniforms();
         places.step().set((float) (2 / across), (float) (2 / upwards));
         places.square().set(square.side(), square.column(), square.row());
-        places.clear().set((float) Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearestMetres / 1000)));
+        places.passed()
+                .set(
+                        (float) (now.eyeX() - before.eyeX() - nearestBlown.x()),
+                        (float) (now.eyeY() - before.eyeY() - nearestBlown.y()),
+                        (float) (now.eyeZ() - before.eyeZ() - nearestBlown.z()));
+        places.nearest().set((float) Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearestMetres / 1000)));
         places.half().set((float) (across / 2), (float) (upwards / 2));
         set(places.right(), before.right(), 1 / before.projection().tanHalfWidth());
         set(places.up(), before.up(), 1 / before.projection().tanHalfHeight());

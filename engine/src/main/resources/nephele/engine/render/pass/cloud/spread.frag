@@ -14,9 +14,11 @@ uniform vec3 beforeRight; // divided by the tangent of half the field of view, a
 uniform vec3 beforeUp;
 uniform vec3 beforeForward;
 uniform vec3 moved; // from the eye before to this one, metres
-uniform float clearKilometres; // to the bounds of the nearest cloud
+uniform float nearestKilometres; // to the bounds of the nearest cloud
+uniform vec3 movedPast; // from the eye before to this one, in the space that drifts with that cloud, metres
 uniform vec2 halfLayer; // pixels from the middle of the view to its sides
 
+const float SKY_KILOMETRES = 100.0; // where no cloud tells how far it is
 const float STILL = 1.0 / 64.0; // pixels
 const float TRUSTED = 0.1; // motion of the cloud between two frames, by parallax and wind, pixels
 const float UNKNOWN = -1.0; // coverage of what was not seen before
@@ -39,7 +41,7 @@ void main() {
         return;
     }
     vec4 place = texelFetch(freshPlaces, low, 0);
-    vec3 seenThere = place.a > 1e-3 ? place.rgb / place.a : vec3(clearKilometres, 0.0, 0.0);
+    vec3 seenThere = place.a > 1e-3 ? place.rgb / place.a : vec3(SKY_KILOMETRES, 0.0, 0.0);
     vec3 blown = seenThere.y * normalize(viewRight.xyz) + seenThere.z * normalize(viewUp.xyz);
     vec3 ray = normalize(layerRay(gl_FragCoord.xy));
     vec2 was = pixelBefore(ray * (1000.0 * seenThere.x) + moved - blown);
@@ -51,8 +53,9 @@ void main() {
         seen = finite(seen, vec4(UNKNOWN));
     }
     // What was seen before may have been nearer than what is seen now.
-    float nearest = 1000.0 * min(seenThere.x, clearKilometres);
-    float motion = distance(pixelBefore(ray * nearest + moved - blown), pixelBefore(ray));
+    vec2 here = pixelBefore(ray);
+    float nearest = 1000.0 * nearestKilometres;
+    float motion = max(distance(was, here), distance(pixelBefore(ray * nearest + movedPast), here));
     if (seen.a != UNKNOWN && motion <= TRUSTED) {
         pixel = seen;
         return;
