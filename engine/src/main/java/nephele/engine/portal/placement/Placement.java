@@ -22,6 +22,9 @@ public final class Placement {
     /** Least cosine of incidence; a flatter ray would hit the fitted plane at a place decided by rounding. */
     private static final double LEAST_INCIDENCE = 1e-4;
 
+    /** Least reach from which a search for any place extends, for a gun whose portals do not slide. */
+    private static final double LEAST_REACH_METRES = 0.05;
+
     /** Factor by which each further search for any place extends. */
     private static final double WIDEN = 2;
 
@@ -156,7 +159,7 @@ public final class Placement {
         }
         double farthest = farthest(region.faces().bounds(), x, y);
         boolean small = region.outline().size() + region.bars().size() <= MOST_LIMITS;
-        double reach = gun.slideMetres();
+        double reach = Math.max(gun.slideMetres(), LEAST_REACH_METRES);
         while (reach < farthest) {
             reach = small ? farthest : Math.min(WIDEN * reach, farthest);
             collectObstacles(region, turned, x, y, reach);
