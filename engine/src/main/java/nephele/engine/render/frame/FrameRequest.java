@@ -41,6 +41,11 @@ public record FrameRequest(
         return LightRequirements.hasSurfaces(level) || hasBodies() || mayShowCharacter();
     }
 
+    /** Returns true if blended pictures fade in front of surfaces, for which they read the view's depth; plain output does without. */
+    public boolean fadesAtSurfaces() {
+        return output != Output.PLAIN && meetsSurfaces();
+    }
+
     /** Returns false if the level's picture is one colour, for which nothing is drawn but the clear. */
     public boolean drawsSomething() {
         Sky sky = level.environment().sky();

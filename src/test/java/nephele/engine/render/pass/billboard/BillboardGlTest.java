@@ -185,19 +185,30 @@ class BillboardGlTest {
     /** A wall a tenth of a metre behind a veil shows more of itself than one that is farther away than the veil fades. */
     @Test
     void blendedOnesFadeWhereASurfaceCutsThem() {
-        int far = Offscreen.red(beforeAWall(5));
-        int near = Offscreen.red(beforeAWall(0.1));
-        assertEquals(0x80, far, 3);
+        Level far = beforeAWall(5);
+        Level near = beforeAWall(0.1);
+        assertEquals(0.5, redOfRadiance(far), 0.01);
         // 0.1 m of the 0.3 m over which a veil of 2 m fades.
-        assertEquals(0x80 / 3, near, 5);
+        assertEquals(0.5 / 3, redOfRadiance(near), 0.02);
     }
 
-    private int beforeAWall(double metres) {
-        Level level = level().material("blue", new Vec3(0, 0, 1))
+    /** Plain output costs no copy of the view's depth. */
+    @Test
+    void theyDoNotFadeInPlainOutput() {
+        View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
+        assertEquals(0x80, Offscreen.red(plain(beforeAWall(0.1), view)[SIZE / 2 * SIZE + SIZE / 2]), 3);
+    }
+
+    private float redOfRadiance(Level level) {
+        View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
+        return offscreen.radiance(level, assets, view)[3 * (SIZE / 2 * SIZE + SIZE / 2)];
+    }
+
+    private Level beforeAWall(double metres) {
+        return level().material("blue", new Vec3(0, 0, 1))
                 .box("blue", new Vec3(0, 0, -4 - metres), new Vec3(40, 40, 2))
                 .billboards(veil("veil", "veil.png", -3))
                 .level();
-        return plain(level, offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1)))[SIZE / 2 * SIZE + SIZE / 2];
     }
 
     /** Lamps light billboards also where there is nothing else. */

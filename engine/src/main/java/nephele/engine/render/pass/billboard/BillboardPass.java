@@ -71,7 +71,7 @@ public final class BillboardPass implements Pass {
             return List.of();
         }
         TargetReads light = request.lightMaps().dynamicObjects();
-        TargetReads reads = kind == Kind.BLENDED && request.meetsSurfaces() ? light.and(Target.VIEW_DEPTH) : light;
+        TargetReads reads = kind == Kind.BLENDED && request.fadesAtSurfaces() ? light.and(Target.VIEW_DEPTH) : light;
         String because = "billboards[" + found[0] + "]: "
                 + (kind == Kind.BLENDED ? "blended with what is behind them" : "pictures with edges");
         return List.of(new Required(because, context -> new BillboardPass(context, kind, reads)));

@@ -33,14 +33,14 @@ final class BillboardProgram {
         anchor = light.anchor();
         boolean isAnimated = context.scene().level().billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
-        boolean meetsSurfaces = kind == Kind.BLENDED && context.request().meetsSurfaces();
+        boolean fades = kind == Kind.BLENDED && context.request().fadesAtSurfaces();
         boolean isObserved = context.scene().level().observerStart() != null;
         var defines = light.addForDynamicObjects(Defines.of(context))
                 .with("LAMBERT")
                 .with("PER_SHEET", BillboardList.PER_SHEET)
                 .withIf(kind == Kind.BLENDED, "BLENDED")
                 .withIf(isAnimated, "ANIMATED")
-                .withIf(meetsSurfaces, "SURFACES")
+                .withIf(fades, "SURFACES")
                 .withIf(isObserved, "OBSERVER")
                 .values();
         program = new GlProgram<>(
@@ -52,7 +52,7 @@ final class BillboardProgram {
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
                     BillboardQuads.tie(uniforms);
-                    if (meetsSurfaces) {
+                    if (fades) {
                         uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     }
                     return new Eye(

@@ -47,14 +47,14 @@ public final class ParticlePass implements Pass {
     private ParticlePass(LoadContext context) {
         gl = context.gl();
         shared = context.shared();
-        reads = context.request().meetsSurfaces() ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
+        reads = context.request().fadesAtSurfaces() ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
         List<Emitter> emitters = making(context.request());
         particles = new LevelParticles(emitters, context.scene().statics());
         light = new ParticleLight(context.scene().level(), particles, shared);
         isSeen = new boolean[emitters.size()];
         centres = new float[3 * emitters.size()];
         quads = context.own(new ParticleQuads(gl));
-        program = new ParticleProgram(context, emitters, context.request().meetsSurfaces());
+        program = new ParticleProgram(context, emitters, context.request().fadesAtSurfaces());
     }
 
     private static List<Emitter> making(FrameRequest request) {
