@@ -35,6 +35,7 @@ public final class CloudAutoProof implements Proof {
     private static final String CHEAPEST = "cost of the cheapest technique inside";
 
     private final int samples;
+    private final TracedSkies traced = TracedSkies.shipped();
     private final boolean isTimed;
 
     public CloudAutoProof() {
@@ -73,7 +74,7 @@ public final class CloudAutoProof implements Proof {
 
     private ProofResult compared(GlContext gl, AutoCases.Case one) {
         SeenSky sky = one.sky();
-        TracedSky exact = TracedSky.of(sky, samples);
+        TracedSky exact = traced.of(sky, samples);
         Environment environment = sky.level().environment();
         var columns = CloudColumns.of(environment, sky.assets());
         var chosen = ChosenTechniques.of(environment, columns, one.reach(), ErrorTable.shipped());

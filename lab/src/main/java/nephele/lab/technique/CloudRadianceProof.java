@@ -25,6 +25,7 @@ public final class CloudRadianceProof implements Proof {
     private static final double NONE = Double.POSITIVE_INFINITY;
 
     private final int samples;
+    private final TracedSkies traced = TracedSkies.shipped();
 
     public CloudRadianceProof() {
         this(SAMPLES);
@@ -73,7 +74,7 @@ public final class CloudRadianceProof implements Proof {
 
     private ProofResult compared(GlContext gl, Drawn drawn) {
         SeenSky sky = drawn.at().sky();
-        TracedSky exact = TracedSky.of(sky, samples);
+        TracedSky exact = traced.of(sky, samples);
         double bias = exact.biasPercent(DrawnSky.picture(gl, sky, sky.drawnBy(drawn.technique()), drawn.quality()));
         List<String> failures = new ArrayList<>();
         if (!(Math.abs(bias) <= drawn.mostPercent())) {

@@ -19,19 +19,21 @@ import nephele.engine.render.gl.GlContext;
 
 /** Measures the table of errors, node by node; a run that was stopped goes on where it was. */
 public final class TableMaker {
-    private static final int SAMPLES = 768;
+    private static final int SAMPLES = 256;
     /** Paths inside a cloud and close to it are long. */
     private static final int SAMPLES_NEAR = 128;
 
     private static final double NEAR_DEGREES = 60;
 
     private final Path file;
+    private final TracedSkies traced;
     private final Stopwatch watch = new Stopwatch();
     private final List<Row> rows = new ArrayList<>();
 
     /** @param file where the rows are kept, a CSV file as {@link ErrorTable} reads it */
     public TableMaker(Path file) throws IOException {
         this.file = file;
+        traced = TracedSkies.in(file.resolveSibling(TracedSkies.FILE));
         if (Files.exists(file)) {
             rows.addAll(
                     ErrorTable.read(Files.readAllLines(file), file.toString()).rows());
@@ -72,7 +74,7 @@ public final class TableMaker {
 
     private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
         SeenSky sky = at.sky();
-        TracedSky exact = TracedSky.of(sky, at.angularDegrees() >= NEAR_DEGREES ? SAMPLES_NEAR : SAMPLES);
+        TracedSky exact = traced.of(sky, samples(at));
         for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
             double cost = known(at, technique);
@@ -85,6 +87,10 @@ public final class TableMaker {
                     exact.size() == 0 ? 0 : exact.errorPercent(drawn),
                     Double.isNaN(cost) ? CloudCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
         }
+    }
+
+    static int samples(TableCase at) {
+        return at.angularDegrees() >= NEAR_DEGREES ? SAMPLES_NEAR : SAMPLES;
     }
 
     /** Returns the cost in another light; NaN if it was not measured. */

@@ -13,6 +13,9 @@ record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
     /** Pixels along each side of a block. */
     private static final int BLOCK = 4;
 
+    static final int WIDTH = SeenSky.WIDTH / BLOCK;
+    static final int HEIGHT = SeenSky.HEIGHT / BLOCK;
+
     static TracedSky of(SeenSky sky, int samples) {
         return new TracedSky(
                 sky.traced(samples / 2, 1).reduced(BLOCK),
@@ -21,10 +24,9 @@ record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
     }
 
     private static boolean[] blocks(boolean[] pixels) {
-        int width = SeenSky.WIDTH / BLOCK;
         int[] counts = new int[pixels.length / (BLOCK * BLOCK)];
         for (int pixel = 0; pixel < pixels.length; pixel++) {
-            int block = pixel % SeenSky.WIDTH / BLOCK + width * (pixel / SeenSky.WIDTH / BLOCK);
+            int block = pixel % SeenSky.WIDTH / BLOCK + WIDTH * (pixel / SeenSky.WIDTH / BLOCK);
             counts[block] += pixels[pixel] ? 1 : 0;
         }
         boolean[] blocks = new boolean[counts.length];
