@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 final class TracedSkiesTest {
     private static final int FEW_SAMPLES = 2;
-    private static final int SOME_SAMPLES = 16;
+    private static final int SOME_SAMPLES = 32;
 
     private static final double NOT_SHIPPED = 0.31;
 
@@ -58,7 +58,7 @@ final class TracedSkiesTest {
     /** Fails if the tracer, a sample or the meaning of a level has changed: then the file is to be made again. */
     @Test
     void aShippedPictureIsWhatIsTracedToday() {
-        SeenSky sky = node(40, 5).sky();
+        SeenSky sky = node("volume image", 40, 30).sky();
         TracedSky shipped = TracedSkies.shipped().of(sky, SOME_SAMPLES);
         TracedSky today = TracedSky.of(sky, SOME_SAMPLES);
         assertNotEquals(today.mean(), shipped.mean(), "it was not shipped");
@@ -78,8 +78,12 @@ final class TracedSkiesTest {
 
     /** A heap of puffs under a high sun. */
     private static TableCase node(double opticalDepth, double angularDegrees) {
+        return node("volume puffs", opticalDepth, angularDegrees);
+    }
+
+    private static TableCase node(String form, double opticalDepth, double angularDegrees) {
         return TableCases.at(angularDegrees, 45, opticalDepth).stream()
-                .filter(at -> at.form().equals("volume puffs"))
+                .filter(at -> at.form().equals(form))
                 .findFirst()
                 .orElseThrow();
     }
