@@ -13,7 +13,7 @@ final class ContourLines {
     private static final double SPACING_PIXELS = 4;
 
     /** Lines over the range of all heights while the whole field is seen. */
-    private static final double LINES = 14;
+    private static final double LINES = 10;
 
     /** Nearer views have closer lines, up to this factor. */
     private static final double MOST_CLOSER = 32;

@@ -4,9 +4,10 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /**
- * The greatest and the least heights of a height field along a horizontal line of sight. Where many samples share a
+ * The greatest and the least heights of a height field along a horizontal line of sight, and a section. Where many samples share a
  * pixel, they are those of blocks of cells, so the cost depends on the picture's size more than on the field's.
  */
 final class Skyline {
@@ -31,9 +32,31 @@ final class Skyline {
     /** The heights at one place across the line of sight. */
     private record Column(double coordinate, double least, double greatest) {}
 
-    /** Adds the greatest heights to {@code major}, the least ones and the two ends to {@code minor}. */
+    /**
+     * Adds the greatest heights and those of the section through the camera's centre to {@code major}, the least ones and
+     * the two ends to {@code minor}.
+     */
     static void add(PlanCamera camera, PaneSize size, HeightField field, PlanSegments minor, PlanSegments major) {
-        new Skyline(camera, size, field).add(minor, major);
+        Skyline lines = new Skyline(camera, size, field);
+        lines.add(minor, major);
+        lines.addSection(major);
+    }
+
+    private void addSection(PlanSegments lines) {
+        double half = size.width() / 2.0;
+        double before = Double.NaN;
+        for (double pixel = -half; pixel <= half + SPACING_PIXELS; pixel += SPACING_PIXELS) {
+            double metres = pixel * camera.metresPerPixel();
+            double y = isAlongZ
+                    ? HeightFieldSurface.y(
+                            field, camera.centre().x() + metres, camera.centre().z())
+                    : HeightFieldSurface.y(
+                            field, camera.centre().x(), camera.centre().z() - metres);
+            if (!Double.isNaN(before + y)) {
+                lines.add(half + pixel - SPACING_PIXELS, upwards(before), half + pixel, upwards(y));
+            }
+            before = y;
+        }
     }
 
     private void add(PlanSegments minor, PlanSegments major) {
