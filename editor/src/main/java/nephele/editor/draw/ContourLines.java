@@ -13,9 +13,12 @@ final class ContourLines {
     private static final double SPACING_PIXELS = 4;
 
     /** Lines over the range of all heights while the whole field is seen. */
-    private static final double LINES = 10;
+    private static final double LINES = 14;
 
-    /** Nearer views have closer lines, up to this factor. */
+    /** Nearer views have closer lines, by this power of the part that is seen: small shapes are less steep than wide. */
+    private static final double CLOSER_POWER = 0.75;
+
+    /** No view has lines that are closer by more than this. */
     private static final double MOST_CLOSER = 32;
 
     /** Every so manieth line is drawn stronger. */
@@ -53,7 +56,7 @@ final class ContourLines {
         double range = field.bounds().maxY() - field.bounds().minY();
         double seen = Math.max(size.width(), size.height()) * camera.metresPerPixel();
         double whole = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows());
-        double wanted = range / LINES * Math.max(1 / MOST_CLOSER, Math.min(seen / whole, 1));
+        double wanted = range / LINES * Math.max(1 / MOST_CLOSER, Math.min(Math.pow(seen / whole, CLOSER_POWER), 1));
         if (!(wanted > 0)) {
             return 0;
         }
