@@ -146,6 +146,23 @@ class GroundLinesTest {
         }
     }
 
+    /** Many samples share a pixel; the one that is higher than all others is seen. */
+    @Test
+    void noSummitIsLost() {
+        double cell = METRES / 2048;
+        HeightField field = HeightField.of(
+                new Vec3(-40, 5, -70), cell, cell, 2049, 2049, (c, r) -> c == 1003 && r == 777 ? 30 : 0);
+        for (PaneKind kind : new PaneKind[] {PaneKind.FRONT, PaneKind.SIDE}) {
+            PlanSegments sky = new PlanSegments();
+            Skyline.add(camera(kind, 0.7), SIZE, field, new PlanSegments(), sky);
+            double top = 75;
+            for (int i = 0; i < sky.count(); i++) {
+                top = Math.min(top, sky.end(i, 1));
+            }
+            assertEquals(75 - 30 / 0.7, top, 1e-3, kind.toString());
+        }
+    }
+
     private static double greatest(PaneKind kind, double metres) {
         double greatest = Double.NEGATIVE_INFINITY;
         for (double along = 0; along <= METRES; along += 0.5) {
