@@ -59,7 +59,11 @@ public final class ToolScene {
                 "{\"format\": \"nephele-level\", \"version\": 1, \"materials\": [{\"id\": \"red\"}], \"solids\": ["
                         + solids + "]" + members + "}";
         Level level = LevelJson.read("test.json", json.getBytes(StandardCharsets.UTF_8));
-        EditorSession session = new EditorSession(DocumentFile.UNTITLED, level, NoFiles.AT_ALL, EditorSettings.DEFAULT);
+        return over(new EditorSession(DocumentFile.UNTITLED, level, NoFiles.AT_ALL, EditorSettings.DEFAULT));
+    }
+
+    /** Returns a scene of an open level. */
+    public static ToolScene over(EditorSession session) {
         session.grid(new Grid(0.5));
         return new ToolScene(session, PaneKind.PERSPECTIVE, new PerspectiveCamera(new Vec3(3, 6, 10), 17, -28, 60));
     }

@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -17,12 +21,14 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
+import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolScene;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,17 +54,18 @@ class EndedDragOfEachToolTest {
             {"id": "b", "linkedTo": "a", "centre": [3, 3, 0], "normal": [0, 0, 1], "widthMetres": 1, "heightMetres": 2}]
             """;
 
-    /** All but the terrain tool, whose strokes need a level file: TerrainToolTest has it. */
+    /** Strokes on terrains make files beside the level. */
+    @TempDir
+    static Path folder;
+
     private static Stream<ToolEntry> tools() {
-        return Tools.ALL.stream().filter(tool -> !tool.id().equals("terrain"));
+        return Tools.ALL.stream();
     }
 
     /** A drag that changes what is shown. */
     private record Drag(ToolScene scene, Vec3 from, Vec3 to) {
         static Drag with(ToolEntry tool) {
-            ToolScene scene = tool.id().equals("portal")
-                    ? ToolScene.of(WALL, PORTALS)
-                    : ToolScene.withCube().selecting("cube");
+            ToolScene scene = scene(tool);
             scene.session().options().material("red");
             scene.using(tool);
             return switch (tool.id()) {
@@ -70,9 +77,29 @@ class EndedDragOfEachToolTest {
                 case "vertex" -> new Drag(scene, CORNER, new Vec3(2, 2, 2));
                 case "portal" -> portal(scene);
                 case "paint", "portalable" -> new Drag(scene, TOP, new Vec3(0, 1, 1));
-                case "brush", "clip", "place", "sun", "measure" -> new Drag(scene, GROUND, new Vec3(2, 0, 4));
+                case "brush", "clip", "place", "sun", "measure", "terrain" ->
+                    new Drag(scene, GROUND, new Vec3(2, 0, 4));
                 default -> throw new AssertionError("say here how one drags with " + tool.id());
             };
+        }
+
+        private static ToolScene scene(ToolEntry tool) {
+            return switch (tool.id()) {
+                case "portal" -> ToolScene.of(WALL, PORTALS);
+                case "terrain" -> terrain();
+                default -> ToolScene.withCube().selecting("cube");
+            };
+        }
+
+        private static ToolScene terrain() {
+            try {
+                Path own = Files.createTempDirectory(folder, "level");
+                ToolScene scene = ToolScene.over(PaintedLevel.in(own).open());
+                scene.document().select(Selection.of(new EntityRef("terrains", "hills")));
+                return scene;
+            } catch (IOException problem) {
+                throw new UncheckedIOException(problem);
+            }
         }
 
         private static Drag portal(ToolScene scene) {

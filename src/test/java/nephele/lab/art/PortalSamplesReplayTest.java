@@ -4,11 +4,22 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.terrain.TerrainField;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.joml.Vector3d;
@@ -55,6 +66,25 @@ class PortalSamplesReplayTest {
             assertTrue(end.world().portals().isOpen(i), level.portals().get(i).id() + " is closed");
         }
         assertEquals(level.player().feet().y(), end.player().feet().y(), 0.01);
+    }
+
+    /** The door of the valley is crossed at a walk, and the ground of the canyon carries whoever came through it. */
+    @Test
+    void aWalkGoesFromOneTerrainToTheOther() {
+        OpenedLevel opened = new LevelName("levels/samples/terrain-portals.json").open();
+        Terrain canyon = opened.level().terrains().get(1);
+        Simulation simulation = new Simulation(SimLevel.of(opened.placed()), SimSettings.DEFAULT, FaultLog.SILENT);
+        SimState state = simulation.start();
+        for (int tick = 0; tick < 2 * TICKS; tick++) {
+            state = simulation.step(state, PlayerInput.FORWARD);
+        }
+        Vec3 feet = state.player().feet();
+        assertEquals(0, state.faults());
+        assertEquals(canyon.centre().x(), feet.x(), 2);
+        assertTrue(feet.z() < 38, "beyond the plinth: " + feet);
+        HeightField ground = TerrainField.of(
+                canyon, opened.assets().decoded(canyon.heightMap(), HeightMap.class, HeightMapFile::read));
+        assertEquals(HeightFieldSurface.y(ground, feet.x(), feet.z()), feet.y(), 0.1);
     }
 
     /** The cubes are half in one alcove and half in the other, and neither sinks, slides nor is pushed out. */

@@ -13,6 +13,8 @@ import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
@@ -141,6 +143,13 @@ final class DrawnLevel implements AutoCloseable {
         LevelEdges all = edges.computeIfAbsent(kind, k -> new LevelEdges(gl, k));
         all.show(placed.statics());
         return all;
+    }
+
+    /** Returns the heights of all terrains. */
+    List<HeightField> ground() {
+        return placed.statics().ground().stream()
+                .map(StaticShape.HeightGrid::field)
+                .toList();
     }
 
     /** Returns the sky's light that the next picture would use; {@code null} for none. */

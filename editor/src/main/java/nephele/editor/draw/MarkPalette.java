@@ -18,6 +18,8 @@ enum MarkPalette {
         return switch (colour) {
             case GRID -> 0x2a2f35;
             case GRID_MAJOR -> 0x3d454e;
+            case GROUND -> 0x5d5440;
+            case GROUND_MAJOR -> 0x9a8456;
             case AXIS_X -> 0xe8605a;
             case AXIS_Y -> 0x62c466;
             case AXIS_Z -> 0x5c93f2;
@@ -38,6 +40,8 @@ enum MarkPalette {
         return switch (colour) {
             case GRID -> 0xe3e6ea;
             case GRID_MAJOR -> 0xc2c8cf;
+            case GROUND -> 0xcdb994;
+            case GROUND_MAJOR -> 0x93742f;
             case AXIS_X -> 0xc62828;
             case AXIS_Y -> 0x23762a;
             case AXIS_Z -> 0x1d4fbf;

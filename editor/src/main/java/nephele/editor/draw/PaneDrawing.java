@@ -12,6 +12,7 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Basis;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.line.LineCanvas;
@@ -34,6 +35,7 @@ final class PaneDrawing implements AutoCloseable {
     private final LineDrawing drawing;
     private final OverlayPass overlay;
     private final LineCanvas ground = new LineCanvas();
+    private final GroundLines terrains = new GroundLines();
     private final LineCanvas lines = new LineCanvas();
     private final OverlayCanvas texts;
 
@@ -52,8 +54,8 @@ final class PaneDrawing implements AutoCloseable {
         /** Surfaces, and the edges between them in a colour. */
         record EdgedSurfaces(LevelPicture picture, LevelEdges edges, LineColour colour) implements Shown {}
 
-        /** Edges alone. */
-        record Edges(LevelEdges edges) implements Shown {}
+        /** Edges alone, in a plan with the lines of terrains. */
+        record Edges(LevelEdges edges, List<HeightField> ground) implements Shown {}
     }
 
     /** Draws over the whole picture. */
@@ -122,6 +124,9 @@ final class PaneDrawing implements AutoCloseable {
         clear(picture, frame.look().background().rgb());
         ground.begin(projection);
         grid.addLines(ground);
+        if (shown instanceof Shown.Edges edges) {
+            terrains.add(edges.ground(), camera, new PaneSize(width, height), palette, ground);
+        }
         drawing.draw(ground, picture);
         edges(shown, projection, palette, picture);
         grid.addLabels(texts);

@@ -179,7 +179,7 @@ public final class ViewportDrawing implements AutoCloseable {
         boolean hasSurfaces = pane.view().kind() == PaneKind.PERSPECTIVE && mode != ViewMode.WIREFRAME;
         Optional<LevelPicture> picture = hasSurfaces ? drawn.picture(mode) : Optional.empty();
         if (picture.isEmpty()) {
-            return new Shown.Edges(drawn.edges(pane.view().kind()));
+            return new Shown.Edges(drawn.edges(pane.view().kind()), drawn.ground());
         }
         Optional<LineColour> edges =
                 switch (mode) {

@@ -1,6 +1,7 @@
 package nephele.editor.icon;
 
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.Icon;
 
 /** The symbols of kinds of entities and of brush shapes, as small as a line of text. */
@@ -11,6 +12,8 @@ public final class EntityIcons {
     private static final Map<String, String> DRAWINGS = SymbolDrawing.table(
             """
             player                   o 12,5.5,3|6.5,21 6.5,14 9,11 15,11 17.5,14 17.5,21 z
+            observer                 o 12,12,5.2|*o 12,12,1.8|3,7.5 3,3 7.5,3|16.5,3 21,3 21,7.5|21,16.5 21,21 16.5,21|\
+            7.5,21 3,21 3,16.5
             exits                    6,21 6,3 18,3 18,21|3,21 21,21|*o 15,12.5,1.6
             bodies.box               3.5,8 12,4 20.5,8 12,12 z|3.5,8 3.5,16.5 12,20.5 20.5,16.5 20.5,8|12,12 12,20.5
             bodies.sphere            o 12,12,8.5|o 12,12,8.5,3
@@ -48,10 +51,14 @@ public final class EntityIcons {
 
     /** Returns the symbol of a kind of entity of a section, both as files have them. */
     public static Icon of(String section, String kind) {
+        return SymbolDrawing.icon(drawing(section, kind).orElse(DRAWINGS.get("other")), SIDE_POINTS);
+    }
+
+    /** Returns the drawing of a kind, empty for a kind without one. */
+    static Optional<String> drawing(String section, String kind) {
         String ofKind = DRAWINGS.get(section + "." + kind);
         String shape = section.equals("solids") ? OptionDrawings.ALL.get("shape-" + solidShape(kind)) : null;
-        String drawing = ofKind != null ? ofKind : shape != null ? shape : DRAWINGS.get(section);
-        return SymbolDrawing.icon(drawing == null ? DRAWINGS.get("other") : drawing, SIDE_POINTS);
+        return Optional.ofNullable(ofKind != null ? ofKind : shape != null ? shape : DRAWINGS.get(section));
     }
 
     private static String solidShape(String kind) {

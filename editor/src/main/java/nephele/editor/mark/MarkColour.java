@@ -4,6 +4,10 @@ package nephele.editor.mark;
 public enum MarkColour {
     GRID,
     GRID_MAJOR,
+    /** Contour lines and outlines of terrains in plans. */
+    GROUND,
+    /** Every fifth contour line, borders and skylines of terrains. */
+    GROUND_MAJOR,
     AXIS_X,
     AXIS_Y,
     AXIS_Z,

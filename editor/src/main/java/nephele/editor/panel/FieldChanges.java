@@ -4,18 +4,26 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.Snapshot;
+import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
+import nephele.editor.panel.model.RecordPath;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
+import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
+import nephele.editor.terrain.LayerOrder;
+import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 
 /** Makes the inspector's changes steps of the document; what a field does not take is told and changes nothing. */
 final class FieldChanges {
+    /** The layers of a terrain. */
+    private static final RecordPath LAYERS = RecordPath.SELF.component("layers");
+
     private final EditorSession session;
     private final InspectorModel model = new InspectorModel(LevelStructure.LEVEL);
     private final java.util.function.Consumer<Words> report;
@@ -121,11 +129,53 @@ final class FieldChanges {
 
     /** Adds an entry unless the list or table is full. */
     void add(InspectorField field, Object key) {
-        edit(field, null, level -> model.added(level, refs(), field, key));
+        Level after = (Level) model.added(session.document().level(), refs(), field, key);
+        if (!isRefused(field.path(), field, after)) {
+            edit(field, null, level -> after);
+        }
     }
 
-    void remove(InspectorField field) {
-        edit(field, null, level -> model.removed(level, refs(), field));
+    /** Returns true, and tells why, if the value at a path of a level would be wrong. */
+    private boolean isRefused(RecordPath path, InspectorField field, Level after) {
+        FieldType type = FieldType.of(field.type().field());
+        Optional<Words> problem = model.fields(after, refs()).stream()
+                .filter(changed -> changed.path().equals(path))
+                .flatMap(changed -> changed.values().stream())
+                .flatMap(value -> type.problem(value).stream())
+                .findFirst();
+        report.accept(problem.orElse(Words.NONE));
+        return problem.isPresent();
+    }
+
+    void remove(InspectorField entry) {
+        if (entry.path().last().entry() instanceof Integer index) {
+            edit(entry, ListEdit.removed(index));
+        } else {
+            edit(entry, null, level -> model.removed(level, refs(), entry));
+        }
+    }
+
+    /** Returns how many entries the list of an entry has. */
+    int length(InspectorField entry) {
+        return model.length(session.document().level(), refs(), entry);
+    }
+
+    /** Makes an edit of the list that has an entry one step; the paint of terrains follows their layers. */
+    void edit(InspectorField entry, ListEdit edit) {
+        Level before = session.document().level();
+        Level after = (Level) model.listEdited(before, refs(), entry, edit);
+        RecordPath list = entry.path().owner();
+        if (isRefused(list, entry, after)) {
+            return;
+        }
+        try {
+            Level followed = list.equals(LAYERS) && after.terrains() != before.terrains()
+                    ? LayerOrder.followed(before, after, edit, session.assets(), session.maps())
+                    : after;
+            edit(entry, null, level -> followed);
+        } catch (TerrainRefusal refusal) {
+            report.accept(refusal.told());
+        }
     }
 
     private void edit(InspectorField field, String mergeKey, UnaryOperator<Record> change) {

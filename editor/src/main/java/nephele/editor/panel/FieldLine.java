@@ -17,6 +17,7 @@ import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
+import nephele.editor.record.ListEdit;
 import nephele.editor.term.ChoiceWord;
 import nephele.editor.term.FieldWords;
 
@@ -126,10 +127,23 @@ final class FieldLine {
         } else if (type.kind() == FieldKind.TABLE) {
             addKeys(items);
         }
+        if (field.path().last().entry() instanceof Integer index) {
+            addListEdits(items, index);
+        }
         if (field.isEntry()) {
             item(items, PanelText.REMOVE_FROM, () -> changes.remove(field));
         }
         return items;
+    }
+
+    private void addListEdits(JPopupMenu items, int index) {
+        if (index > 0) {
+            item(items, PanelText.MOVE_UP_IN, () -> changes.edit(field, ListEdit.moved(index, index - 1)));
+        }
+        if (index < changes.length(field) - 1) {
+            item(items, PanelText.MOVE_DOWN_IN, () -> changes.edit(field, ListEdit.moved(index, index + 1)));
+        }
+        item(items, PanelText.INSERT_INTO, () -> changes.edit(field, ListEdit.inserted(index)));
     }
 
     private void addKeys(JPopupMenu items) {

@@ -135,6 +135,11 @@ public final class LayerStroke implements TerrainStroke {
 
     @Override
     public String name(Terrain said) {
+        return fileName(said);
+    }
+
+    /** Returns the beginning of the name of a terrain's layer maps. */
+    static String fileName(Terrain said) {
         return said.id() + "-layers";
     }
 

@@ -11,6 +11,7 @@ import java.util.Map;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
+import nephele.editor.record.ListEdit;
 import nephele.engine.level.Material;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -137,7 +138,7 @@ class InspectorModelTest {
         Record edited = model.set(added, refs, entries.get(1), 7.0);
         assertEquals(
                 Map.of("night", 7.0), ((BeaconLevel) edited).beacons().get(0).weights());
-        Record left = model.removed(edited, refs, entries.get(0));
+        Record left = model.listEdited(edited, refs, entries.get(0), ListEdit.removed(0));
         left = model.removed(left, refs, entries.get(1));
         assertEquals(LEVEL, left);
     }

@@ -13,6 +13,7 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
+import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
 
@@ -105,16 +106,12 @@ public final class InspectorModel {
         });
     }
 
-    /** Returns the root without an entry of a list or table. */
+    /** Returns the root without an entry of a table. */
     public Record removed(Record root, List<EntityRef> refs, InspectorField entry) {
         Object key = entry.path().last().entry();
         RecordPath owner = entry.path().owner();
         UnaryOperator<Object> change = old -> {
-            if (old instanceof List<?> list && key instanceof Integer index && index < list.size()) {
-                List<Object> left = new ArrayList<>(list);
-                left.remove((int) index);
-                return List.copyOf(left);
-            } else if (old instanceof Map<?, ?> table) {
+            if (old instanceof Map<?, ?> table) {
                 Map<Object, Object> left = new LinkedHashMap<>(table);
                 left.remove(key);
                 return Collections.unmodifiableMap(left);
@@ -122,6 +119,23 @@ public final class InspectorModel {
             return old;
         };
         return entities.changed(root, refs, record -> owner.changed(record, change));
+    }
+
+    /** Returns the root with an edit of the list that has an entry. */
+    public Record listEdited(Record root, List<EntityRef> refs, InspectorField entry, ListEdit edit) {
+        RecordPath owner = entry.path().owner();
+        return entities.changed(
+                root, refs, record -> owner.changed(record, old -> old instanceof List<?> list ? edit.on(list) : old));
+    }
+
+    /** Returns the length of the list that has an entry. */
+    public int length(Record root, List<EntityRef> refs, InspectorField entry) {
+        return refs.stream()
+                .flatMap(ref -> entities.find(root, ref).stream())
+                .map(owner -> entry.path().owner().get(owner))
+                .mapToInt(list -> list instanceof List<?> entries ? entries.size() : 0)
+                .max()
+                .orElse(0);
     }
 
     /** Returns the ids that a reference may have. */

@@ -56,6 +56,18 @@ final class Grounds {
         }
         HeightMap map = maps.computeIfAbsent(
                 said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
+        return edited(index, said, map, before, assets);
+    }
+
+    /** Returns a grid of other heights, from those of the same terrain before if there are some. */
+    private static StaticShape.HeightGrid edited(
+            int index, Terrain said, HeightMap map, List<StaticShape.HeightGrid> before, AssetSource assets) {
+        for (StaticShape.HeightGrid known : before) {
+            if (known.id().equals(said.id())) {
+                HeightField field = TerrainField.edited(known.field(), said, map);
+                return new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
+            }
+        }
         return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map), LayerPaint.read(said, assets));
     }
 

@@ -1,5 +1,6 @@
 package nephele.engine.level.terrain;
 
+import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.level.Terrain;
@@ -16,18 +17,43 @@ public final class TerrainField {
      * @throws AssetException if the map has more cells than fit into the terrain's size, or does not fit into memory
      */
     public static HeightField of(Terrain said, HeightMap map) {
+        return made(
+                said,
+                () -> HeightField.of(
+                        origin(said),
+                        cellX(said, map),
+                        cellZ(said, map),
+                        map.columns(),
+                        map.rows(),
+                        heights(said, map)));
+    }
+
+    /** Returns the same from a field that may differ in few heights. */
+    public static HeightField edited(HeightField before, Terrain said, HeightMap map) {
+        boolean hasSameCells = before.cellColumns() == map.columns() - 1
+                && before.cellRows() == map.rows() - 1
+                && before.cellX() == cellX(said, map)
+                && before.cellZ() == cellZ(said, map);
+        return hasSameCells ? made(said, () -> before.at(origin(said)).edited(heights(said, map))) : of(said, map);
+    }
+
+    private static double cellX(Terrain said, HeightMap map) {
+        return said.sizeMetres().x() / (map.columns() - 1);
+    }
+
+    private static double cellZ(Terrain said, HeightMap map) {
+        return said.sizeMetres().z() / (map.rows() - 1);
+    }
+
+    private static HeightField.Heights heights(Terrain said, HeightMap map) {
         double low = said.heightRangeMetres().low();
         double perValue = (said.heightRangeMetres().high() - low) / HeightMap.FULL_SCALE;
-        double cellX = said.sizeMetres().x() / (map.columns() - 1);
-        double cellZ = said.sizeMetres().z() / (map.rows() - 1);
+        return (column, row) -> low + perValue * map.value(column, row);
+    }
+
+    private static HeightField made(Terrain said, Supplier<HeightField> make) {
         try {
-            return HeightField.of(
-                    origin(said),
-                    cellX,
-                    cellZ,
-                    map.columns(),
-                    map.rows(),
-                    (column, row) -> low + perValue * map.value(column, row));
+            return make.get();
         } catch (IllegalArgumentException unusable) {
             throw new AssetException(
                     said.heightMap(),

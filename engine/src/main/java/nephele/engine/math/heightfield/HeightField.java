@@ -1,6 +1,5 @@
 package nephele.engine.math.heightfield;
 
-import java.util.Arrays;
 import java.util.Optional;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -54,13 +53,18 @@ public final class HeightField {
         this.cellZ = cellZ;
         this.columns = columns;
         this.rows = rows;
-        heights = new float[columns * rows];
+        heights = heights(columns, rows, source);
+        pyramid = new MinMaxPyramid(heights, columns, rows);
+    }
+
+    private static float[] heights(int columns, int rows, Heights source) {
+        float[] heights = new float[columns * rows];
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 heights[row * columns + column] = (float) checked(source.metres(column, row), column, row);
             }
         }
-        pyramid = new MinMaxPyramid(heights, columns, rows);
+        return heights;
     }
 
     /** Creates a height field with square cells, as {@link #of(Vec3, double, double, int, int, Heights)} does. */
@@ -91,14 +95,14 @@ public final class HeightField {
         return new HeightField(origin, cellX, cellZ, columns, rows, source);
     }
 
-    private HeightField(Vec3 origin, HeightField other) {
+    private HeightField(Vec3 origin, HeightField other, float[] heights, MinMaxPyramid pyramid) {
         this.origin = origin;
         cellX = other.cellX;
         cellZ = other.cellZ;
         columns = other.columns;
         rows = other.rows;
-        heights = other.heights;
-        pyramid = other.pyramid;
+        this.heights = heights;
+        this.pyramid = pyramid;
     }
 
     /**
@@ -108,7 +112,21 @@ public final class HeightField {
      */
     public HeightField at(Vec3 place) {
         requireNear(place, (columns - 1) * cellX, (rows - 1) * cellZ);
-        return new HeightField(place, this);
+        return new HeightField(place, this, heights, pyramid);
+    }
+
+    /**
+     * Returns the field that {@link #of} makes of other heights over the same cells; its pyramid is found again only where
+     * they differ.
+     *
+     * @throws IllegalArgumentException as {@link #of} does
+     */
+    public HeightField edited(Heights source) {
+        float[] others = heights(columns, rows, source);
+        SampleRange changed = SampleRange.differing(heights, others, columns);
+        return changed.isEmpty()
+                ? this
+                : new HeightField(origin, this, others, pyramid.edited(others, columns, rows, changed));
     }
 
     private static void requireNear(Vec3 origin, double width, double depth) {
@@ -144,26 +162,8 @@ public final class HeightField {
         if (columns != other.columns || rows != other.rows || cellX != other.cellX || cellZ != other.cellZ) {
             return Optional.empty();
         }
-        return Optional.of(heights == other.heights ? SampleRange.NONE : differing(other));
-    }
-
-    private SampleRange differing(HeightField other) {
-        int[] ends = {columns, rows, -1, -1};
-        for (int row = 0; row < rows; row++) {
-            int from = row * columns;
-            int first = Arrays.mismatch(heights, from, from + columns, other.heights, from, from + columns);
-            if (first >= 0) {
-                int last = columns - 1;
-                while (last > first && heights[from + last] == other.heights[from + last]) {
-                    last--;
-                }
-                ends[0] = Math.min(ends[0], first);
-                ends[1] = Math.min(ends[1], row);
-                ends[2] = Math.max(ends[2], last);
-                ends[3] = row;
-            }
-        }
-        return ends[3] < 0 ? SampleRange.NONE : new SampleRange(ends[0], ends[1], ends[2], ends[3]);
+        return Optional.of(
+                heights == other.heights ? SampleRange.NONE : SampleRange.differing(heights, other.heights, columns));
     }
 
     /** Returns the number of triangles, two for each cell. */

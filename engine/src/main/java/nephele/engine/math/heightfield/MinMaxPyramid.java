@@ -31,14 +31,39 @@ final class MinMaxPyramid {
             depth = blocks(depth, 2);
         }
         ranges = new float[2 * first[levels]];
-        for (int row = 0; row < rows[0]; row++) {
-            for (int column = 0; column < columns[0]; column++) {
+        fill(samples, sampleColumns, sampleRows, new SampleRange(0, 0, sampleColumns - 1, sampleRows - 1));
+    }
+
+    private MinMaxPyramid(MinMaxPyramid other) {
+        columns = other.columns;
+        rows = other.rows;
+        first = other.first;
+        ranges = other.ranges.clone();
+    }
+
+    /** Returns the pyramid of a grid of the same size whose heights differ in a range alone. */
+    MinMaxPyramid edited(float[] samples, int sampleColumns, int sampleRows, SampleRange changed) {
+        MinMaxPyramid edited = new MinMaxPyramid(this);
+        edited.fill(samples, sampleColumns, sampleRows, changed);
+        return edited;
+    }
+
+    /** Finds the blocks that a range of samples touches; neighbours share the samples of their border. */
+    private void fill(float[] samples, int sampleColumns, int sampleRows, SampleRange changed) {
+        int firstColumn = Math.max(0, changed.firstColumn() - 1) / BLOCK_CELLS;
+        int firstRow = Math.max(0, changed.firstRow() - 1) / BLOCK_CELLS;
+        int lastColumn = Math.min(changed.lastColumn() / BLOCK_CELLS, columns[0] - 1);
+        int lastRow = Math.min(changed.lastRow() / BLOCK_CELLS, rows[0] - 1);
+        for (int row = firstRow; row <= lastRow; row++) {
+            for (int column = firstColumn; column <= lastColumn; column++) {
                 fillFromSamples(column, row, samples, sampleColumns, sampleRows);
             }
         }
-        for (int level = 1; level < levels; level++) {
-            for (int block = 0; block < columns[level] * rows[level]; block++) {
-                fillFromBelow(level, block % columns[level], block / columns[level]);
+        for (int level = 1; level < columns.length; level++) {
+            for (int row = firstRow >> level; row <= lastRow >> level; row++) {
+                for (int column = firstColumn >> level; column <= lastColumn >> level; column++) {
+                    fillFromBelow(level, column, row);
+                }
             }
         }
     }

@@ -167,6 +167,18 @@ public final class Texture implements GlObject {
         return shape == Shape.ARRAY || shape == Shape.VOLUME;
     }
 
+    /** Takes over the texels of another flat texture of the same size and a format that can be drawn to. */
+    public void copyFrom(Texture other) {
+        int before = glGetInteger(GL_READ_FRAMEBUFFER_BINDING);
+        int reading = glGenFramebuffers();
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, reading);
+        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, other.handle.id(), 0);
+        bind(TextureUnit.UPLOAD);
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, extent.width, extent.height);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, before);
+        glDeleteFramebuffers(reading);
+    }
+
     /** Generates the mipmap levels of a flat texture or volume from the largest. */
     public void generateLevels() {
         bind(TextureUnit.UPLOAD);

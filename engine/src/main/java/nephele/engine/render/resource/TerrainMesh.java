@@ -4,9 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.Optional;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
+import nephele.engine.math.heightfield.SampleRange;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
@@ -52,7 +54,7 @@ public final class TerrainMesh implements GlObject {
                 gl, "terrain heights", Texture.Shape.FLAT, PixelFormat.R32F, extent, Sampling.NEAREST_CLAMP);
         slopes =
                 new Texture(gl, "terrain slopes", Texture.Shape.FLAT, PixelFormat.RG16F, extent, Sampling.LINEAR_CLAMP);
-        upload();
+        fill(gl);
         int cellsX = Math.min(CHUNK_CELLS, field.cellColumns());
         int cellsZ = Math.min(CHUNK_CELLS, field.cellRows());
         chunkIndices = 6 * cellsX * cellsZ;
@@ -64,22 +66,40 @@ public final class TerrainMesh implements GlObject {
                 cells(cellsX, cellsZ));
     }
 
-    private void upload() {
-        int columns = field.cellColumns() + 1;
+    /** Copies what an earlier mesh has on the GPU, and uploads what differs. */
+    private void fill(GlContext gl) {
+        SampleRange all = new SampleRange(0, 0, field.cellColumns(), field.cellRows());
+        Optional<TerrainMesh> similar = Similar.of(gl.shared().all(TerrainMesh.class), TerrainMesh::field, field);
+        SampleRange changed =
+                similar.flatMap(known -> field.difference(known.field)).orElse(all);
+        if (similar.isEmpty() || 2 * changed.count() > all.count()) {
+            upload(all);
+            return;
+        }
+        heights.copyFrom(similar.get().heights);
+        slopes.copyFrom(similar.get().slopes);
+        if (!changed.isEmpty()) {
+            // The rise at a sample follows from its neighbours.
+            upload(changed.grown(1).intersection(all));
+        }
+    }
+
+    private void upload(SampleRange samples) {
+        int columns = samples.columns();
         FloatBuffer height = MemoryUtil.memAllocFloat(UPLOAD_ROWS * columns);
         FloatBuffer slope = MemoryUtil.memAllocFloat(2 * UPLOAD_ROWS * columns);
-        for (int from = 0; from <= field.cellRows(); from += UPLOAD_ROWS) {
-            int rows = Math.min(UPLOAD_ROWS, field.cellRows() + 1 - from);
+        for (int from = samples.firstRow(); from <= samples.lastRow(); from += UPLOAD_ROWS) {
+            int rows = Math.min(UPLOAD_ROWS, samples.lastRow() + 1 - from);
             height.clear();
             slope.clear();
             for (int row = from; row < from + rows; row++) {
-                for (int column = 0; column < columns; column++) {
+                for (int column = samples.firstColumn(); column <= samples.lastColumn(); column++) {
                     height.put(field.height(column, row));
                     slope.put((float) HeightFieldSurface.riseAlongX(field, column, row));
                     slope.put((float) HeightFieldSurface.riseAlongZ(field, column, row));
                 }
             }
-            Texture.Region part = new Texture.Region(0, from, columns, rows);
+            Texture.Region part = new Texture.Region(samples.firstColumn(), from, columns, rows);
             heights.upload(0, part, MemoryUtil.memByteBuffer(height.flip()));
             slopes.upload(0, part, MemoryUtil.memByteBuffer(slope.flip()));
         }
