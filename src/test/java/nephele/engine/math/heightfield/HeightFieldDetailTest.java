@@ -24,8 +24,9 @@ class HeightFieldDetailTest {
     }
 
     private static DetailView view(double x, double y, double z, double yaw) {
+        Vec3 right = new Vec3(-Math.sin(yaw), 0, Math.cos(yaw));
         Vec3 forward = new Vec3(Math.cos(yaw) * 0.96, -0.28, Math.sin(yaw) * 0.96);
-        return new DetailView(new Vec3(x, y, z), forward, 0.4);
+        return DetailView.of(new Vec3(x, y, z), right, right.cross(forward), forward, 1.05, 0.63);
     }
 
     private static DetailTiles everywhere(DetailRanges ranges, DetailView view) {

@@ -59,13 +59,14 @@ public final class TerrainTiles implements GlObject {
 
     /** Returns the eye of a view. */
     public static DetailView seenFrom(View view) {
-        return new DetailView(view.eye(), view.back().negated(), leastShare(view.projection()));
-    }
-
-    private static double leastShare(Projection projection) {
-        double x = projection.tanHalfWidth();
-        double y = projection.tanHalfHeight();
-        return 1 / (1 + x * x + y * y);
+        Projection projection = view.projection();
+        return DetailView.of(
+                view.eye(),
+                view.right(),
+                view.up(),
+                view.back().negated(),
+                projection.tanHalfWidth(),
+                projection.tanHalfHeight());
     }
 
     /**

@@ -98,7 +98,8 @@ vec3 projectedNormal(vec3 texel, int axis, vec3 n, vec3 facing) {
 #endif
 
 // Adds what the pictures give. A loop over those that are seen takes one turn on flat ground of one layer, also on
-// a processor that executes both branches of a condition. Its turns differ between pixels, so it needs explicit derivatives.
+// a processor that executes both branches of a condition; there, a condition at the loop's start would cost one more turn.
+// Its turns differ between pixels, so it needs explicit derivatives.
 void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 place) {
     vec3 shares = max(abs(n) - LEAST_COMPONENT, 0.0);
     shares /= shares.x + shares.y + shares.z;
@@ -110,8 +111,9 @@ void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 p
     vec3 facing = vec3(n.x < 0.0 ? -1.0 : 1.0, 1.0, n.z < 0.0 ? -1.0 : 1.0);
     vec3 rightwards = dFdx(place);
     vec3 upwards = dFdy(place);
-    for (uint rest = seen; rest != 0u; rest &= rest - 1u) {
-        int picture = findLSB(rest);
+    uint rest = seen;
+    do {
+        int picture = max(findLSB(rest), 0);
         int layer = picture / 3;
         int axis = picture - 3 * layer;
         Material material = materialAt(float(layer));
@@ -130,7 +132,8 @@ void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 p
         sum.normal += weight * (isMapped ? projectedNormal(detail.rgb, axis, n, facing) : n);
         sum.roughness += weight * material.baseColourRoughness.a * (isMapped ? detail.a : 1.0);
 #endif
-    }
+        rest &= rest - 1u;
+    } while (rest != 0u);
 }
 #endif
 
