@@ -24,8 +24,9 @@ class HeightFieldDetailTest {
     }
 
     private static DetailView view(double x, double y, double z, double yaw) {
+        Vec3 right = new Vec3(-Math.sin(yaw), 0, Math.cos(yaw));
         Vec3 forward = new Vec3(Math.cos(yaw) * 0.96, -0.28, Math.sin(yaw) * 0.96);
-        return new DetailView(new Vec3(x, y, z), forward, 0.4);
+        return DetailView.of(new Vec3(x, y, z), right, right.cross(forward), forward, 1.05, 0.63);
     }
 
     private static DetailTiles everywhere(DetailRanges ranges, DetailView view) {
@@ -163,12 +164,42 @@ class HeightFieldDetailTest {
         assertTrue(triangles < flat.triangles() / 8, "triangles: " + triangles);
     }
 
+    /** A tile knows the steepest of its samples, also where a field ends within it and where it is the only one. */
+    @ParameterizedTest
+    @CsvSource({"65, 65", "70, 43", "6, 5"})
+    void risesAreTheGreatestOfTheSmoothSurface(int columns, int rows) {
+        HeightField field = noise(columns, rows);
+        HeightFieldDetail detail = HeightFieldDetail.of(field);
+        for (int level = 0; level <= detail.top(); level++) {
+            int width = HeightFieldDetail.TILE_CELLS << level;
+            var tiles = detail.tiles(level);
+            double[] greatest = new double[tiles.columns() * tiles.rows()];
+            for (int sample = 0; sample < columns * rows; sample++) {
+                int column = sample % columns;
+                int row = sample / columns;
+                double rise = Math.max(
+                        Math.abs(HeightFieldSurface.riseAlongX(field, column, row)),
+                        Math.abs(HeightFieldSurface.riseAlongZ(field, column, row)));
+                for (int tile = 0; tile < greatest.length; tile++) {
+                    int x = column - tile % tiles.columns() * width;
+                    int z = row - tile / tiles.columns() * width;
+                    if (x >= 0 && z >= 0 && x <= width && z <= width) {
+                        greatest[tile] = Math.max(greatest[tile], rise);
+                    }
+                }
+            }
+            for (int tile = 0; tile < greatest.length; tile++) {
+                assertEquals(greatest[tile], tiles.rise()[tile], 1e-5, "level " + level);
+            }
+        }
+    }
+
     /** After an edit, only tiles with other heights are measured; the result is that of a new field. */
     @Test
     void anEditMeasuresWhatANewFieldHas() {
         HeightField before = noise(129, 100);
         HeightFieldDetail known = HeightFieldDetail.of(before);
-        for (int[] at : new int[][] {{0, 0}, {64, 64}, {63, 8}, {128, 99}, {17, 96}}) {
+        for (int[] at : new int[][] {{0, 0}, {64, 64}, {63, 8}, {26, 41}, {128, 99}, {17, 96}}) {
             HeightField after = HeightField.of(
                     before.origin(),
                     before.cellX(),
@@ -187,6 +218,7 @@ class HeightFieldDetailTest {
                 assertArrayEquals(fresh.tiles(level).step(), edited.tiles(level).step());
                 assertArrayEquals(
                         fresh.tiles(level).spread(), edited.tiles(level).spread());
+                assertArrayEquals(fresh.tiles(level).rise(), edited.tiles(level).rise());
             }
         }
     }

@@ -19,6 +19,12 @@ public final class GroundProjections {
     /** The component of the normal below which a projection is not seen. */
     public static final double LEAST = 0.5;
 
+    /**
+     * With rises along x and z of at most this, metres a metre, no projection but that from above is seen: the normal's x
+     * is rise / √(1 + rise² + …). A little less than the tangent of 30°, for the rounding of a shader's slopes.
+     */
+    public static final double GENTLE_RISE = 0.999 * LEAST / Math.sqrt(1 - LEAST * LEAST);
+
     private final Vec3 normal;
 
     /** Makes the projections at a point with this smooth unit normal. */

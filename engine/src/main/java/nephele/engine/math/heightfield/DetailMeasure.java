@@ -40,6 +40,9 @@ final class DetailMeasure {
         int width = HeightFieldDetail.TILE_CELLS * fine;
         int endColumn = Math.min((column + 1) * width, field.cellColumns());
         int endRow = Math.min((row + 1) * width, field.cellRows());
+        if (fine == 1) {
+            tiles.rise()[at] = upwards(rise(column * width, row * width, endColumn, endRow));
+        }
         if (endColumn % coarse != 0 || endRow % coarse != 0) {
             tiles.coarserError()[at] = Float.POSITIVE_INFINITY;
             return;
@@ -57,6 +60,17 @@ final class DetailMeasure {
         tiles.step()[at] = upwards(step);
         tiles.spread()[at] =
                 upwards(Math.sqrt(square(coarse * field.cellX()) + square(coarse * field.cellZ()) + square(relief)));
+    }
+
+    private double rise(int column, int row, int endColumn, int endRow) {
+        double most = 0;
+        for (int z = row; z <= endRow; z++) {
+            for (int x = column; x <= endColumn; x++) {
+                double alongX = Math.abs(HeightFieldSurface.riseAlongX(field, x, z));
+                most = Math.max(most, Math.max(alongX, Math.abs(HeightFieldSurface.riseAlongZ(field, x, z))));
+            }
+        }
+        return most;
     }
 
     private void measureCell(int x, int z) {

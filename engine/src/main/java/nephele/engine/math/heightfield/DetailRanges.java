@@ -21,10 +21,10 @@ public final class DetailRanges {
     public static final double MORPH_START = 0.6;
 
     /** The share of the range at which they have reached the coarser triangles. */
-    public static final double MORPH_END = 0.93;
+    public static final double MORPH_END = 0.95;
 
     /** The share of the range at which they begin to slide. */
-    public static final double SLIDE_START = 0.97;
+    public static final double SLIDE_START = 0.99;
 
     /** Stands for a tile that can't be drawn coarser. */
     static final double NEVER = 1e30;

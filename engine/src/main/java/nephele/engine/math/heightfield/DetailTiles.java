@@ -13,6 +13,7 @@ public final class DetailTiles {
 
     private final double[] bounds = new double[6];
     private float[] values = new float[FLOATS * 256];
+    private float[] rises = new float[256];
     private int count;
     private DetailRanges ranges;
     private DetailView view;
@@ -53,7 +54,9 @@ public final class DetailTiles {
         int at = FLOATS * count++;
         if (at == values.length) {
             values = Arrays.copyOf(values, 2 * values.length);
+            rises = Arrays.copyOf(rises, 2 * rises.length);
         }
+        rises[at / FLOATS] = ranges.detail().rise(level, column, row);
         values[at] = column * (HeightFieldDetail.TILE_CELLS << level);
         values[at + 1] = row * (HeightFieldDetail.TILE_CELLS << level);
         values[at + 2] = 1 << level;
@@ -69,6 +72,11 @@ public final class DetailTiles {
     /** Returns the tiles, {@link #FLOATS} each; beyond {@link #count} they are old. */
     public float[] values() {
         return values;
+    }
+
+    /** Returns the greatest rise of the smooth surface over a tile along x or z, up or down, metres a metre. */
+    public float rise(int tile) {
+        return rises[tile];
     }
 
     static void writeBounds(HeightField field, int level, int column, int row, double[] bounds) {

@@ -25,16 +25,27 @@ public final class HeightFieldDetail {
      * @param coarserError the same for the next coarser level; infinite if the field ends within a cell of that level
      * @param step greatest height of a sample of this level above or below the next coarser level's triangles
      * @param spread greatest distance of two points of the surface above a cell of the next coarser level
+     * @param rise greatest rise of the smooth surface along x or z, up or down, metres a metre
      */
-    record Tiles(int columns, int rows, float[] error, float[] coarserError, float[] step, float[] spread) {
-        Tiles copy() {
+    record Tiles(
+            int columns, int rows, float[] error, float[] coarserError, float[] step, float[] spread, float[] rise) {
+        /** Returns a copy of what is measured; the rest is gathered from the finer level. */
+        Tiles copy(int level) {
+            float[] rises = level == 0 ? rise.clone() : new float[rise.length];
             return new Tiles(
-                    columns, rows, new float[error.length], coarserError.clone(), step.clone(), spread.clone());
+                    columns, rows, new float[error.length], coarserError.clone(), step.clone(), spread.clone(), rises);
         }
 
         static Tiles empty(int columns, int rows) {
             int count = columns * rows;
-            return new Tiles(columns, rows, new float[count], new float[count], new float[count], new float[count]);
+            return new Tiles(
+                    columns,
+                    rows,
+                    new float[count],
+                    new float[count],
+                    new float[count],
+                    new float[count],
+                    new float[count]);
         }
     }
 
@@ -55,9 +66,9 @@ public final class HeightFieldDetail {
             Tiles tiles = Tiles.empty(tiles(field.cellColumns(), level), tiles(field.cellRows(), level));
             levels[level] = tiles;
             if (level > 0) {
-                gatherErrors(levels[level - 1], tiles);
+                gather(levels[level - 1], tiles);
             }
-            if (level < top) {
+            if (isMeasured(level, top)) {
                 int its = level;
                 IntStream.range(0, tiles.rows()).parallel().forEach(row -> new DetailMeasure(field, its, tiles)
                         .measureRow(row));
@@ -74,24 +85,33 @@ public final class HeightFieldDetail {
         }
         Tiles[] levels = new Tiles[before.levels.length];
         for (int level = 0; level < levels.length; level++) {
-            levels[level] = before.levels[level].copy();
+            levels[level] = before.levels[level].copy(level);
             if (level > 0) {
-                gatherErrors(levels[level - 1], levels[level]);
+                gather(levels[level - 1], levels[level]);
             }
-            if (level < levels.length - 1) {
+            if (isMeasured(level, levels.length - 1)) {
                 remeasure(new DetailMeasure(field, level, levels[level]), changed.get(), TILE_CELLS << level);
             }
         }
         return new HeightFieldDetail(field, levels);
     }
 
-    /** @param width cells of a tile along a side; neighbours share the samples of their border */
+    /** Returns whether heights of the field are read: for the next coarser level, and the finest one for rises. */
+    private static boolean isMeasured(int level, int top) {
+        return level < top || level == 0;
+    }
+
+    /**
+     * Measures the tiles whose samples, or those beside them, which the rises need, have changed.
+     *
+     * @param width cells of a tile along a side; neighbours share the samples of their border
+     */
     private static void remeasure(DetailMeasure measure, SampleRange changed, int width) {
         if (!changed.isEmpty()) {
-            int firstRow = Math.max(0, (changed.firstRow() - 1) / width);
-            int firstColumn = Math.max(0, (changed.firstColumn() - 1) / width);
-            for (int row = firstRow; row <= changed.lastRow() / width; row++) {
-                for (int column = firstColumn; column <= changed.lastColumn() / width; column++) {
+            int firstRow = Math.max(0, (changed.firstRow() - 2) / width);
+            int firstColumn = Math.max(0, (changed.firstColumn() - 2) / width);
+            for (int row = firstRow; row <= (changed.lastRow() + 1) / width; row++) {
+                for (int column = firstColumn; column <= (changed.lastColumn() + 1) / width; column++) {
                     measure.measureIfThere(column, row);
                 }
             }
@@ -103,11 +123,13 @@ public final class HeightFieldDetail {
         return (cells + width - 1) / width;
     }
 
-    private static void gatherErrors(Tiles finer, Tiles tiles) {
+    private static void gather(Tiles finer, Tiles tiles) {
         for (int row = 0; row < finer.rows(); row++) {
             for (int column = 0; column < finer.columns(); column++) {
+                int part = row * finer.columns() + column;
                 int at = row / 2 * tiles.columns() + column / 2;
-                tiles.error()[at] = Math.max(tiles.error()[at], finer.coarserError()[row * finer.columns() + column]);
+                tiles.error()[at] = Math.max(tiles.error()[at], finer.coarserError()[part]);
+                tiles.rise()[at] = Math.max(tiles.rise()[at], finer.rise()[part]);
             }
         }
     }
@@ -125,6 +147,11 @@ public final class HeightFieldDetail {
     /** Returns the greatest distance of a tile's triangles from those of the field, metres. */
     public double error(int level, int column, int row) {
         return levels[level].error()[row * levels[level].columns() + column];
+    }
+
+    /** Returns the greatest rise of the smooth surface over a tile along x or z, up or down, metres a metre. */
+    float rise(int level, int column, int row) {
+        return levels[level].rise()[row * levels[level].columns() + column];
     }
 
     Tiles tiles(int level) {

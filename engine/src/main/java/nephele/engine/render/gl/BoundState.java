@@ -206,15 +206,28 @@ record BoundState(List<Step> steps) {
                 int location = glGetUniformLocation(program, each);
                 // A uniform without location is in a block.
                 if (location >= 0) {
-                    readUniform(steps, program, location, components(type.get(0)));
+                    readUniform(steps, program, location, type.get(0));
                 }
             }
         }
     }
 
-    /** @param components 0 for an integer */
-    private static void readUniform(List<Step> steps, int program, int location, int components) {
+    private static void readUniform(List<Step> steps, int program, int location, int type) {
         String key = "uniform " + program + " " + location;
+        if (type == GL_INT_VEC4) {
+            int[] v = new int[4];
+            glGetUniformiv(program, location, v);
+            add(
+                    steps,
+                    key,
+                    () -> glProgramUniform4i(program, location, v[0], v[1], v[2], v[3]),
+                    v[0],
+                    v[1],
+                    v[2],
+                    v[3]);
+            return;
+        }
+        int components = floats(type);
         if (components == 0) {
             int value = glGetUniformi(program, location);
             add(steps, key, () -> glProgramUniform1i(program, location, value), value);
@@ -227,8 +240,8 @@ record BoundState(List<Step> steps) {
         add(steps, key, () -> setFloats(program, location, v), value);
     }
 
-    /** Returns the number of floats of a type; 0 for integers, booleans and samplers. */
-    private static int components(int type) {
+    /** Returns the number of floats of a type; 0 for single integers, booleans and samplers. */
+    private static int floats(int type) {
         return switch (type) {
             case GL_FLOAT -> 1;
             case GL_FLOAT_VEC2 -> 2;

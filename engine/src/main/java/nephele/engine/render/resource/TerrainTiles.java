@@ -3,6 +3,7 @@ package nephele.engine.render.resource;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.terrain.GroundProjections;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.heightfield.DetailRanges;
 import nephele.engine.math.heightfield.DetailTiles;
@@ -31,11 +32,28 @@ public final class TerrainTiles implements GlObject {
     /** As many sizes of pictures of views as are kept. */
     private static final int MOST_RANGES = 4;
 
+    /** The slopes of tiles that are drawn by one program. */
+    public enum Slopes {
+        ALL,
+        /** Nowhere is a projection of pictures but that from above seen, see {@link GroundProjections#GENTLE_RISE}. */
+        GENTLE,
+        STEEP;
+
+        private int count(int gentle, int all) {
+            return this == ALL ? all : this == GENTLE ? gentle : all - gentle;
+        }
+
+        private boolean has(boolean isGentle) {
+            return this == ALL || isGentle == (this == GENTLE);
+        }
+    }
+
     private final HeightFieldDetail detail;
     private final GpuMesh mesh;
     private final BufferTexture instances;
     private final DetailTiles tiles = new DetailTiles();
     private final List<DetailRanges> ranges = new ArrayList<>();
+    private int gentle;
     private FloatBuffer values = MemoryUtil.memAllocFloat(DetailTiles.FLOATS * 256);
 
     public TerrainTiles(GlContext gl, HeightField field) {
@@ -59,13 +77,14 @@ public final class TerrainTiles implements GlObject {
 
     /** Returns the eye of a view. */
     public static DetailView seenFrom(View view) {
-        return new DetailView(view.eye(), view.back().negated(), leastShare(view.projection()));
-    }
-
-    private static double leastShare(Projection projection) {
-        double x = projection.tanHalfWidth();
-        double y = projection.tanHalfHeight();
-        return 1 / (1 + x * x + y * y);
+        Projection projection = view.projection();
+        return DetailView.of(
+                view.eye(),
+                view.right(),
+                view.up(),
+                view.back().negated(),
+                projection.tanHalfWidth(),
+                projection.tanHalfHeight());
     }
 
     /**
@@ -80,21 +99,42 @@ public final class TerrainTiles implements GlObject {
         return Math.max(across, along) / errorPixels;
     }
 
-    /** Draws the tiles that a frustum may contain with the current program. @param scale as {@link #scale} returns */
-    public void draw(DetailView view, double scale, Frustum seen) {
+    /**
+     * Selects the tiles that a frustum may contain, the nearer ones first.
+     *
+     * @param scale as {@link #scale} returns
+     */
+    public void select(DetailView view, double scale, Frustum seen) {
         tiles.select(ranges(scale), view, seen);
-        if (tiles.count() == 0) {
+        gentle = 0;
+        for (int tile = 0; tile < tiles.count(); tile++) {
+            gentle += isGentle(tile) ? 1 : 0;
+        }
+    }
+
+    private boolean isGentle(int tile) {
+        return tiles.rise(tile) <= GroundProjections.GENTLE_RISE;
+    }
+
+    /** Draws those selected tiles that have some slopes, with the current program. */
+    public void draw(Slopes slopes) {
+        int count = slopes.count(gentle, tiles.count());
+        if (count == 0) {
             return;
         }
-        int floats = DetailTiles.FLOATS * tiles.count();
+        int floats = DetailTiles.FLOATS * count;
         if (values.capacity() < floats) {
             values = MemoryUtil.memRealloc(values, 2 * floats);
         }
         values.clear();
-        values.put(tiles.values(), 0, floats).flip();
-        instances.upload(values);
+        for (int tile = 0; tile < tiles.count(); tile++) {
+            if (slopes.has(isGentle(tile))) {
+                values.put(tiles.values(), DetailTiles.FLOATS * tile, DetailTiles.FLOATS);
+            }
+        }
+        instances.upload(values.flip());
         instances.bind(TextureUnit.TERRAIN_TILES);
-        mesh.drawInstanced(0, 6 * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS, tiles.count());
+        mesh.drawInstanced(0, 6 * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS, count);
     }
 
     private DetailRanges ranges(double scale) {

@@ -4,12 +4,13 @@
 
 uniform samplerBuffer terrainTiles; // two texels a tile: first column and row, columns between samples; ranges at its corners
 uniform vec4 detailView; // DetailView.forward and leastShare
+uniform vec3 detailAlong; // DetailView.along
 
 const float TILE_CELLS = 8.0; // HeightFieldDetail.TILE_CELLS
 // DetailRanges; a vertex has arrived shortly before the range, in spite of rounding.
 const float MORPH_START = 0.6;
-const float MORPH_END = 0.93;
-const float SLIDE_START = 0.97;
+const float MORPH_END = 0.95;
+const float SLIDE_START = 0.99;
 const float SLIDE_END = 0.999;
 
 struct DetailVertex {
@@ -21,7 +22,8 @@ struct DetailVertex {
 float detailRange(vec3 relative) {
     float distance = length(relative);
     float depth = max(dot(relative, detailView.xyz), 0.0);
-    return max(depth * depth / max(distance, 1e-20), distance * detailView.w);
+    float ahead = max(depth * depth / max(distance, 1e-20), dot(relative, detailAlong));
+    return max(ahead, distance * detailView.w);
 }
 
 // Returns the vertex that rises or falls from its sample to the next coarser triangles and slides on them to a sample that

@@ -1,5 +1,6 @@
 // The mixture of a terrain's layers. Twin: nephele.engine.level.terrain.TerrainLayers, which explains the weights. LAYERS
 // is the number of layers, each material at its index. BAKED: their colours are mixed already.
+// FROM_ABOVE: no slope is seen that has pictures from aside.
 // PAINTED: a layer map replaces parts of the mixture.
 
 uniform vec4 layerHeights[LAYERS]; // where the weight begins to rise and is 1, begins to fall and is 0, metres
@@ -97,23 +98,52 @@ vec3 projectedNormal(vec3 texel, int axis, vec3 n, vec3 facing) {
 }
 #endif
 
-// Adds what the pictures give. A loop over those that are seen takes one turn on flat ground of one layer, also on
-// a processor that executes both branches of a condition. Its turns differ between pixels, so it needs explicit derivatives.
+#if defined(FROM_ABOVE) && LAYERS == 1
+// Adds what the pictures give where only those from above are seen.
 void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 place) {
+    Material material = materialAt(0.0);
+    vec2 st = layerOrigins[0].xz + place.xz * (1.0 / material.layers.z);
+#ifdef TEXTURED
+    vec3 texel = texture(colours, vec3(st, max(material.layers.x, 0.0))).rgb;
+    sum.baseColour = material.baseColourRoughness.rgb * (material.layers.x < 0.0 ? vec3(1.0) : texel);
+#endif
+#ifdef NORMAL_MAP
+    vec4 detail = texture(normals, vec3(st, max(material.layers.y, 0.0)));
+    bool isMapped = material.layers.y >= 0.0;
+    sum.normal = isMapped ? projectedNormal(detail.rgb, 1, n, vec3(1.0)) : n;
+    sum.roughness = material.baseColourRoughness.a * (isMapped ? detail.a : 1.0);
+#endif
+}
+#else
+// Adds what the pictures give. A loop over those that are seen takes one turn on flat ground of one layer, also on
+// a processor that executes both branches of a condition; there, a condition at the loop's start would cost one more turn.
+// Its turns differ between pixels, so it needs explicit derivatives.
+void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 place) {
+#ifdef FROM_ABOVE
+    const uint axes = 2u;
+    const vec3 shares = vec3(0.0, 1.0, 0.0);
+    const vec3 facing = vec3(1.0);
+#else
     vec3 shares = max(abs(n) - LEAST_COMPONENT, 0.0);
     shares /= shares.x + shares.y + shares.z;
-    uint seen = 0u;
     uint axes = (shares.x > 0.0 ? 1u : 0u) | (shares.y > 0.0 ? 2u : 0u) | (shares.z > 0.0 ? 4u : 0u);
+    vec3 facing = vec3(n.x < 0.0 ? -1.0 : 1.0, 1.0, n.z < 0.0 ? -1.0 : 1.0);
+#endif
+    uint seen = 0u;
     for (int i = 0; i < LAYERS; i++) {
         seen |= weights[i] > 0.0 ? axes << (3 * i) : 0u;
     }
-    vec3 facing = vec3(n.x < 0.0 ? -1.0 : 1.0, 1.0, n.z < 0.0 ? -1.0 : 1.0);
     vec3 rightwards = dFdx(place);
     vec3 upwards = dFdy(place);
-    for (uint rest = seen; rest != 0u; rest &= rest - 1u) {
-        int picture = findLSB(rest);
+    uint rest = seen;
+    do {
+        int picture = max(findLSB(rest), 0);
         int layer = picture / 3;
+#ifdef FROM_ABOVE
+        const int axis = 1;
+#else
         int axis = picture - 3 * layer;
+#endif
         Material material = materialAt(float(layer));
         float perMetre = 1.0 / material.layers.z;
         vec2 st = projected(axis, layerOrigins[layer] + place * perMetre, facing);
@@ -130,8 +160,10 @@ void addPictures(inout GroundMaterial sum, float weights[LAYERS], vec3 n, vec3 p
         sum.normal += weight * (isMapped ? projectedNormal(detail.rgb, axis, n, facing) : n);
         sum.roughness += weight * material.baseColourRoughness.a * (isMapped ? detail.a : 1.0);
 #endif
-    }
+        rest &= rest - 1u;
+    } while (rest != 0u);
 }
+#endif
 #endif
 
 // Returns the material at a place in metres from the terrain's origin, with the smooth normal n.

@@ -11,9 +11,11 @@ GroundPoint groundPoint(vec2 place, vec2 cell) {
     ivec2 least = ivec2(clamp(place, vec2(0.0), vec2(textureSize(terrainHeights, 0) - 2)));
     vec2 within = place - vec2(least);
     bool isGreaterZ = within.y >= within.x;
-    float h00 = texelFetch(terrainHeights, least, 0).r;
-    float h11 = texelFetch(terrainHeights, least + 1, 0).r;
-    float between = texelFetch(terrainHeights, least + (isGreaterZ ? ivec2(0, 1) : ivec2(1, 0)), 0).r;
+    // One gathering costs a software renderer less than three fetches: x and y are of the row after, y and z of the column after.
+    vec4 corners = textureGather(terrainHeights, vec2(least + 1) / vec2(textureSize(terrainHeights, 0)));
+    float h00 = corners.w;
+    float h11 = corners.y;
+    float between = isGreaterZ ? corners.x : corners.z;
     vec2 rise = isGreaterZ ? vec2(h11 - between, between - h00) : vec2(between - h00, h11 - between);
     return GroundPoint(h00 + dot(within, rise), rise / cell);
 }

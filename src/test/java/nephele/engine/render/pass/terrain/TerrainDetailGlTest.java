@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.terrain;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,6 +18,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.BareTwin;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -29,6 +31,7 @@ import nephele.lab.art.bench.BenchTerrain;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Terrains of few triangles against all triangles, in small pictures, where much is coarse. */
 class TerrainDetailGlTest {
@@ -136,6 +139,27 @@ class TerrainDetailGlTest {
             long full = triangles(offscreen, level, TerrainDetail.FULL);
             long few = triangles(offscreen, level, TerrainDetail.LOD);
             assertTrue(few * 5 < full, few + " of " + full);
+        }
+    }
+
+    /** The bare twin, whose figures are compared with the engine's, repeats chunks and tiles. */
+    @ParameterizedTest
+    @EnumSource
+    void theBareTwinDrawsTheSamePictures(TerrainDetail detail) {
+        Level level = on(new TestLevel().ambient(0.5).sun(new Vec3(0.4, 0.7, 0.5), 2), 200);
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+                Renderer renderer = Renderer.load(offscreen.gl, level, map(200), settings(Output.DIRECT, detail, 1))) {
+            List<View> views = IntStream.range(0, 2)
+                    .mapToObj(turn -> offscreen.view(new Vec3(-90 + 80 * turn, 130, 80), new Vec3(0, 60, 0)))
+                    .toList();
+            try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
+                for (int i = 0; i < views.size(); i++) {
+                    twin.draw(i);
+                    int[] bare = offscreen.pixels();
+                    renderer.draw(views.get(i), offscreen.picture);
+                    assertArrayEquals(offscreen.pixels(), bare, "view " + i);
+                }
+            }
         }
     }
 

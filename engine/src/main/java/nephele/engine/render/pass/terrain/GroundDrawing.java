@@ -3,7 +3,6 @@ package nephele.engine.render.pass.terrain;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
-import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
@@ -21,9 +20,11 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
+import nephele.engine.render.resource.TerrainTiles.Slopes;
+import nephele.engine.scene.View;
 import nephele.engine.scene.light.LightRequirements;
 
-/** One terrain with its program, materials and sky visibility. */
+/** One terrain with its programs, materials and sky visibility. */
 final class GroundDrawing {
     private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
 
@@ -36,7 +37,7 @@ final class GroundDrawing {
     private final GroundLook look;
     private final SurfaceLight light;
     private final MaterialBlocks materials;
-    private final GlProgram<GroundUniforms> program;
+    private final List<Part> parts;
     /** {@code null} if the sky does not shine. */
     private final GroundSky sky;
 
@@ -64,7 +65,9 @@ final class GroundDrawing {
         light = context.shared().surfaceLight();
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         paint = grid.painted().map(map -> paint(context, map)).orElse(null);
-        program = program(context);
+        parts = slopes(context.quality().normalMaps()).stream()
+                .map(slopes -> new Part(slopes, program(context, slopes)))
+                .toList();
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(
                         GroundSky.class,
@@ -77,6 +80,16 @@ final class GroundDrawing {
                 : null;
     }
 
+    /** The tiles that a program draws. */
+    private record Part(Slopes slopes, GlProgram<GroundUniforms> program) {}
+
+    /** Pictures on tiles without steep slopes are read from above alone, by a program that costs less. */
+    private List<Slopes> slopes(NormalMaps normalMaps) {
+        boolean hasProjections =
+                !isBaked && (look.kind().isTextured() || look.kind().isNormalMapped() && normalMaps == NormalMaps.ON);
+        return tiles != null && hasProjections ? List.of(Slopes.GENTLE, Slopes.STEEP) : List.of(Slopes.ALL);
+    }
+
     private record SkyOf(Same field) {}
 
     private record TilesOf(Same field) {}
@@ -87,12 +100,13 @@ final class GroundDrawing {
         return context.share(GroundPaint.class, new PaintOf(new Same(map)), () -> new GroundPaint(context.gl(), map));
     }
 
-    private GlProgram<GroundUniforms> program(LoadContext context) {
+    private GlProgram<GroundUniforms> program(LoadContext context, Slopes slopes) {
         SurfaceVariant surface = SurfaceVariant.of(look.kind(), context.quality());
         var defines = surface.addTo(
                         light.addForDynamicObjects(Defines.of(context))
                                 .withIf(tiles != null, "DETAIL")
                                 .withIf(isBaked, "BAKED")
+                                .withIf(slopes == Slopes.GENTLE, "FROM_ABOVE")
                                 .withIf(paint != null, "PAINTED")
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
@@ -140,15 +154,24 @@ final class GroundDrawing {
     }
 
     void draw(FrameContext frame) {
-        program.use();
-        GroundUniforms uniforms = program.uniforms();
-        uniforms.set(mesh.field(), look, light.anchor());
-        uniforms.place()
-                .set(
-                        mesh.field(),
-                        frame.view().eyeX(),
-                        frame.view().eyeY(),
-                        frame.view().eyeZ());
+        bind();
+        if (tiles != null) {
+            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.seen());
+        }
+        for (int i = 0; i < parts.size(); i++) {
+            Part part = parts.get(i);
+            part.program().use();
+            GroundUniforms uniforms = part.program().uniforms();
+            set(uniforms, frame);
+            if (tiles != null) {
+                tiles.draw(part.slopes());
+            } else {
+                mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
+            }
+        }
+    }
+
+    private void bind() {
         materials.bind(0);
         mesh.bind();
         if (sky != null) {
@@ -156,7 +179,6 @@ final class GroundDrawing {
         }
         if (paint != null) {
             paint.bind();
-            uniforms.setPaint(mesh.field(), paint.map());
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);
@@ -164,22 +186,26 @@ final class GroundDrawing {
         if (normals != null) {
             normals.bind(TextureUnit.NORMALS);
         }
-        if (tiles == null) {
-            mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
-        } else {
-            drawTiles(frame, uniforms);
+    }
+
+    private void set(GroundUniforms uniforms, FrameContext frame) {
+        View view = frame.view();
+        uniforms.set(mesh.field(), look, light.anchor());
+        uniforms.place().set(mesh.field(), view.eyeX(), view.eyeY(), view.eyeZ());
+        if (paint != null) {
+            uniforms.setPaint(mesh.field(), paint.map());
+        }
+        if (tiles != null) {
+            uniforms.place().chunk(mesh.field(), 0, 0);
+            uniforms.setDetail(TerrainTiles.seenFrom(view));
         }
     }
 
-    private void drawTiles(FrameContext frame, GroundUniforms uniforms) {
-        DetailView view = TerrainTiles.seenFrom(frame.view());
-        double scale = TerrainTiles.scale(
+    private double scale(FrameContext frame) {
+        return TerrainTiles.scale(
                 frame.view().projection(),
                 frame.surface().width(),
                 frame.surface().height(),
                 errorPixels);
-        uniforms.place().chunk(mesh.field(), 0, 0);
-        uniforms.setDetail(view);
-        tiles.draw(view, scale, frame.seen());
     }
 }

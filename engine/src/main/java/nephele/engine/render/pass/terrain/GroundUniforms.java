@@ -20,6 +20,7 @@ import nephele.engine.render.resource.TerrainUniforms;
  * The uniforms of a terrain's program.
  *
  * @param detailView absent if all triangles are drawn
+ * @param detailAlong the same
  * @param cell absent if no picture or light needs it
  * @param bakedPerMetre absent unless layers are mixed into one picture
  * @param texelsPerMetre of the layer map; absent without one
@@ -31,6 +32,7 @@ import nephele.engine.render.resource.TerrainUniforms;
 record GroundUniforms(
         TerrainUniforms place,
         Optional<Vector4> detailView,
+        Optional<Vector3> detailAlong,
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
         Optional<Vector2> bakedPerMetre,
@@ -55,6 +57,7 @@ record GroundUniforms(
         return new GroundUniforms(
                 TerrainUniforms.of(uniforms),
                 isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
+                isDetailed ? Optional.of(uniforms.vector3("detailAlong")) : Optional.empty(),
                 vector2(uniforms, "cellMetres"),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
                 vector2(uniforms, "bakedPerMetre"),
@@ -95,6 +98,8 @@ record GroundUniforms(
         Vec3 forward = view.forward();
         detailView.ifPresent(
                 at -> at.set((float) forward.x(), (float) forward.y(), (float) forward.z(), (float) view.leastShare()));
+        Vec3 along = view.along();
+        detailAlong.ifPresent(at -> at.set((float) along.x(), (float) along.y(), (float) along.z()));
     }
 
     private static void set(Vector4 uniform, double[] values, int at) {
