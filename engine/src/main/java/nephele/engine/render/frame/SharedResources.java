@@ -262,10 +262,7 @@ public final class SharedResources implements GlObject {
         return owner.share(
                 FrameClouds.class,
                 FrameClouds.Source.of(scene, request.quality(), techniques),
-                () -> new FrameClouds(
-                        scene,
-                        columns.loaded().drawnBy(techniques),
-                        new LastingClouds(owner).sampling(request.quality())));
+                () -> new LastingClouds(owner).drawn(scene, columns.loaded().drawnBy(techniques), request.quality()));
     }
 
     /** Returns the techniques that draw the clouds, several while they change. */
