@@ -31,7 +31,11 @@ public record CloudColumns(LoadedClouds loaded, List<Double> meanDepths) {
      * @throws AssetException if a picture or grid is unusable
      */
     public static CloudColumns of(Environment environment, AssetSource assets) throws AssetException {
-        LoadedClouds loaded = LoadedClouds.of(environment, assets);
+        return of(LoadedClouds.of(environment, assets));
+    }
+
+    /** Measures loaded clouds. */
+    public static CloudColumns of(LoadedClouds loaded) {
         List<Double> depths = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             boolean isChosen = loaded.clouds().get(i).technique() == CloudTechnique.AUTO;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.Future;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import nephele.engine.asset.AssetSource;
@@ -70,6 +71,22 @@ public final class CloudTimeline implements AutoCloseable {
     private record Key(long step, Vec3 towardsSun, List<List<Column>> columns) {}
 
     /**
+     * How clouds are sampled.
+     *
+     * @param lightDivisor cells of density along each edge of a cell of light
+     * @param octaves of clouds that are drawn by technique {@code procedural}
+     * @param physics makes or remembers the light of some optics; called by the constructor alone
+     */
+    public record Sampling(int lightDivisor, ProceduralNoise octaves, Function<CloudOptics, CloudLight> physics) {
+        /** Returns sampling that derives the light of each optics once. */
+        static Sampling of(int lightDivisor) {
+            Map<CloudOptics, CloudLight> known = new HashMap<>();
+            return new Sampling(
+                    lightDivisor, ProceduralNoise.SMOOTH, optics -> known.computeIfAbsent(optics, CloudLight::new));
+        }
+    }
+
+    /**
      * Prepares the clouds of an environment, those of its weather included.
      *
      * @param authored the environment at time 0
@@ -78,26 +95,21 @@ public final class CloudTimeline implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region, int lightDivisor) {
-        this(authored, LoadedClouds.of(authored, assets), region, lightDivisor, ProceduralNoise.SMOOTH);
+        this(authored, LoadedClouds.of(authored, assets), region, Sampling.of(lightDivisor));
     }
 
-    /**
-     * @param loaded those of the environment, each with the technique that draws it
-     * @param octaves of clouds that are drawn by technique {@code procedural}
-     */
-    public CloudTimeline(
-            Environment authored, LoadedClouds loaded, Aabb region, int lightDivisor, ProceduralNoise octaves) {
+    /** @param loaded those of the environment, each with the technique that draws it */
+    public CloudTimeline(Environment authored, LoadedClouds loaded, Aabb region, Sampling sampling) {
         this.authored = causes(authored);
-        this.lightDivisor = lightDivisor;
+        lightDivisor = sampling.lightDivisor;
         this.region = region;
         this.loaded = loaded;
         LoadedClouds still = loaded.withoutWind();
-        Map<CloudOptics, CloudLight> physics = new HashMap<>();
         List<CloudSource> all = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
-            var optics = CloudOptics.of(cloud);
-            var source = new CloudSource(loaded, still, i, physics.computeIfAbsent(optics, CloudLight::new), octaves);
+            CloudLight physics = sampling.physics.apply(CloudOptics.of(cloud));
+            var source = new CloudSource(loaded, still, i, physics, sampling.octaves);
             if (source.exists()) {
                 all.add(source);
             }

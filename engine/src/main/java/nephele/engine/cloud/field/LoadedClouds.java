@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
@@ -44,14 +45,25 @@ public final class LoadedClouds {
      * @throws AssetException if a picture or grid is unusable
      */
     public static LoadedClouds of(Environment environment, AssetSource assets) throws AssetException {
+        Map<Long, CloudTables> known = new HashMap<>();
+        return of(environment, assets, seed -> known.computeIfAbsent(seed, CloudTables::of));
+    }
+
+    /**
+     * Loads clouds with given tables.
+     *
+     * @param tables makes or remembers the tables of a seed
+     * @throws AssetException if a picture or grid is unusable
+     */
+    public static LoadedClouds of(Environment environment, AssetSource assets, LongFunction<CloudTables> tables)
+            throws AssetException {
         List<ChangingCloud> changing = WeatherClouds.changing(environment);
         List<Cloud> clouds = changing.stream().map(ChangingCloud::cloud).toList();
         List<Weather> weathers = new ArrayList<>();
         changing.forEach(cloud -> weathers.add(cloud.weather()));
-        Map<Long, CloudTables> tables = new HashMap<>();
         List<CloudFiles> files = new ArrayList<>();
         for (Cloud cloud : clouds) {
-            files.add(CloudFiles.of(cloud, assets, seed -> tables.computeIfAbsent(seed, CloudTables::of)));
+            files.add(CloudFiles.of(cloud, assets, tables));
         }
         return new LoadedClouds(
                 clouds,

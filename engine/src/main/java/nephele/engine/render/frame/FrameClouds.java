@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.octave.ProceduralNoise;
@@ -45,15 +46,11 @@ public final class FrameClouds implements GlObject {
     }
 
     /** @param loaded the level's clouds, each with the technique that draws it */
-    FrameClouds(Scene scene, LoadedClouds loaded, Quality quality) {
+    FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
         timeline = loaded.clouds().isEmpty()
                 ? null
                 : new CloudTimeline(
-                        scene.level().environment(),
-                        loaded,
-                        CloudShadeRegion.of(scene.statics()),
-                        quality.cloudLightCell(),
-                        quality.proceduralNoise());
+                        scene.level().environment(), loaded, CloudShadeRegion.of(scene.statics()), sampling);
     }
 
     /** Takes the clouds of a frame, sampled finely around its eye. */

@@ -5,6 +5,7 @@ import nephele.engine.choice.ChosenTechniques;
 import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Camera;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -13,12 +14,13 @@ import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.scene.Scene;
 import nephele.engine.sim.reach.EyeReach;
 
 /** Finds the technique of each cloud of a scene; what an edit leaves as it was is not computed again. */
 final class LevelTechniques {
-    private final SharedResources shared;
+    private final OwnedObjects owner;
     private final Scene scene;
 
     /** What the clouds and their columns follow from. */
@@ -28,17 +30,17 @@ final class LevelTechniques {
     private record Places(
             Same statics, PlayerStart player, List<PortalSpec> portals, PortalGun gun, List<Camera> cameras) {}
 
-    LevelTechniques(SharedResources shared, Scene scene) {
-        this.shared = shared;
+    LevelTechniques(OwnedObjects owner, Scene scene) {
+        this.owner = owner;
         this.scene = scene;
     }
 
     CloudColumns columns() {
         Environment environment = scene.level().environment();
-        return shared.shareValue(
+        return owner.shareValue(
                 CloudColumns.class,
                 new Causes(new Same(scene.assets()), CloudTimeline.causes(environment)),
-                () -> CloudColumns.of(environment, scene.assets()));
+                () -> CloudColumns.of(LoadedClouds.of(environment, scene.assets(), new LastingClouds(owner)::tables)));
     }
 
     List<CloudTechnique> chosen(CloudColumns columns) {
@@ -48,14 +50,14 @@ final class LevelTechniques {
                         scene.level().environment(),
                         columns,
                         isWritten ? EyeReach.ANYWHERE : reach(),
-                        shared.shareValue(
+                        owner.shareValue(
                                 ErrorTable.class, new Same(scene.assets()), () -> ErrorTable.of(scene.assets())))
                 .techniques();
     }
 
     EyeReach reach() {
         Level level = scene.level();
-        return shared.shareValue(
+        return owner.shareValue(
                 EyeReach.class,
                 new Places(
                         new Same(scene.statics()), level.player(), level.portals(), level.portalGun(), level.cameras()),

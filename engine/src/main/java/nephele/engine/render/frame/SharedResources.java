@@ -242,7 +242,7 @@ public final class SharedResources implements GlObject {
     /** Returns the level's clouds; all techniques draw these. */
     public FrameClouds clouds() {
         if (clouds == null) {
-            var found = new LevelTechniques(this, scene);
+            var found = new LevelTechniques(owned, scene);
             List<CloudTechnique> techniques = found.chosen(found.columns());
             fade = (fadeBefore == null ? TechniqueFade.complete(techniques) : fadeBefore).towards(techniques);
             chosenFor.put(techniques, scene);
@@ -258,11 +258,11 @@ public final class SharedResources implements GlObject {
 
     /** Returns the level's clouds as sampled for these techniques. */
     public FrameClouds clouds(List<CloudTechnique> techniques, OwnedObjects owner) {
-        CloudColumns columns = new LevelTechniques(this, scene).columns();
+        CloudColumns columns = new LevelTechniques(owned, scene).columns();
         return owner.share(
                 FrameClouds.class,
                 FrameClouds.Source.of(scene, request.quality(), techniques),
-                () -> new FrameClouds(scene, columns.loaded().drawnBy(techniques), request.quality()));
+                () -> new LastingClouds(owner).drawn(scene, columns.loaded().drawnBy(techniques), request.quality()));
     }
 
     /** Returns the techniques that draw the clouds, several while they change. */
@@ -299,7 +299,7 @@ public final class SharedResources implements GlObject {
 
     /** Returns where the eyes of a scene, this one or one before an edit, can be. */
     public EyeReach eyeReach(Scene of) {
-        return new LevelTechniques(this, of).reach();
+        return new LevelTechniques(owned, of).reach();
     }
 
     /** Returns the shadows of clouds in the air of the frame's views; {@code null} without. */

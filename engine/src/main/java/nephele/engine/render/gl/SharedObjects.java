@@ -1,6 +1,7 @@
 package nephele.engine.render.gl;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -9,10 +10,14 @@ import java.util.function.Supplier;
 /**
  * Objects of a context, keyed by the immutable values that they are made from. Equal values share an object; the last
  * holder closes it. So the renderer of an edited level reuses unchanged objects, and several renderers of one scene
- * share its geometry and pictures.
+ * share its geometry and pictures. Values without OpenGL objects can last longer than their users.
  */
 public final class SharedObjects {
+    /** Most lasting values; a slider of the editor makes one for each of its positions. */
+    static final int MOST_LASTING = 24;
+
     private final Map<Key, Held> held = new HashMap<>();
+    private final Map<Key, Object> lasting = new LinkedHashMap<>(16, 0.75f, true);
 
     /** A value that equals only itself, for data too large to compare and never created twice. */
     public record Same(Object value) {
@@ -79,6 +84,26 @@ public final class SharedObjects {
         Held known = held.get(key);
         known.holders++;
         return new Share<>(key, kind.cast(known.object));
+    }
+
+    /**
+     * Returns a value that is derived again only if {@link #MOST_LASTING} others have been used since. Unlike a share it stays
+     * for the next level when no renderer uses it.
+     *
+     * @param madeFrom equal values give the same object of the same kind; small, because it is kept
+     * @param make derives an immutable value that needs no closing
+     */
+    public <T> T lasting(Class<T> kind, Object madeFrom, Supplier<T> make) {
+        Key key = new Key(kind, madeFrom);
+        T value = kind.cast(lasting.get(key));
+        if (value == null) {
+            value = make.get();
+            lasting.put(key, value);
+            if (lasting.size() > MOST_LASTING) {
+                lasting.remove(lasting.keySet().iterator().next());
+            }
+        }
+        return value;
     }
 
     /** Returns what is held of a kind, in no particular order. */

@@ -5,6 +5,7 @@ import java.util.Deque;
 import java.util.function.Supplier;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.SharedObjects;
 
 /** Objects that end together, the last first; shared ones stay while someone else holds them. Closing twice is harmless. */
 public final class OwnedObjects implements GlObject {
@@ -33,6 +34,11 @@ public final class OwnedObjects implements GlObject {
     /** Shares a value that needs no closing: derived once for as long as any holder in the context uses it. */
     public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
         return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
+    }
+
+    /** Returns a value that stays for other levels of the context; see {@link SharedObjects#lasting}. */
+    public <T> T lasting(Class<T> kind, Object madeFrom, Supplier<T> make) {
+        return gl.shared().lasting(kind, madeFrom, make);
     }
 
     @Override

@@ -38,9 +38,9 @@ public final class TileNoise {
         double right = gridX - column;
         double up = gridY - row;
         int column0 = Math.floorMod(column, cellsX);
-        int column1 = Math.floorMod(column + 1, cellsX);
+        int column1 = column0 + 1 == cellsX ? 0 : column0 + 1;
         int row0 = Math.floorMod(row, cellsY);
-        int row1 = Math.floorMod(row + 1, cellsY);
+        int row1 = row0 + 1 == cellsY ? 0 : row0 + 1;
         double a = slope(column0, row0, right, up);
         double b = slope(column1, row0, right - 1, up);
         double c = slope(column0, row1, right, up - 1);
@@ -73,24 +73,26 @@ public final class TileNoise {
         int row = (int) Math.floor(gridY);
         double nearest = 9;
         double second = 9;
-        double identity = 0;
+        int nearestI = 0;
+        int nearestJ = 0;
         for (int j = row - 1; j <= row + 1; j++) {
+            int wrappedJ = Math.floorMod(j, cells);
             for (int i = column - 1; i <= column + 1; i++) {
                 int wrappedI = Math.floorMod(i, cells);
-                int wrappedJ = Math.floorMod(j, cells);
                 double dx = i + random(wrappedI, wrappedJ, seed) - gridX;
                 double dy = j + random(wrappedI, wrappedJ, seed + 7) - gridY;
                 double squared = dx * dx + dy * dy;
                 if (squared < nearest) {
                     second = nearest;
                     nearest = squared;
-                    identity = random(wrappedI, wrappedJ, seed + 13);
+                    nearestI = wrappedI;
+                    nearestJ = wrappedJ;
                 } else if (squared < second) {
                     second = squared;
                 }
             }
         }
-        return new Cell(Math.sqrt(nearest), Math.sqrt(second), identity);
+        return new Cell(Math.sqrt(nearest), Math.sqrt(second), random(nearestI, nearestJ, seed + 13));
     }
 
     private double slope(int column, int row, double dx, double dy) {

@@ -35,6 +35,9 @@ public final class SkyPainter {
     /** Dry sunlit land below the eye, away from the bay, which lights the scene from below like a bright floor. */
     private static final PaintColour SAND = PaintColour.of(0xD8C7A6);
 
+    /** Above the sine of any crest's altitude: its noise is below 2. */
+    private static final double HIGHEST_CREST = 0.41;
+
     private static final PaintColour SEA_FAR = PaintColour.of(0x9FBCCB);
     private static final PaintColour[] HILLS = {
         PaintColour.of(0xA7B9C4), PaintColour.of(0x869F9F), PaintColour.of(0x66806C)
@@ -100,15 +103,27 @@ public final class SkyPainter {
     private PaintColour colour(Vector3d direction) {
         double hazeline = 1 - Shapes.ramp(0, 0.12, Math.abs(direction.y));
         PaintColour colour = direction.y > 0 ? clouds(direction, air(direction)) : sea(direction);
+        if (direction.y > -0.006 && direction.y < HIGHEST_CREST) {
+            colour = hills(direction, colour);
+        }
+        return colour.mix(HAZE, 0.12 * hazeline);
+    }
+
+    private PaintColour hills(Vector3d direction, PaintColour behind) {
+        double turn = turn(direction);
+        PaintColour colour = behind;
         for (int layer = 0; layer < HILLS.length; layer++) {
-            double crest = crest(direction, layer);
+            double crest = crest(turn, layer);
             double inside = 1 - Shapes.ramp(crest - 0.0015, crest + 0.0015, direction.y);
-            double onLand = inside * Shapes.ramp(-0.006, -0.003, direction.y) * (crest > 0 ? 1 : 0);
-            double fold = relief(direction, layer);
+            if (crest <= 0 || inside == 0) {
+                continue;
+            }
+            double onLand = inside * Shapes.ramp(-0.006, -0.003, direction.y);
+            double fold = relief(turn, direction.y, layer);
             PaintColour slope = HILLS[layer].times(1 + 0.10 * fold).mix(HAZE, 0.35 * Shapes.ramp(0.03, 0, direction.y));
             colour = colour.mix(slope, onLand);
         }
-        return colour.mix(HAZE, 0.12 * hazeline);
+        return colour;
     }
 
     private PaintColour air(Vector3d direction) {
@@ -165,8 +180,7 @@ public final class SkyPainter {
     }
 
     /** Returns the sine of the altitude of a ridge; negative where there is only sea. */
-    private static double crest(Vector3d direction, int layer) {
-        double turn = turn(direction);
+    private static double crest(double turn, int layer) {
         TileNoise noise = new TileNoise(331 + 7 * layer);
         double ridge = 0.5 + 0.5 * noise.cloud(turn, 0.3, 6 + 4 * layer, 6);
         double bay = Shapes.ramp(0.04 + 0.05 * layer, 0.16 + 0.06 * layer, Math.abs(turn - 0.47));
@@ -178,8 +192,7 @@ public final class SkyPainter {
         return StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
     }
 
-    private static double relief(Vector3d direction, int layer) {
-        double turn = turn(direction);
-        return new TileNoise(349 + layer).cloud(turn, direction.y * 0.6 + 0.5, 48, 4);
+    private static double relief(double turn, double up, int layer) {
+        return new TileNoise(349 + layer).cloud(turn, up * 0.6 + 0.5, 48, 4);
     }
 }

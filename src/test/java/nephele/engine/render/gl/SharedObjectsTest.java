@@ -1,0 +1,60 @@
+package nephele.engine.render.gl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** How long objects of a context last. */
+class SharedObjectsTest {
+    private final SharedObjects shared = new SharedObjects();
+    private final List<Long> made = new ArrayList<>();
+
+    private Object lasting(long from) {
+        return shared.lasting(Object.class, from, () -> {
+            made.add(from);
+            return new Object();
+        });
+    }
+
+    @Test
+    void aShareEndsWithItsLastHolder() {
+        List<String> closed = new ArrayList<>();
+        var first = shared.share(Object.class, "key", Object::new, object -> closed.add("closed"));
+        var second = shared.share(Object.class, "key", Object::new, object -> closed.add("closed"));
+        assertSame(first.get(), second.get());
+        first.close();
+        assertEquals(List.of(), closed);
+        second.close();
+        assertEquals(List.of("closed"), closed);
+    }
+
+    @Test
+    void aLastingValueIsDerivedOnceForEqualKeysAndApartForEachKind() {
+        Object one = lasting(1);
+        assertSame(one, lasting(1));
+        assertNotSame(one, lasting(2));
+        assertEquals("text", shared.lasting(String.class, 1L, () -> "text"));
+        assertSame(one, lasting(1));
+        assertEquals(List.of(1L, 2L), made);
+    }
+
+    /** Of one value more than are kept, the one goes that has not been used for the longest time. */
+    @Test
+    void theLeastRecentlyUsedLastingValueGoesFirst() {
+        for (long i = 0; i < SharedObjects.MOST_LASTING; i++) {
+            lasting(i);
+        }
+        lasting(0);
+        lasting(-1);
+        made.clear();
+        lasting(0);
+        lasting(2);
+        assertEquals(List.of(), made);
+        lasting(1);
+        assertEquals(List.of(1L), made);
+    }
+}
