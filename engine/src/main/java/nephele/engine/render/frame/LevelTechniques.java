@@ -5,7 +5,10 @@ import nephele.engine.choice.ChosenTechniques;
 import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Camera;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -18,7 +21,10 @@ import nephele.engine.render.resource.OwnedObjects;
 import nephele.engine.scene.Scene;
 import nephele.engine.sim.reach.EyeReach;
 
-/** Finds the technique of each cloud of a scene; what an edit leaves as it was is not computed again. */
+/**
+ * Finds the technique of each cloud of a scene, and makes the clouds that are drawn; what an edit leaves as it was is not
+ * computed again.
+ */
 final class LevelTechniques {
     private final OwnedObjects owner;
     private final Scene scene;
@@ -40,7 +46,20 @@ final class LevelTechniques {
         return owner.shareValue(
                 CloudColumns.class,
                 new Causes(new Same(scene.assets()), CloudTimeline.causes(environment)),
-                () -> CloudColumns.of(LoadedClouds.of(environment, scene.assets(), new LastingClouds(owner)::tables)));
+                () -> CloudColumns.of(LoadedClouds.of(environment, scene.assets(), this::tables)));
+    }
+
+    private CloudTables tables(long seed) {
+        return owner.lasting(CloudTables.class, seed, () -> CloudTables.of(seed));
+    }
+
+    /** Returns clouds to draw. @param loaded those of the level, each with the technique that draws it */
+    FrameClouds drawn(LoadedClouds loaded, Quality quality) {
+        var sampling = new Sampling(
+                quality.cloudLightCell(),
+                quality.proceduralNoise(),
+                optics -> owner.lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        return new FrameClouds(scene, loaded, sampling);
     }
 
     List<CloudTechnique> chosen(CloudColumns columns) {

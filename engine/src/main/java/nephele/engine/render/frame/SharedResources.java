@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.TechniqueFade;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.CloudTechnique;
@@ -258,11 +257,11 @@ public final class SharedResources implements GlObject {
 
     /** Returns the level's clouds as sampled for these techniques. */
     public FrameClouds clouds(List<CloudTechnique> techniques, OwnedObjects owner) {
-        CloudColumns columns = new LevelTechniques(owned, scene).columns();
+        var found = new LevelTechniques(owned, scene);
         return owner.share(
                 FrameClouds.class,
                 FrameClouds.Source.of(scene, request.quality(), techniques),
-                () -> new LastingClouds(owner).drawn(scene, columns.loaded().drawnBy(techniques), request.quality()));
+                () -> found.drawn(found.columns().loaded().drawnBy(techniques), request.quality()));
     }
 
     /** Returns the techniques that draw the clouds, several while they change. */
