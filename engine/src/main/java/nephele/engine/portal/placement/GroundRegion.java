@@ -58,7 +58,12 @@ final class GroundRegion {
         return area < leastArea ? null : grown(ray, sheets, near, box);
     }
 
-    private static Region grown(Ray ray, List<SurfacePolygon> ground, List<Blocker> near, Aabb box) {
+    /**
+     * Returns the region of ground that a ray hits, without what stands on it; {@code null} if it hits something else.
+     *
+     * @param near surfaces of which those in the box matter
+     */
+    static Region grown(Ray ray, List<SurfacePolygon> ground, List<Blocker> near, Aabb box) {
         List<Brush> solids = new ArrayList<>();
         List<SurfacePolygon> sheets = new ArrayList<>(ground);
         for (Blocker blocker : near) {

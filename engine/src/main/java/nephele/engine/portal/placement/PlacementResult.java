@@ -16,6 +16,12 @@ public sealed interface PlacementResult {
      * No portal.
      *
      * @param where the aimed point; the end of the range if nothing was hit
+     * @param unevenMetres with {@link Refusal#NOT_FLAT}, greatest deviation of the ground under the aimed aperture from
+     *     its nearest plane, otherwise 0
      */
-    record Refused(Refusal reason, Vec3 where) implements PlacementResult {}
+    record Refused(Refusal reason, Vec3 where, double unevenMetres) implements PlacementResult {
+        public Refused(Refusal reason, Vec3 where) {
+            this(reason, where, 0);
+        }
+    }
 }
