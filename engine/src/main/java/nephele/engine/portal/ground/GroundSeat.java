@@ -14,8 +14,8 @@ import nephele.engine.portal.Portal;
  * aperture and rim, and moved out along its normal over the highest ground there, so that no ground stands in front of
  * the portal. It depends only on the point, the aperture and its upright, and is continuous in them.
  *
- * @param unevenMetres greatest deviation of the ground from the nearest plane; more than the real one is never said of
- *     ground that is even enough
+ * @param unevenMetres greatest deviation of the ground from the nearest plane; a lower bound of it for ground that takes
+ *     no portal
  */
 public record GroundSeat(Portal portal, double unevenMetres) {
     /** Greatest deviation over the aperture with which ground takes a portal. */
@@ -99,6 +99,14 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     private static double withinZ(HeightField field, double z) {
         double margin = BORDER_SHARE * field.cellZ();
         return Math.max(field.z(0) + margin, Math.min(field.z(field.cellRows()) - margin, z));
+    }
+
+    /** Returns the greatest deviation from the nearest plane also for ground that takes no portal. */
+    public double measuredUneven(HeightField field) {
+        return isEven()
+                ? unevenMetres
+                : NearestPlane.to(ApertureGround.under(field, portal), Double.POSITIVE_INFINITY)
+                        .greatestMetres();
     }
 
     /** Returns true if the ground takes a portal here. */

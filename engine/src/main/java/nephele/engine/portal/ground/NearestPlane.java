@@ -63,6 +63,17 @@ final class NearestPlane {
         return slopeY;
     }
 
+    /** Returns the plane's greatest deviation from the ground. */
+    double greatestMetres() {
+        double least = Double.POSITIVE_INFINITY;
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < ground.size(); i++) {
+            least = Math.min(least, above(i));
+            greatest = Math.max(greatest, above(i));
+        }
+        return (greatest - least) / 2;
+    }
+
     /** Returns a lower bound of every plane's greatest deviation. */
     double atLeastMetres() {
         return atLeast;

@@ -59,23 +59,25 @@ final class GroundPlacement {
     PlacementResult place(Shot shot, HeightField field) {
         GroundSeat aimed = seat(shot, field, shot.where());
         Place place = null;
-        PlacementResult.Refused refusal =
-                new PlacementResult.Refused(Refusal.NOT_FLAT, shot.where(), aimed.unevenMetres());
+        Refusal reason = Refusal.NOT_FLAT;
         if (aimed.isEven()) {
             if (isFree(shot, field, aimed.portal())) {
                 return new PlacementResult.Fits(aimed.portal(), 0);
             }
             PlacementResult slid = slid(shot, field, aimed.portal());
             if (slid instanceof PlacementResult.Refused refused) {
-                Refusal reason = refused.reason() == Refusal.TOO_SMALL ? Refusal.EDGE : refused.reason();
-                refusal = new PlacementResult.Refused(reason, shot.where());
+                reason = refused.reason() == Refusal.TOO_SMALL ? Refusal.EDGE : refused.reason();
             } else {
                 place = settled(shot, field, ((PlacementResult.Fits) slid).portal());
             }
         }
         place = nearer(place, onFlat(shot, field));
         place = nearer(place, onCircles(shot, field, aimed.portal().frame(), place));
-        return place == null ? refusal : new PlacementResult.Fits(place.portal(), place.metres());
+        if (place != null) {
+            return new PlacementResult.Fits(place.portal(), place.metres());
+        }
+        double uneven = reason == Refusal.NOT_FLAT ? aimed.measuredUneven(field) : 0;
+        return new PlacementResult.Refused(reason, shot.where(), uneven);
     }
 
     private static Place nearer(Place a, Place b) {

@@ -20,8 +20,15 @@ public sealed interface PlacementResult {
      *     its nearest plane, otherwise 0
      */
     record Refused(Refusal reason, Vec3 where, double unevenMetres) implements PlacementResult {
+        private static final double ROUNDING_MILLIMETRES = 5e-4;
+
         public Refused(Refusal reason, Vec3 where) {
             this(reason, where, 0);
+        }
+
+        /** Returns a deviation in whole millimetres, rounded up, so that what is refused is more than what is allowed. */
+        public static long millimetres(double unevenMetres) {
+            return (long) Math.ceil(1000 * unevenMetres - ROUNDING_MILLIMETRES);
         }
     }
 }
