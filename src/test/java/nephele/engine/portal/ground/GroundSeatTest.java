@@ -52,13 +52,13 @@ class GroundSeatTest {
     void nineMillimetresPassAndElevenDoNot(double cell) {
         GroundSeat nine = seat(ridges(0.009, 0, cell), 0.13, -0.4);
         assertTrue(nine.isEven(), nine.toString());
-        assertEquals(0.009, nine.unevenMetres(), 2e-5);
-        assertEquals(0.009, nine.portal().centre().y(), 2e-5);
-        assertEquals(1, nine.portal().normal().y(), 1e-6);
+        assertEquals(0.009, nine.unevenMetres(), 1e-4);
+        assertEquals(0.009, nine.portal().centre().y(), 1e-4);
+        assertEquals(1, nine.portal().normal().y(), 1e-5);
         HeightField field = ridges(0.011, 0, cell);
         GroundSeat eleven = seat(field, 0.13, -0.4);
         assertFalse(eleven.isEven(), eleven.toString());
-        assertEquals(0.011, eleven.measuredUneven(field), 2e-5);
+        assertEquals(0.011, eleven.measuredUneven(field), 1e-4);
     }
 
     /** Heights along y shrink by the cosine when measured along the normal. */
@@ -80,8 +80,8 @@ class GroundSeatTest {
                 new Vec3(-6, 0, -6), 0.2, 61, 61, (column, row) -> column == 30 && row == 30 ? 0.019 : 0);
         GroundSeat seat = seat(bump, 0, 0);
         assertTrue(seat.isEven(), seat.toString());
-        assertEquals(0.0095, seat.unevenMetres(), 1e-5);
-        assertEquals(0.019, seat.portal().centre().y(), 1e-5);
+        assertEquals(0.0095, seat.unevenMetres(), 1e-4);
+        assertEquals(0.019, seat.portal().centre().y(), 1e-4);
         HeightField higher = HeightField.of(
                 new Vec3(-6, 0, -6), 0.2, 61, 61, (column, row) -> column == 30 && row == 30 ? 0.021 : 0);
         assertFalse(seat(higher, 0, 0).isEven());

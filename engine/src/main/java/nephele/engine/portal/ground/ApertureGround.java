@@ -6,6 +6,7 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
@@ -19,6 +20,9 @@ final class ApertureGround {
 
     /** Ground that is wholly farther than this from the portal's plane is another slope. */
     private static final double FAR_METRES = 0.25;
+
+    private static final int SAMPLE_COLUMNS = 4;
+    private static final int SAMPLE_ROWS = 6;
 
     private final Portal portal;
     private final Aperture aperture;
@@ -44,6 +48,31 @@ final class ApertureGround {
             ground.add(field, triangle);
         }
         return ground;
+    }
+
+    /** Returns a few points of the ground well inside an aperture. */
+    static ApertureGround sampled(HeightField field, Portal portal) {
+        ApertureGround ground = new ApertureGround(portal);
+        for (int row = 0; row < SAMPLE_ROWS; row++) {
+            for (int column = 0; column < SAMPLE_COLUMNS; column++) {
+                ground.sample(field, (column + 0.5) / SAMPLE_COLUMNS - 0.5, (row + 0.5) / SAMPLE_ROWS - 0.5);
+            }
+        }
+        return ground;
+    }
+
+    /** Adds the ground above or below a point of the plane, given in widths and heights of the aperture. */
+    private void sample(HeightField field, double across, double upward) {
+        Vec3 on = portal.world(across * aperture.widthMetres(), upward * aperture.heightMetres(), 0);
+        double y = HeightFieldSurface.y(field, on.x(), on.z());
+        double x = portal.across(on.x(), y, on.z());
+        double up = portal.upward(on.x(), y, on.z());
+        if (aperture.outside(x, up) <= 0) {
+            corners[3 * count] = x;
+            corners[3 * count + 1] = up;
+            corners[3 * count + 2] = portal.inFront(on.x(), y, on.z());
+            count++;
+        }
     }
 
     private Aabb box() {

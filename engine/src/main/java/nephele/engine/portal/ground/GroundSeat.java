@@ -27,8 +27,11 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     /** Distance from the border, in cells, at which rounding leaves a place on the field. */
     private static final double BORDER_SHARE = 1e-6;
 
-    private static final int MOST_TURNS = 8;
-    private static final double SAME_SLOPE = 1e-9;
+    /** Deviation of a few points, in greatest ones, that does not follow from differing axes. */
+    private static final double CERTAIN = 1.1;
+
+    private static final int MOST_TURNS = 4;
+    private static final double SAME_SLOPE = 1e-6;
 
     /** Deviation that no small turn of the first plane can mend, in greatest ones. */
     private static final double HOPELESS = 2;
@@ -99,6 +102,18 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     private static double withinZ(HeightField field, double z) {
         double margin = BORDER_SHARE * field.cellZ();
         return Math.max(field.z(0) + margin, Math.min(field.z(field.cellRows()) - margin, z));
+    }
+
+    /**
+     * Returns false if a few points of the ground under a portal show that there is none near it: quick, for places that
+     * need not be tried.
+     *
+     * @param near a portal over the point, with about the right axes
+     */
+    public static boolean isPossible(HeightField field, Portal near) {
+        ApertureGround few = ApertureGround.sampled(field, near);
+        return few.size() < 4
+                || NearestPlane.to(few, MOST_UNEVEN_METRES * CERTAIN).atLeastMetres() <= MOST_UNEVEN_METRES * CERTAIN;
     }
 
     /** Returns the greatest deviation from the nearest plane also for ground that takes no portal. */

@@ -10,8 +10,8 @@ import java.util.Arrays;
  */
 final class NearestPlane {
     private static final int MOST_ROUNDS = 16;
-    private static final int MOST_STEPS = 200;
-    private static final double EXACT_METRES = 1e-7;
+    private static final int MOST_STEPS = 60;
+    private static final double EXACT_METRES = 1e-5;
 
     /** Least share of the greatest deviation with which a weight is multiplied, so that none vanishes for good. */
     private static final double LEAST_FACTOR = 1e-6;

@@ -195,7 +195,10 @@ final class GroundPlacement {
                         .addScaled(radius * StrictMath.cos(angle), axes.right())
                         .addScaled(radius * StrictMath.sin(angle), axes.up());
                 double y = HeightFieldSurface.y(field, near.x(), near.z());
-                Place found = Double.isNaN(y) ? null : over(shot, field, new Vec3(near.x(), y, near.z()));
+                Vec3 on = new Vec3(near.x(), y, near.z());
+                boolean isPossible = !Double.isNaN(y)
+                        && GroundSeat.isPossible(field, new Portal(shot.id(), on, axes, gun.aperture()));
+                Place found = isPossible ? over(shot, field, on) : null;
                 if (found != null) {
                     return found;
                 }
