@@ -18,7 +18,7 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "a portal behind the wall is in the way",
-                    ENGINE + "portal/placement/Placement.java",
+                    ENGINE + "portal/placement/RegionFit.java",
                     "Math.abs(frame.height(other.centre()))",
                     "frame.height(other.centre())",
                     "PlacementTest"),

@@ -29,6 +29,14 @@ class EventTextTest {
     }
 
     @Test
+    void unevenGroundSaysByHowMuch() {
+        var refused = new TickEvent.PortalRefused(Colour.FIRST, Refusal.NOT_FLAT, Vec3.ZERO, 0.01001);
+        assertEquals(
+                "No portal: the ground is uneven by 11 mm here, allowed are 10",
+                EventText.of(refused, Language.EN).orElseThrow());
+    }
+
+    @Test
     void whatWentWellNeedsNoWords() {
         assertEquals(Optional.empty(), EventText.of(new TickEvent.PortalOpened(Colour.SECOND, 1), Language.EN));
         assertEquals(Optional.empty(), EventText.of(new Handled(Handled.Kind.PICKED_UP, 0), Language.EN));

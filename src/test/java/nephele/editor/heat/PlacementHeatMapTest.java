@@ -78,7 +78,7 @@ class PlacementHeatMapTest {
             Vec3 eye = cell.aim().addScaled(0.05, normal);
             PlacementResult shot = placement.place("p", new ShotRay(eye, view), fixed, MovingSurfaces.NONE);
             if (shot instanceof PlacementResult.Fits fits) {
-                assertEquals(fits.slideMetres(), cell.slideMetres(), 1e-5, cell.toString());
+                assertEquals(fits.slideMetres(), cell.metres(), 1e-5, cell.toString());
                 assertTrue(cell.colour() != MarkColour.REFUSED, cell.toString());
             } else {
                 assertEquals(

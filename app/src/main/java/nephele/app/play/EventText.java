@@ -3,6 +3,7 @@ package nephele.app.play;
 import java.util.Optional;
 import nephele.app.text.Phrase;
 import nephele.engine.level.Language;
+import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 
@@ -12,7 +13,8 @@ final class EventText {
 
     static Optional<String> of(TickEvent event, Language language) {
         if (event instanceof TickEvent.PortalRefused refused) {
-            String reason = Phrase.ofRefusal(refused.reason()).in(language);
+            String reason = Phrase.ofRefusal(refused.reason())
+                    .in(language, PlacementResult.Refused.millimetres(refused.unevenMetres()));
             return Optional.of(Phrase.NO_PORTAL.in(language, reason));
         }
         if (event instanceof Handled handled) {

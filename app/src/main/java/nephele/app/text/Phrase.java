@@ -60,7 +60,10 @@ public enum Phrase {
             "algo que se move está no caminho"),
     REFUSED_NOT_PORTALABLE(
             "this surface takes none", "esta superfície não aceita portais", "esta superfície não aceita portais"),
-    REFUSED_NOT_FLAT("the ground is not flat here", "o chão não é plano aqui", "o chão não é plano aqui"),
+    REFUSED_NOT_FLAT(
+            "the ground is uneven by %s mm here, allowed are 10",
+            "o chão tem %s mm de desnível aqui, são permitidos 10",
+            "o chão tem %s mm de desnível aqui, são permitidos 10"),
     REFUSED_OVERLAPS_OTHER(
             "the other portal is in its place", "o outro portal está no lugar", "o outro portal está no lugar"),
     REFUSED_TOO_SMALL("the surface is too small", "a superfície é pequena demais", "a superfície é demasiado pequena"),

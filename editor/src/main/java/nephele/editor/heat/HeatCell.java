@@ -11,12 +11,12 @@ import nephele.engine.math.Vec3;
  * @param mark the piece, coloured: ALLOWED where a portal fits as aimed, SLIDES or REFUSED
  * @param aim the aimed point, on the surface
  * @param text the result
- * @param slideMetres how far the portal slides; 0 if it does not
+ * @param metres how far the portal slides or how uneven the ground is, if that is the result, otherwise 0
  */
-public record HeatCell(Mark.Polygon mark, Vec3 aim, HeatText text, double slideMetres) {
+public record HeatCell(Mark.Polygon mark, Vec3 aim, HeatText text, double metres) {
     /** Returns the result in words, for the status line. */
     public Words reason() {
-        return text.words(slideMetres);
+        return text.words(metres);
     }
 
     /** Returns the result as a colour. */

@@ -3,6 +3,7 @@ package nephele.editor.heat;
 import java.util.Locale;
 import nephele.editor.text.Text;
 import nephele.editor.text.Words;
+import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
 
 /** A text of the heat map in English, Brazilian and European Portuguese. */
@@ -20,9 +21,9 @@ public enum HeatText implements Text {
             "Sem portal: esta superfície não aceita portais",
             "Sem portal: esta superfície não aceita portais"),
     NOT_FLAT(
-            "No portal: the ground is not flat here",
-            "Sem portal: o chão não é plano aqui",
-            "Sem portal: o chão não é plano aqui"),
+            "No portal: the ground is uneven by %s mm here, allowed are 10",
+            "Sem portal: o chão tem %s mm de desnível aqui, são permitidos 10",
+            "Sem portal: o chão tem %s mm de desnível aqui, são permitidos 10"),
     OVERLAPS_OTHER(
             "No portal: another portal is in its place",
             "Sem portal: outro portal está no lugar",
@@ -40,6 +41,9 @@ public enum HeatText implements Text {
     private static final Words LEGEND_FITS = Words.of("fits", "cabe", "cabe");
     private static final Words LEGEND_SLIDES = Words.of("slides to fit", "desliza para caber", "desliza para caber");
 
+    private static final Words LEGEND_NOT_FLAT =
+            Words.of("the ground is uneven", "o chão é irregular", "o chão é irregular");
+
     private final Words words;
 
     HeatText(String english, String brazilian, String european) {
@@ -56,8 +60,14 @@ public enum HeatText implements Text {
         return valueOf(refusal.name());
     }
 
-    /** Returns the text in all languages; a number of metres fills its place, if it has one. */
+    /**
+     * Returns the text in all languages; a number of metres fills its place, if it has one: of the slide, or of the
+     * ground's unevenness.
+     */
     public Words words(double metres) {
+        if (this == NOT_FLAT) {
+            return words.with(PlacementResult.Refused.millimetres(metres));
+        }
         String number = String.format(Locale.ROOT, "%.2f", metres);
         String withComma = number.replace('.', ',');
         return words.with(Words.of(number, withComma, withComma));
@@ -68,6 +78,7 @@ public enum HeatText implements Text {
         return switch (this) {
             case FITS -> LEGEND_FITS;
             case SLIDES -> LEGEND_SLIDES;
+            case NOT_FLAT -> LEGEND_NOT_FLAT;
             default -> Words.of(reason(words.english()), reason(words.brazilian()), reason(words.european()));
         };
     }

@@ -197,17 +197,18 @@ public final class PlacementHeatMap {
             double slide = fits.slideMetres() > AIMED_METRES ? fits.slideMetres() : 0;
             return cell(surface, piece, aim, slide > 0 ? HeatText.SLIDES : HeatText.FITS, slide);
         }
-        return cell(surface, piece, aim, HeatText.of(((PlacementResult.Refused) result).reason()), 0);
+        PlacementResult.Refused refused = (PlacementResult.Refused) result;
+        return cell(surface, piece, aim, HeatText.of(refused.reason()), refused.unevenMetres());
     }
 
-    private static HeatCell cell(HeatSurface surface, List<Vec3> piece, Vec3 aim, HeatText text, double slide) {
+    private static HeatCell cell(HeatSurface surface, List<Vec3> piece, Vec3 aim, HeatText text, double metres) {
         MarkColour colour = text == HeatText.FITS
                 ? MarkColour.ALLOWED
                 : text == HeatText.SLIDES ? MarkColour.SLIDES : MarkColour.REFUSED;
         List<Vec3> lifted = piece.stream()
                 .map(corner -> corner.addScaled(LIFT_METRES, surface.normal()))
                 .toList();
-        return new HeatCell(new Mark.Polygon(lifted, colour, Mark.Visibility.HIDDEN_BY_SURFACES), aim, text, slide);
+        return new HeatCell(new Mark.Polygon(lifted, colour, Mark.Visibility.HIDDEN_BY_SURFACES), aim, text, metres);
     }
 
     private static Vec3 middle(List<Vec3> polygon) {

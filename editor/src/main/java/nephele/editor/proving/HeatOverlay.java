@@ -152,7 +152,7 @@ public final class HeatOverlay {
             return;
         }
         HeatCell cell = memory.at(place);
-        Words words = cell == null ? Words.NONE : cell.text().words(cell.slideMetres());
+        Words words = cell == null ? Words.NONE : cell.text().words(cell.metres());
         if (!words.equals(told)) {
             told = words;
             subject.status(words);

@@ -26,15 +26,21 @@ final class ApertureCutter {
 
     private final CollisionWorld statics;
     private final Portals portals;
+    private final PortalSteps steps;
     private final ItemList found = new ItemList();
 
-    ApertureCutter(CollisionWorld statics, Portals portals) {
+    ApertureCutter(CollisionWorld statics, Portals portals, PortalSteps steps) {
         this.statics = statics;
         this.portals = portals;
+        this.steps = steps;
     }
 
     /** A convex part of a solid. */
-    private record Piece(String solidId, ConvexPolyhedron shape) {}
+    private record Piece(String solidId, boolean isGround, ConvexPolyhedron shape) {
+        Piece with(ConvexPolyhedron part) {
+            return new Piece(solidId, isGround, part);
+        }
+    }
 
     /** A portal that is open here, and the aperture volume that it removes. */
     private record Opening(int portal, double reachMetres, ApertureVolume volume) {}
@@ -45,8 +51,7 @@ final class ApertureCutter {
         ItemList cut = new ItemList();
         List<Piece> pieces = new ArrayList<>();
         for (int item : touched(openings)) {
-            Piece whole = new Piece(
-                    statics.collider(item).solidId(), statics.collider(item).shape());
+            Piece whole = piece(item);
             List<Piece> left = carved(List.of(whole), openings);
             if (!isUnchanged(whole, left)) {
                 cut.item(item);
@@ -59,6 +64,11 @@ final class ApertureCutter {
         List<Collider> colliders = new ArrayList<>();
         pieces.forEach(piece -> colliders.add(new Collider(piece.solidId(), piece.shape())));
         return statics.replacing(cut, colliders);
+    }
+
+    private Piece piece(int item) {
+        Collider solid = statics.collider(item);
+        return new Piece(solid.solidId(), statics.isGround(item), solid.shape());
     }
 
     private static boolean isUnchanged(Piece whole, List<Piece> left) {
@@ -97,7 +107,8 @@ final class ApertureCutter {
                         shared.add(plane);
                     }
                 }
-                openings.add(new Opening(i, reach, ApertureVolume.behind(portals.portal(i), reach, shared)));
+                openings.add(new Opening(
+                        i, reach, ApertureVolume.behind(portals.portal(i), reach, steps.metres(i), shared)));
             }
         }
         return openings;
@@ -114,8 +125,12 @@ final class ApertureCutter {
             for (Piece piece : rest) {
                 if (piece.shape().bounds().overlaps(opening.volume().bounds())) {
                     List<ConvexPolyhedron> shapes = new ArrayList<>();
-                    opening.volume().carve(piece.shape(), shapes);
-                    shapes.forEach(shape -> left.add(new Piece(piece.solidId(), shape)));
+                    if (piece.isGround()) {
+                        opening.volume().carveGround(piece.shape(), shapes);
+                    } else {
+                        opening.volume().carve(piece.shape(), shapes);
+                    }
+                    shapes.forEach(shape -> left.add(piece.with(shape)));
                 } else {
                     left.add(piece);
                 }
@@ -132,9 +147,7 @@ final class ApertureCutter {
         long inner = depth > 0 ? reached(partner, opening.reachMetres()) : 0;
         List<Opening> further = openings(inner, opening.reachMetres(), partner);
         List<Piece> pieces = new ArrayList<>();
-        within(beyond)
-                .mapToObj(statics::collider)
-                .forEach(solid -> pieces.add(new Piece(solid.solidId(), solid.shape())));
+        within(beyond).mapToObj(this::piece).forEach(pieces::add);
         List<Piece> there = new ArrayList<>(carved(pieces, further));
         for (Opening next : further) {
             if (next.volume().bounds().overlaps(beyond)) {
@@ -148,7 +161,7 @@ final class ApertureCutter {
             if (reachesBefore(partner, piece.shape())) {
                 opening.volume().fill(back.polyhedron(piece.shape()), shapes);
             }
-            shapes.forEach(shape -> here.add(new Piece(piece.solidId(), shape)));
+            shapes.forEach(shape -> here.add(piece.with(shape)));
         }
         return here;
     }

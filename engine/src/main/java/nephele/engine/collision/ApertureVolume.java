@@ -9,12 +9,13 @@ import nephele.engine.math.PolyhedronCut;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.ground.GroundStep;
 
 /**
  * The aperture volume: the hole in this side's solids behind an open portal. It is the aperture's own prism for the
  * first {@link #FRAME_METRES}, then a box so wide and deep that no body with its centre in front of the portal reaches
  * its end. What is left of the wall at the portal's plane is a thin, exact frame, with room behind it for the other
- * side's solids.
+ * side's solids. On uneven ground the frame reaches down to the ground around.
  */
 final class ApertureVolume {
     /** Thickness of the frame that is left of the wall. */
@@ -23,15 +24,17 @@ final class ApertureVolume {
     /** Portals whose unit normals differ by less face the same way. */
     private static final double SAME_DIRECTION_SINE = 0.05;
 
+    private final boolean isOnGround;
     private final Plane front;
     private final Plane frameEnd;
     private final List<Plane> throat;
     private final List<Plane> chamber;
     private final Aabb bounds;
 
-    private ApertureVolume(Portal portal, double reachMetres, List<Plane> shared) {
+    private ApertureVolume(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
         front = behind(portal, 0);
-        frameEnd = behind(portal, FRAME_METRES);
+        isOnGround = stepMetres >= 0;
+        frameEnd = behind(portal, FRAME_METRES + Math.max(0, stepMetres));
         throat = new ArrayList<>(shared);
         throat.addAll(edges(portal));
         chamber = new ArrayList<>(shared);
@@ -48,10 +51,11 @@ final class ApertureVolume {
 
     /**
      * @param reachMetres depth of the volume, and its margin around the aperture
+     * @param stepMetres how far the ground around lies below the portal, see {@link GroundStep}
      * @param shared planes that separate it from the volumes of other portals; it is on their negative side
      */
-    static ApertureVolume behind(Portal portal, double reachMetres, List<Plane> shared) {
-        return new ApertureVolume(portal, reachMetres, shared);
+    static ApertureVolume behind(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
+        return new ApertureVolume(portal, reachMetres, stepMetres, shared);
     }
 
     /** Returns the plane at a distance behind the portal, with the portal's normal. */
@@ -99,6 +103,22 @@ final class ApertureVolume {
             PolyhedronCut atFrame = PolyhedronCut.of(atFront.behind(), frameEnd);
             takeOut(atFrame.inFront(), throat, left);
             takeOut(atFrame.behind(), chamber, left);
+        }
+    }
+
+    /**
+     * Adds the parts of a triangle of ground outside the volume. That of a portal on ground takes only the aperture's
+     * prism out of it, however far it falls away: what is beside the portal carries bodies.
+     */
+    void carveGround(ConvexPolyhedron triangle, List<ConvexPolyhedron> left) {
+        if (!isOnGround) {
+            carve(triangle, left);
+            return;
+        }
+        PolyhedronCut atFront = PolyhedronCut.of(triangle, front);
+        add(atFront.inFront(), left);
+        if (atFront.behind() != null) {
+            takeOut(atFront.behind(), throat, left);
         }
     }
 

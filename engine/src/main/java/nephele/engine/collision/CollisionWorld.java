@@ -1,5 +1,6 @@
 package nephele.engine.collision;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShape;
@@ -11,6 +12,7 @@ import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.ItemRayTest;
 import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.heightfield.HeightField;
 import org.joml.Vector3dc;
 
 /**
@@ -138,6 +140,22 @@ public final class CollisionWorld {
     /** Returns a solid by its index; also one that was replaced. */
     public Collider collider(int item) {
         return item < shared() ? base.collider(item) : own.collider(item - shared());
+    }
+
+    /** Returns true if a solid is a triangle of ground. */
+    boolean isGround(int item) {
+        return item < shared() ? base.isGround(item) : own instanceof HeightFieldColliders;
+    }
+
+    /** Returns the fields of all ground. */
+    List<HeightField> grounds() {
+        List<HeightField> all = new ArrayList<>();
+        for (CollisionWorld world = this; world != null; world = world.base) {
+            if (world.own instanceof HeightFieldColliders ground) {
+                all.add(ground.field());
+            }
+        }
+        return all;
     }
 
     /** Returns the bounding box of all solids, replaced ones included; empty for an empty world. */

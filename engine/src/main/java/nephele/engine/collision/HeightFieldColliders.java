@@ -21,6 +21,10 @@ final class HeightFieldColliders implements ColliderSet {
         this.field = field;
     }
 
+    HeightField field() {
+        return field;
+    }
+
     @Override
     public int size() {
         return field.triangles();

@@ -10,6 +10,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.portal.ground.GroundStep;
 import org.joml.Vector3dc;
 
 /**
@@ -27,6 +28,7 @@ public final class PortalWorld {
 
     private final CollisionWorld statics;
     private final Portals portals;
+    private final PortalSteps steps;
     private final ApertureCutter cutter;
     private final long open;
     private final ApertureProximity proximity = new ApertureProximity();
@@ -36,7 +38,8 @@ public final class PortalWorld {
     private PortalWorld(CollisionWorld statics, Portals portals) {
         this.statics = statics;
         this.portals = portals;
-        cutter = new ApertureCutter(statics, portals);
+        steps = new PortalSteps(statics, portals);
+        cutter = new ApertureCutter(statics, portals, steps);
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
             mask |= portals.isOpen(i) ? 1L << i : 0;
@@ -85,6 +88,11 @@ public final class PortalWorld {
     /** Returns the world without openings. */
     public CollisionWorld statics() {
         return statics;
+    }
+
+    /** Returns how far the ground around a portal lies below it; {@link GroundStep#NO_GROUND} for one on a wall. */
+    public double groundStepMetres(int portal) {
+        return steps.metres(portal);
     }
 
     /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */

@@ -14,7 +14,7 @@ import nephele.engine.math.Vec3;
  * @param layers mixed as {@link nephele.engine.level.terrain.TerrainLayers} says; with none the ground is grey
  * @param layerMap asset id of a grey PNG with alpha, or {@code null}: the layers that are painted, as {@link
  *     nephele.engine.level.terrain.LayerPaint} says
- * @param portalable whether portals can be placed where the ground is flat
+ * @param portalable whether portals can be placed where the ground is even to 1 cm
  */
 public record Terrain(
         @Written(required = true, text = TextKind.ID) String id,

@@ -32,7 +32,8 @@ record PortalAim(PlacementResult result) {
         if (result instanceof PlacementResult.Fits fits) {
             return (isSliding(fits) ? HeatText.SLIDES : HeatText.FITS).words(fits.slideMetres());
         }
-        return HeatText.of(((PlacementResult.Refused) result).reason()).words(0);
+        PlacementResult.Refused refused = (PlacementResult.Refused) result;
+        return HeatText.of(refused.reason()).words(refused.unevenMetres());
     }
 
     private static boolean isSliding(PlacementResult.Fits fits) {

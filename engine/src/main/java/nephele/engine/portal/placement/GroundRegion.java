@@ -44,21 +44,48 @@ final class GroundRegion {
         triangles.sort(null);
         Vec3 normal = field.normal(hit);
         Vec3 on = field.corner(hit, 0);
-        List<SurfacePolygon> sheets = new ArrayList<>();
+        boolean[] isLike = new boolean[triangles.size()];
         double area = 0;
-        for (int triangle : triangles) {
+        for (int i = 0; i < isLike.length; i++) {
+            int triangle = triangles.get(i);
+            isLike[i] = field.normal(triangle).dot(normal) >= LIKE_COSINE && isIn(field, triangle, on, normal);
+            area += isLike[i] ? area(field, triangle) : 0;
+        }
+        if (area < leastArea) {
+            return null;
+        }
+        List<SurfacePolygon> sheets = new ArrayList<>();
+        for (int i = 0; i < isLike.length; i++) {
+            int triangle = triangles.get(i);
             List<Vec3> corners =
                     List.of(field.corner(triangle, 0), field.corner(triangle, 1), field.corner(triangle, 2));
-            boolean isLike = field.normal(triangle).dot(normal) >= LIKE_COSINE
-                    && corners.stream().allMatch(p -> Math.abs(p.minus(on).dot(normal)) <= LIKE_METRES);
-            Patch patch = Patch.of(corners, isLike);
-            area += isLike && patch != null ? patch.areaSquareMetres() : 0;
-            sheets.add(new SurfacePolygon(corners, isLike));
+            sheets.add(new SurfacePolygon(corners, isLike[i]));
         }
-        return area < leastArea ? null : grown(ray, sheets, near, box);
+        return grown(ray, sheets, near, box);
     }
 
-    private static Region grown(Ray ray, List<SurfacePolygon> ground, List<Blocker> near, Aabb box) {
+    private static boolean isIn(HeightField field, int triangle, Vec3 on, Vec3 normal) {
+        for (int corner = 0; corner < 3; corner++) {
+            if (Math.abs(field.corner(triangle, corner).minus(on).dot(normal)) > LIKE_METRES) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static double area(HeightField field, int triangle) {
+        Vec3 a = field.corner(triangle, 0);
+        Vec3 b = field.corner(triangle, 1);
+        Vec3 c = field.corner(triangle, 2);
+        return b.minus(a).cross(c.minus(a)).length() / 2;
+    }
+
+    /**
+     * Returns the region of ground that a ray hits, without what stands on it; {@code null} if it hits something else.
+     *
+     * @param near surfaces of which those in the box matter
+     */
+    static Region grown(Ray ray, List<SurfacePolygon> ground, List<Blocker> near, Aabb box) {
         List<Brush> solids = new ArrayList<>();
         List<SurfacePolygon> sheets = new ArrayList<>(ground);
         for (Blocker blocker : near) {

@@ -6,7 +6,9 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
+import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.math.heightfield.HeightField;
@@ -127,6 +129,18 @@ public final class PlacementSurfaces {
             triangle -= field.triangles();
         }
         return null;
+    }
+
+    /** Returns the surfaces other than terrains with boxes that overlap a box. */
+    List<Blocker> near(Aabb box) {
+        ItemList found = new ItemList();
+        blockerIndex.overlapping(box, found);
+        found.sort();
+        List<Blocker> near = new ArrayList<>(found.size());
+        for (int i = 0; i < found.size(); i++) {
+            near.add(blockers.get(found.get(i)));
+        }
+        return near;
     }
 
     private boolean firstBlocker(Ray ray, RayHit hit) {

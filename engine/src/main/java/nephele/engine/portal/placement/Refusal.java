@@ -10,7 +10,7 @@ public enum Refusal {
     MOVING_SURFACE,
     /** The first surface permits no portal. */
     NOT_PORTALABLE,
-    /** The ground of a terrain is not flat where the aperture would be. */
+    /** The ground of a terrain is more uneven under the aperture than a portal permits. */
     NOT_FLAT,
     /** The aperture would fit without the other portal. */
     OVERLAPS_OTHER,

@@ -122,7 +122,7 @@ public final class PlayerActions {
             Vec3 where = fits.portal().centre();
             events.add(new TickEvent.PortalRefused(shot, Refusal.OCCUPIED, where));
         } else if (placed instanceof PlacementResult.Refused refused) {
-            events.add(new TickEvent.PortalRefused(shot, refused.reason(), refused.where()));
+            events.add(new TickEvent.PortalRefused(shot, refused.reason(), refused.where(), refused.unevenMetres()));
         }
         return state;
     }

@@ -80,10 +80,18 @@ final class PortalShots {
         Vector3d eye = aim.eye().toVector();
         Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
         way.mul(space.free(eye, way));
+        Vector3d end = new Vector3d(eye).add(way);
         way.mul(Math.max(0, 1 - IN_WALL_METRES / way.length()));
         var crossing = new PortalCrossing();
         boolean meets = crossing.find(space.portals(), eye, way, new Vector3d(), 1);
-        return meets && crossing.portal() != own ? Vec3.of(crossing.place()) : null;
+        boolean isInTheWay = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
+        return isInTheWay ? Vec3.of(crossing.place()) : null;
+    }
+
+    /** Returns true if a portal lies on the ground that a shot hits; a flat shot crosses it far before the ground. */
+    private static boolean isOnGround(PortalWorld space, int portal, Vector3d hit) {
+        double step = space.groundStepMetres(portal);
+        return step >= 0 && space.portals().portal(portal).inFront(hit.x, hit.y, hit.z) >= -step - IN_WALL_METRES;
     }
 
     /** Returns the shots after a shot; the first shot of a colour gets the next portal index. */

@@ -17,8 +17,16 @@ public sealed interface TickEvent {
         }
     }
 
-    /** A shot placed no portal, with the place and the reason. */
-    record PortalRefused(GunPortals.Colour shot, Refusal reason, Vec3 where) implements TickEvent {
+    /**
+     * A shot placed no portal, with the place and the reason.
+     *
+     * @param unevenMetres how uneven the ground is, if that is the reason, otherwise 0; says why, and is not in the hash
+     */
+    record PortalRefused(GunPortals.Colour shot, Refusal reason, Vec3 where, double unevenMetres) implements TickEvent {
+        public PortalRefused(GunPortals.Colour shot, Refusal reason, Vec3 where) {
+            this(shot, reason, where, 0);
+        }
+
         @Override
         public long hash(long seed) {
             long hash = Hash64.combine(Hash64.combine(seed, 2), shot.ordinal());
