@@ -150,8 +150,8 @@ class GroundLinesTest {
     @Test
     void noSummitIsLost() {
         double cell = METRES / 2048;
-        HeightField field = HeightField.of(
-                new Vec3(-40, 5, -70), cell, cell, 2049, 2049, (c, r) -> c == 1003 && r == 777 ? 30 : 0);
+        HeightField field =
+                HeightField.of(new Vec3(-40, 5, -70), cell, cell, 2049, 2049, (c, r) -> c == 1003 && r == 777 ? 30 : 0);
         for (PaneKind kind : new PaneKind[] {PaneKind.FRONT, PaneKind.SIDE}) {
             PlanSegments sky = new PlanSegments();
             Skyline.add(camera(kind, 0.7), SIZE, field, new PlanSegments(), sky);
