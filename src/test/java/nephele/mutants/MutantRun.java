@@ -80,6 +80,8 @@ final class MutantRun {
                         null,
                         "-proc:none",
                         "-nowarn",
+                        "-encoding",
+                        "UTF-8",
                         "--release",
                         "17",
                         "-cp",

@@ -139,4 +139,23 @@ class TerrainRulesTest {
         assertEquals(1, problems(assets, said).size());
         assertEquals(List.of(), problems(assets, said.withLayerMap("layers.png")));
     }
+
+    @Test
+    void aPortalOnATerrainIsNotInFreeSpace() {
+        Terrain ground = TestTerrain.said("t", "map.r16");
+        assertEquals(0, freePortals(ground, ground.heightRangeMetres().high()));
+        assertEquals(2, freePortals(ground, ground.heightRangeMetres().high() + 0.1));
+    }
+
+    private static long freePortals(Terrain ground, double height) {
+        Level level = new TestLevel()
+                .box("m", new Vec3(900, 0, 0), new Vec3(1, 1, 1))
+                .portal("a", "b", new Vec3(1, height, 0), new Vec3(0, 1, 0), 1, 2)
+                .portal("b", "a", new Vec3(-1, height, 0), new Vec3(0, 1, 0), 1, 2)
+                .level()
+                .withTerrains(List.of(ground));
+        return LevelRules.check(level, MAP).stream()
+                .filter(problem -> problem.message().contains("free space"))
+                .count();
+    }
 }

@@ -8,6 +8,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Plane;
@@ -43,6 +44,9 @@ final class PortalRules {
 
     private static final double ALONG_FACE = 0.99996192306417131;
 
+    /** Greatest distance between uneven ground and the plane of a portal on it. */
+    private static final double ABOVE_GROUND_METRES = 0.02;
+
     /** Checks levels without models; {@link ModelRules#READABLE} checks the others. */
     static final LevelRule ON_SURFACE = (level, assets, report) -> {
         if (level.models().isEmpty() && !level.solids().isEmpty()) {
@@ -57,6 +61,7 @@ final class PortalRules {
         LevelRule.each("portals", level.portals(), (path, portal) -> {
             boolean isOnSurface = DirectionRules.isZero(portal.normal())
                     || level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
+                    || level.terrains().stream().anyMatch(terrain -> mayLieOn(portal.centre(), terrain))
                     || models.all().stream().anyMatch(model -> liesOn(portal, model.triangles()));
             if (!isOnSurface) {
                 report.accept(Problem.warning(
@@ -64,6 +69,16 @@ final class PortalRules {
                         "lies on no solid's face that looks along the portal's normal: it opens in free space"));
             }
         });
+    }
+
+    /** Returns whether a point is in a terrain's box; its heights are not read, a map may have 67 million. */
+    private static boolean mayLieOn(Vec3 point, Terrain terrain) {
+        Vec3 centre = terrain.centre();
+        double height = point.y() - centre.y();
+        return Math.abs(point.x() - centre.x()) <= terrain.sizeMetres().x() / 2
+                && Math.abs(point.z() - centre.z()) <= terrain.sizeMetres().z() / 2
+                && height >= terrain.heightRangeMetres().low() - ABOVE_GROUND_METRES
+                && height <= terrain.heightRangeMetres().high() + ABOVE_GROUND_METRES;
     }
 
     private static boolean liesOn(PortalSpec portal, WorldTriangles mesh) {
