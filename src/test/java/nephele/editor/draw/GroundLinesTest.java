@@ -3,6 +3,7 @@ package nephele.editor.draw;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PlanCamera;
@@ -169,5 +170,24 @@ class GroundLinesTest {
             greatest = Math.max(greatest, kind == PaneKind.FRONT ? wave(60 + metres, along) : wave(along, 60 - metres));
         }
         return greatest;
+    }
+
+    /** The field's slope rises by 0.7 m a metre, so each label says where it stands. */
+    @Test
+    void strongerLinesAreLabelledOnceWithTheirHeightWhereThereIsRoom() {
+        HeightField slope = HeightField.of(new Vec3(-50, 3, -50), 1, 1, 101, 101, (c, r) -> c * 0.7);
+        PlanCamera camera = new PlanCamera(PaneKind.TOP, Vec3.ZERO, 1);
+        ContourLines.add(camera, SIZE, slope, minor, major);
+        List<ContourLabels.Label> labels = ContourLabels.of(major, camera, SIZE, slope);
+        assertEquals(
+                List.of(25.0, 50.0),
+                labels.stream().map(ContourLabels.Label::metres).toList());
+        for (ContourLabels.Label label : labels) {
+            assertEquals(label.metres(), (label.x() - 50) * 0.7, 0.1);
+            assertEquals(75, label.y(), 3, "in the middle's row");
+        }
+        assertEquals(2, ContourLabels.apart(labels, SIZE, 26).size());
+        assertEquals(1, ContourLabels.apart(labels, SIZE, 40).size(), "they are 36 pixels apart");
+        assertEquals(0, ContourLabels.apart(labels, SIZE, 76).size(), "the border is 75 pixels away");
     }
 }

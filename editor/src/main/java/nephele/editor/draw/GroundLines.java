@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.line.LineCanvas;
 import nephele.engine.render.line.LineColour;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
  * Terrains in plans: contour lines and the border from above, the outline from the front and the side. The lines are kept
@@ -24,7 +25,7 @@ final class GroundLines {
     /** A field in a plan; fields are compared by identity, and one with other heights is another object. */
     private record Seen(HeightField field, PlanCamera camera, PaneSize size) {}
 
-    private record Lines(PlanSegments minor, PlanSegments major) {}
+    private record Lines(PlanSegments minor, PlanSegments major, List<ContourLabels.Label> labels) {}
 
     /** Adds the terrains that a plan shows. */
     void add(List<HeightField> ground, PlanCamera camera, PaneSize size, MarkPalette palette, LineCanvas canvas) {
@@ -32,6 +33,20 @@ final class GroundLines {
             Lines lines = lines(new Seen(field, camera, size));
             add(lines.minor, palette.of(MarkColour.GROUND), 1, canvas);
             add(lines.major, palette.of(MarkColour.GROUND_MAJOR), 1.4, canvas);
+        }
+    }
+
+    /** Writes the heights of contour lines. */
+    void addLabels(
+            List<HeightField> ground,
+            PlanCamera camera,
+            PaneSize size,
+            MarkPalette palette,
+            double pixelsPerPoint,
+            OverlayCanvas texts) {
+        for (HeightField field : ground) {
+            List<ContourLabels.Label> labels = lines(new Seen(field, camera, size)).labels;
+            ContourLabels.add(labels, size, palette, pixelsPerPoint, texts);
         }
     }
 
@@ -56,14 +71,16 @@ final class GroundLines {
     }
 
     private static Lines made(Seen seen) {
-        Lines lines = new Lines(new PlanSegments(), new PlanSegments());
-        if (seen.camera.kind() == PaneKind.TOP) {
-            ContourLines.add(seen.camera, seen.size, seen.field, lines.minor, lines.major);
-            border(seen, lines.major);
-        } else {
-            Skyline.add(seen.camera, seen.size, seen.field, lines.minor, lines.major);
+        PlanSegments minor = new PlanSegments();
+        PlanSegments major = new PlanSegments();
+        if (seen.camera.kind() != PaneKind.TOP) {
+            Skyline.add(seen.camera, seen.size, seen.field, minor, major);
+            return new Lines(minor, major, List.of());
         }
-        return lines;
+        ContourLines.add(seen.camera, seen.size, seen.field, minor, major);
+        List<ContourLabels.Label> labels = ContourLabels.of(major, seen.camera, seen.size, seen.field);
+        border(seen, major);
+        return new Lines(minor, major, labels);
     }
 
     private static void border(Seen seen, PlanSegments lines) {

@@ -129,6 +129,9 @@ final class PaneDrawing implements AutoCloseable {
         }
         drawing.draw(ground, picture);
         edges(shown, projection, palette, picture);
+        if (shown instanceof Shown.Edges edges) {
+            terrains.addLabels(edges.ground(), camera, new PaneSize(width, height), palette, scale, texts);
+        }
         grid.addLabels(texts);
         return projection;
     }
