@@ -16,6 +16,7 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.TradeView;
+import nephele.lab.trade.run.Trades;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -59,6 +60,14 @@ class PlantExperimentGlTest {
         for (PlantWay way : List.of(PlantWay.SPRITES, PlantWay.CROSSED, PlantWay.IMPOSTORS)) {
             assertTrue(found.get(way.ordinal()).error() > meshes, way + " errs less than meshes");
         }
+    }
+
+    @Test
+    void theReportHasTheSubject() {
+        var trade = Trades.named(List.of("treeKind")).get(0);
+        assertEquals(5, trade.settings().size());
+        assertEquals("mixture", trade.settings().get(trade.usual()).name());
+        assertEquals(PlantExperiment.FIGURES, trade.figures());
     }
 
     private static double errorWithoutTrees(TradeSite site) {
