@@ -7,13 +7,26 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
 /** Writes PNG files (third edition); equal samples give equal bytes. */
-final class PngEncoder {
+public final class PngEncoder {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     /** The filter that stores differences from the row above, section 9.2: smooth heights become small numbers. */
     private static final byte UP = 2;
 
+    /** Colour types of the PNG specification, table 11.1, by the number of channels. */
+    private static final int[] COLOURS = {0, 0, 4, 2, 6};
+
     private PngEncoder() {}
+
+    /** Returns the file of a picture of 8 bits, which decodes to the same samples. */
+    public static byte[] file(Picture picture) {
+        if (picture.bitsPerChannel() != 8) {
+            throw new IllegalArgumentException("pictures of 8 bits alone");
+        }
+        return file(
+                new PngFile.Header(picture.width(), picture.height(), 8, COLOURS[picture.channels()], 0),
+                picture.samples());
+    }
 
     /**
      * Returns the file of samples.

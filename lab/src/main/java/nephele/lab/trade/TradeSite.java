@@ -2,8 +2,10 @@ package nephele.lab.trade;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.named.AssetProblems;
@@ -70,7 +72,17 @@ public final class TradeSite implements AutoCloseable {
     /** Returns a site with the same context and another level, seen by the camera with the most portal pixels. */
     public TradeSite in(String level) {
         var other = new LevelName(level).open();
-        var site = new TradeSite(other, TradeView.of(other, null, extent.aspect()), extent, folder, tell);
+        return sharing(other, TradeView.of(other, null, extent.aspect()));
+    }
+
+    /** Returns a site with the same context, level and view. @param assets that have all of the level's, unchanged */
+    public TradeSite with(AssetSource assets) {
+        var read = new LevelFile.Opened(opened.file(), opened.level(), assets, opened.notice());
+        return sharing(new OpenedLevel(read), seen);
+    }
+
+    private TradeSite sharing(OpenedLevel other, TradeView view) {
+        var site = new TradeSite(other, view, extent, folder, tell);
         site.gl = gl();
         return site;
     }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.function.Function;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.LevelName;
 import nephele.engine.scene.View;
@@ -14,12 +15,16 @@ import org.junit.jupiter.api.Test;
 
 class FootageTest {
     private static Footage path(int width, int height) {
+        return footage(width, height, Footage::path);
+    }
+
+    private static Footage footage(int width, int height, Function<TradeSite, Footage> of) {
         var opened = new LevelName("levels/samples/cameras.json").open();
         var extent = new TradeSite.Extent(width, height, 1);
         var seen = TradeView.of(opened, null, extent.aspect());
         try (var site =
                 new TradeSite(opened, seen, extent, Path.of("."), new PrintStream(OutputStream.nullOutputStream()))) {
-            return Footage.path(site);
+            return of.apply(site);
         }
     }
 
@@ -45,6 +50,19 @@ class FootageTest {
             assertEquals(0.24, ahead.dot(before.right()) / depth / perPixel, 1e-3);
             assertEquals(0.18, ahead.dot(before.up()) / depth / perPixel, 1e-3);
             assertEquals(path.views().get(0).eye(), path.views().get(frame).eye());
+        }
+    }
+
+    @Test
+    void aRunMovesTheEyeByATenthOfAMetreAndTurnsNothing() {
+        Footage run = footage(320, 180, Footage::run);
+        assertEquals(Footage.PATH_FRAMES, run.views().size());
+        View first = run.views().get(0);
+        for (int frame = 0; frame < Footage.PATH_FRAMES; frame++) {
+            View view = run.views().get(frame);
+            assertEquals(0.1 * frame, view.eye().minus(first.eye()).dot(first.right()), 1e-9);
+            assertEquals(0.1 * frame, view.eye().minus(first.eye()).length(), 1e-9);
+            assertEquals(first.back(), view.back());
         }
     }
 }

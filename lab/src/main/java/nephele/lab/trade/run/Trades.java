@@ -18,8 +18,8 @@ import nephele.lab.trade.subject.QualitySubjects;
 import nephele.lab.trade.subject.SceneSubjects;
 import nephele.lab.trade.subject.ShadowSubject;
 import nephele.lab.trade.subject.TerrainSubjects;
-import nephele.lab.trade.subject.TickRateSubject;
-import nephele.lab.trade.subject.TraversalSubject;
+import nephele.lab.trade.walk.TickRateSubject;
+import nephele.lab.trade.walk.TraversalSubject;
 
 /** The registry of subjects, in the order of the report. */
 public final class Trades {
@@ -54,6 +54,7 @@ public final class Trades {
             TerrainSubjects.ERROR,
             TerrainSubjects.LAYERS,
             ImpostorSubject.IMPOSTORS,
+            ImpostorSubject.TREES,
             BillboardSubjects.FACING,
             BillboardSubjects.COVERAGE,
             EdgeSubjects.SAMPLES,

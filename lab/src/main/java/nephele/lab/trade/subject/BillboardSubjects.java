@@ -15,9 +15,10 @@ public final class BillboardSubjects {
 
     private static final Trade.Text FACING_TEXT = new Trade.Text(
             "Turning of billboards",
-            "Those of the sample that are upright and turned to the eye, turned in other ways or crossed. The formula"
-                    + " of the source faces away on half of the circle; crossed ones take twice the pictures.",
-            ORACLE);
+            "Those of the sample that are upright and turned to the eye, turned in other ways or crossed, which takes"
+                    + " twice the pictures. The formula of the source faces away from eyes at smaller z, so it errs"
+                    + " nothing in this view. Which way is nearest to a tree is what treeKind says.",
+            ORACLE + ", each of which meets the sample's own billboards, turned to it");
 
     public static final Trade FACING = PictureSubjects.of(
                     "spriteFacing",

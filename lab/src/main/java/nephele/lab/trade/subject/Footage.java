@@ -37,6 +37,9 @@ record Footage(List<View> views, int width, int height) {
     /** The eye's way from frame to frame of a flight. */
     private static final double FLIGHT_METRES = 16;
 
+    /** The eye's way from frame to frame of a run: 6 m/s at 60 frames a second. */
+    private static final double RUN_METRES = 0.1;
+
     static Footage still(TradeSite site) {
         return new Footage(
                 List.of(site.view()), site.extent().width(), site.extent().height());
@@ -52,11 +55,20 @@ record Footage(List<View> views, int width, int height) {
 
     /** Returns a path on which the site's eye moves to the right by 16 m a frame. */
     static Footage flight(TradeSite site) {
+        return sideways(site, FLIGHT_METRES);
+    }
+
+    /** Returns a path on which the site's eye moves to the right by 0.1 m a frame. */
+    static Footage run(TradeSite site) {
+        return sideways(site, RUN_METRES);
+    }
+
+    private static Footage sideways(TradeSite site, double metres) {
         View view = site.view();
         return small(
                 site,
                 (frame, pixel) -> new View(
-                        view.eye().addScaled(frame * FLIGHT_METRES, view.right()),
+                        view.eye().addScaled(frame * metres, view.right()),
                         view.right(),
                         view.up(),
                         view.back(),

@@ -1,4 +1,4 @@
-package nephele.lab.trade.subject;
+package nephele.lab.trade.walk;
 
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;

@@ -1,4 +1,4 @@
-package nephele.lab.trade.subject;
+package nephele.lab.trade.walk;
 
 import java.util.ArrayList;
 import java.util.Arrays;

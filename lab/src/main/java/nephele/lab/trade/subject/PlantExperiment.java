@@ -1,0 +1,84 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.measure.Shimmer;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/**
+ * Ways to draw plants. A still picture is compared with the oracle's; frames along two paths with those of meshes at 64
+ * samples a pixel, displayed light of eight times the pixels along each side, averaged.
+ */
+final class PlantExperiment implements Experiment {
+    static final List<String> FIGURES = List.of(
+            "relMSE",
+            "mean bias %",
+            "HDR-FLIP, 99th percentile of pixels",
+            "flicker, view turns",
+            "flicker, eye moves");
+
+    private static final int EXACT_SIDE = 8;
+
+    private final TradeSite site;
+    private final PictureExperiment pictures;
+    private final Footage turning;
+    private final Footage moving;
+    private Filmed exact;
+
+    /** The displayed light along the two paths. */
+    private record Filmed(List<LinearPicture> turning, List<LinearPicture> moving) {}
+
+    /** @param planted of a level with impostors */
+    PlantExperiment(TradeSite planted) {
+        PlantSprites sprites = PlantSprites.of(planted.placed());
+        site = planted.with(sprites.assets());
+        pictures = new PictureExperiment(
+                site, Stream.of(PlantWay.values()).map(way -> way.of(sprites)).toList(), Compared.RADIANCE);
+        turning = Footage.path(site);
+        moving = Footage.run(site);
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        Judgement still = pictures.judge(setting);
+        Filmed test = filmed(pictures.shot(setting), 1);
+        List<Double> figures = new ArrayList<>(still.figures());
+        figures.add(Shimmer.of(reference().turning(), test.turning()));
+        figures.add(Shimmer.of(reference().moving(), test.moving()));
+        return new Judgement(still.error(), List.copyOf(figures), still.shown(), still.map());
+    }
+
+    private Filmed reference() {
+        if (exact == null) {
+            exact = filmed(pictures.shot(PlantWay.MESHES.ordinal()), EXACT_SIDE);
+        }
+        return exact;
+    }
+
+    private Filmed filmed(Shot shot, int side) {
+        try (var renderer = pictures.renderer(shot)) {
+            return new Filmed(
+                    turning.displayed(site.gl(), renderer, side), moving.displayed(site.gl(), renderer, side));
+        }
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return pictures.exact();
+    }
+
+    @Override
+    public void run(int setting) {
+        pictures.run(setting);
+    }
+
+    @Override
+    public void close() {
+        pictures.close();
+    }
+}
