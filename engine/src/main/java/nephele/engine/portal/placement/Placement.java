@@ -89,7 +89,8 @@ public final class Placement {
         return again instanceof PlacementResult.Fits fits
                 && isSame(fits.portal().aperture(), portal.aperture())
                 && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES
-                && fits.portal().normal().dot(portal.normal()) >= Tolerance.COPLANAR_COSINE;
+                && fits.portal().normal().dot(portal.normal()) >= Tolerance.COPLANAR_COSINE
+                && fits.portal().frame().up().dot(portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
     }
 
     /** Returns a portal's own up direction, turned into the plane with a normal. */
