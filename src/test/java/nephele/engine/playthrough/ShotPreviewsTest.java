@@ -28,6 +28,8 @@ import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Previews over a terrain that is uneven by 8 mm for x < 0 and by 30 mm for x > 0. The player looks to the north. */
 class ShotPreviewsTest {
@@ -131,9 +133,10 @@ class ShotPreviewsTest {
     }
 
     /** Beside a shot's portal on the even part, which it may move but the other shot may not cover, both are asked. */
-    @Test
-    void besideAShotsPortalEachShotHasItsOwnAnswer() {
-        step(PlayerInput.NONE.holding(Action.FIRE_FIRST));
+    @ParameterizedTest
+    @EnumSource
+    void besideAShotsPortalEachShotHasItsOwnAnswer(Colour fired) {
+        step(PlayerInput.NONE.holding(fired == Colour.FIRST ? Action.FIRE_FIRST : Action.FIRE_SECOND));
         for (int turn = 0; turn < 30; turn++) {
             step(PlayerInput.NONE.turning(-3000, 0));
             for (int tick = 0; tick < 4; tick++) {
