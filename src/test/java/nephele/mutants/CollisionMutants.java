@@ -54,7 +54,7 @@ final class CollisionMutants {
                     COLLISION,
                     "the frame of a portal on uneven ground ends above the ground",
                     ENGINE + "collision/ApertureVolume.java",
-                    "FRAME_METRES + Math.max(0, frame.stepMetres())",
+                    "FRAME_METRES + Math.max(0, stepMetres)",
                     "FRAME_METRES",
                     "GroundOpeningTest"),
             new Mutant(

@@ -23,7 +23,7 @@ import nephele.engine.portal.ground.GroundSeat;
 import nephele.engine.portal.ground.GroundStep;
 import org.junit.jupiter.api.Test;
 
-/** The world opened at a portal on uneven ground is the ground itself everywhere but under the aperture. */
+/** The world opened at a portal on uneven ground is the ground itself beside the aperture. */
 class GroundOpeningTest {
     private static final Aperture APERTURE = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
     private static final Vec3 NORTH = new Vec3(0, 0, -1);
@@ -54,6 +54,14 @@ class GroundOpeningTest {
                 new Solid.Box(id, null, true, TextureMapping.WORLD, centre, new Vec3(10, height, depth), Map.of()));
     }
 
+    /**
+     * Returns true where the floor before the wall lies, beyond the rim: it stands out of ground that falls away there, so
+     * that bodies on their way through meet it.
+     */
+    private static boolean isOverTheFloorBeyond(double x, double z) {
+        return z > 1.05 && (Math.abs(x) > 0.7 || z > 1.15);
+    }
+
     /** Neither does the ground beside the aperture give way, nor do the other side's solids stand out of it. */
     @Test
     void aRayMeetsTheGroundBesideTheAperture() {
@@ -64,7 +72,7 @@ class GroundOpeningTest {
         for (double x = -3; x <= 3; x += 0.13) {
             for (double z = -3.5; z <= 3.5; z += 0.17) {
                 double out = APERTURE.outside(x, -z);
-                if (Math.abs(out) < 0.01) {
+                if (Math.abs(out) < 0.01 || isOverTheFloorBeyond(x, z)) {
                     continue;
                 }
                 boolean isMet = cast.cast(open, new Ray(x, 2, z, 0, -1, 0), 8);

@@ -180,9 +180,20 @@ class SlopePortalTest {
     @ParameterizedTest
     @ValueSource(doubles = {10, 20, 30, 45, 60})
     void aPlayerFallsIntoTheSlopeAndOutOfAWall(double degrees) {
+        fallIntoTheSlope(degrees, -5);
+    }
+
+    /** Where the ground falls away from the portal's plane just above the portal. */
+    @ParameterizedTest
+    @ValueSource(doubles = {20, 30, 45})
+    void aPlayerFallsIntoTheSlopeBelowItsCrest(double degrees) {
+        fallIntoTheSlope(degrees, -11.9);
+    }
+
+    private static void fallIntoTheSlope(double degrees, double z) {
         for (double[] place : new double[][] {{0, 0}, {0.2, 0.5}, {-0.2, -0.6}, {0, -0.3}, {-0.1, 0.3}}) {
             Valley valley = valley(degrees);
-            Portal north = valley.north();
+            Portal north = valley.north(z);
             valley.open(north, valley.wall());
             Walk walk = new Walk(valley);
             walk.put(north.world(place[0], place[1], 0).plus(new Vec3(0, 3, 0)), 0);

@@ -89,7 +89,12 @@ final class Valley {
 
     /** Returns the portal that a shot at the slope to the north makes, from an eye that looks down at it. */
     Portal north() {
-        return shot("north", new Vec3(0, 0, -5), Basis.ofYawPitch(0.3, -1.2));
+        return north(-5);
+    }
+
+    /** Returns it at another place: at z = −12 it is just below the crest, beyond which the ground is level. */
+    Portal north(double z) {
+        return shot("north", new Vec3(0, 0, z), Basis.ofYawPitch(0.3, -1.2));
     }
 
     Portal south() {

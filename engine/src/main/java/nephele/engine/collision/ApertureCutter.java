@@ -107,8 +107,8 @@ final class ApertureCutter {
                         shared.add(plane);
                     }
                 }
-                FrameDepths frame = new FrameDepths(steps.metres(i), steps.deepestMetres(i));
-                openings.add(new Opening(i, reach, ApertureVolume.behind(portals.portal(i), reach, frame, shared)));
+                openings.add(new Opening(
+                        i, reach, ApertureVolume.behind(portals.portal(i), reach, steps.metres(i), shared)));
             }
         }
         return openings;

@@ -15,8 +15,7 @@ import nephele.engine.portal.ground.GroundStep;
  * The aperture volume: the hole in this side's solids behind an open portal. It is the aperture's own prism for the
  * first {@link #FRAME_METRES}, then a box so wide and deep that no body with its centre in front of the portal reaches
  * its end. What is left of the wall at the portal's plane is a thin, exact frame, with room behind it for the other
- * side's solids. On uneven ground the frame reaches down to the ground around, and in between the volume is the aperture
- * with its rim as far down as the ground beside falls away: no solid of the other side stands out of the ground.
+ * side's solids. On uneven ground the frame reaches down to the ground around.
  */
 final class ApertureVolume {
     /** Thickness of the frame that is left of the wall. */
@@ -28,21 +27,16 @@ final class ApertureVolume {
     private final boolean isOnGround;
     private final Plane front;
     private final Plane frameEnd;
-    private final Plane groundEnd;
     private final List<Plane> throat;
-    private final List<Plane> underRim;
     private final List<Plane> chamber;
     private final Aabb bounds;
 
-    private ApertureVolume(Portal portal, double reachMetres, FrameDepths frame, List<Plane> shared) {
+    private ApertureVolume(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
         front = behind(portal, 0);
-        isOnGround = frame.stepMetres() >= 0;
-        frameEnd = behind(portal, FRAME_METRES + Math.max(0, frame.stepMetres()));
-        groundEnd = behind(portal, FRAME_METRES + Math.max(frame.stepMetres(), frame.deepestMetres()));
+        isOnGround = stepMetres >= 0;
+        frameEnd = behind(portal, FRAME_METRES + Math.max(0, stepMetres));
         throat = new ArrayList<>(shared);
-        throat.addAll(edges(portal, 0));
-        underRim = new ArrayList<>(shared);
-        underRim.addAll(edges(portal, GroundStep.RIM_METRES));
+        throat.addAll(edges(portal));
         chamber = new ArrayList<>(shared);
         Aperture aperture = portal.aperture();
         double x = aperture.widthMetres() / 2 + reachMetres;
@@ -57,10 +51,11 @@ final class ApertureVolume {
 
     /**
      * @param reachMetres depth of the volume, and its margin around the aperture
+     * @param stepMetres how far the ground around lies below the portal, see {@link GroundStep}
      * @param shared planes that separate it from the volumes of other portals; it is on their negative side
      */
-    static ApertureVolume behind(Portal portal, double reachMetres, FrameDepths frame, List<Plane> shared) {
-        return new ApertureVolume(portal, reachMetres, frame, shared);
+    static ApertureVolume behind(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
+        return new ApertureVolume(portal, reachMetres, stepMetres, shared);
     }
 
     /** Returns the plane at a distance behind the portal, with the portal's normal. */
@@ -68,13 +63,11 @@ final class ApertureVolume {
         return Plane.through(portal.normal(), portal.world(0, 0, -metres));
     }
 
-    /** Returns the planes of the aperture's prism, moved outwards. */
-    private static List<Plane> edges(Portal portal, double outMetres) {
+    private static List<Plane> edges(Portal portal) {
         Aperture aperture = portal.aperture();
         List<Plane> edges = new ArrayList<>();
         for (int i = 0; i < aperture.corners(); i++) {
-            edges.add(lateral(
-                    portal, aperture.edgeNormalX(i), aperture.edgeNormalY(i), aperture.edgeDistance(i) + outMetres));
+            edges.add(lateral(portal, aperture.edgeNormalX(i), aperture.edgeNormalY(i), aperture.edgeDistance(i)));
         }
         return edges;
     }
@@ -109,9 +102,7 @@ final class ApertureVolume {
         if (atFront.behind() != null) {
             PolyhedronCut atFrame = PolyhedronCut.of(atFront.behind(), frameEnd);
             takeOut(atFrame.inFront(), throat, left);
-            PolyhedronCut atGround = cut(atFrame.behind(), groundEnd);
-            takeOut(atGround.inFront(), underRim, left);
-            takeOut(atGround.behind(), chamber, left);
+            takeOut(atFrame.behind(), chamber, left);
         }
     }
 
@@ -137,14 +128,8 @@ final class ApertureVolume {
         if (rest != null) {
             PolyhedronCut atFrame = PolyhedronCut.of(rest, frameEnd);
             add(common(atFrame.inFront(), throat), inside);
-            PolyhedronCut atGround = cut(atFrame.behind(), groundEnd);
-            add(common(atGround.inFront(), underRim), inside);
-            add(common(atGround.behind(), chamber), inside);
+            add(common(atFrame.behind(), chamber), inside);
         }
-    }
-
-    private static PolyhedronCut cut(ConvexPolyhedron piece, Plane plane) {
-        return piece == null ? new PolyhedronCut(null, null) : PolyhedronCut.of(piece, plane);
     }
 
     private static void add(ConvexPolyhedron piece, List<ConvexPolyhedron> to) {
