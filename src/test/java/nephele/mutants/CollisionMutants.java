@@ -45,6 +45,20 @@ final class CollisionMutants {
                     "ApertureVolumeTest"),
             new Mutant(
                     COLLISION,
+                    "ground beside a portal on it gives way as a wall does behind a portal",
+                    ENGINE + "collision/ApertureVolume.java",
+                    "if (!isOnGround) {",
+                    "if (true) {",
+                    "GroundOpeningTest"),
+            new Mutant(
+                    COLLISION,
+                    "the frame of a portal on uneven ground ends above the ground",
+                    ENGINE + "collision/ApertureVolume.java",
+                    "FRAME_METRES + Math.max(0, stepMetres)",
+                    "FRAME_METRES",
+                    "GroundOpeningTest"),
+            new Mutant(
+                    COLLISION,
                     "the momentum of a tumbling body turns the wrong way",
                     ENGINE + "collision/rigid/body/FreeRotation.java",
                     "momentum[j] = cos * mj + sin * momentum[k];\n        momentum[k] = cos * momentum[k] - sin * mj;",

@@ -24,6 +24,20 @@ final class PlacementMutants {
                     "PlacementTest"),
             new Mutant(
                     PLACEMENT,
+                    "a portal on uneven ground is in the way of flat shots beyond it",
+                    ENGINE + "sim/carry/PortalShots.java",
+                    " && !isOnGround(space, crossing.portal(), end)",
+                    "",
+                    "GroundPortalTest"),
+            new Mutant(
+                    PLACEMENT,
+                    "a portal holds as long as a shot straight at it would turn it the same way",
+                    ENGINE + "portal/placement/Placement.java",
+                    "normal -> keptUp(portal.frame(), normal)",
+                    "normal -> PortalUpright.on(normal, portal.frame())",
+                    "PlacementSurfacesTest"),
+            new Mutant(
+                    PLACEMENT,
                     "an aperture leans the other way than its portal",
                     ENGINE + "portal/placement/ReflectedAperture.java",
                     "aperture.cornerY(i) * upY - aperture.cornerX(i) * upX",

@@ -41,7 +41,11 @@ class PromptsTest {
     }
 
     private String text(Playthrough playthrough, Shot first) {
-        Half half = new Half(Portal.NONE, first);
+        return text(playthrough, first, 0);
+    }
+
+    private String text(Playthrough playthrough, Shot first, long unevenMillimetres) {
+        Half half = new Half(Portal.NONE, first, unevenMillimetres);
         return prompts.text(playthrough, new CrosshairState(0, 0, half, half), settings, device);
     }
 
@@ -69,5 +73,17 @@ class PromptsTest {
         assertNull(text(far, Shot.REFUSED));
         prompts.after(List.of(new TickEvent.PortalOpened(GunPortals.Colour.SECOND, 1)));
         assertNull(text(far, Shot.OPENS));
+    }
+
+    @Test
+    void unevenGroundSaysWhyNoShotIsOffered() {
+        assertEquals(
+                "No portal: the ground is uneven by 14 mm here, allowed are 10", text(standing(-8), Shot.REFUSED, 14));
+        assertEquals("E: pick up", text(standing(-1.2), Shot.REFUSED, 14));
+        settings = settings.with(Settings.LANGUAGE, Language.PT_PT);
+        assertEquals(
+                "Sem portal: o chão tem 23 mm de desnível aqui, são permitidos 10",
+                text(standing(-8), Shot.REFUSED, 23));
+        assertNull(text(standing(-8), Shot.REFUSED, 0));
     }
 }

@@ -15,6 +15,8 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
@@ -34,6 +36,7 @@ final class GroundCourse {
     final List<TickEvent> told = new ArrayList<>();
     final Simulation simulation;
     SimState state;
+    private final HeightField field;
 
     GroundCourse(DoubleBinaryOperator heights, Vec3 feet, Body... bodies) {
         List<Solid> solids = new ArrayList<>();
@@ -61,8 +64,15 @@ final class GroundCourse {
                     List.of(),
                     true)));
         }
-        simulation = new Simulation(SimLevel.of(PlacedLevel.of(level, map)), SimSettings.DEFAULT, FaultLog.SILENT);
+        PlacedLevel placed = PlacedLevel.of(level, map);
+        field = heights == null ? null : placed.statics().ground().get(0).field();
+        simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT, FaultLog.SILENT);
         state = simulation.start();
+    }
+
+    /** Returns the height of the terrain above or below a point. */
+    double ground(Vec3 at) {
+        return HeightFieldSurface.y(field, at.x(), at.z());
     }
 
     private static Solid box(String id, Vec3 centre, Vec3 size) {

@@ -4,6 +4,7 @@ import java.util.Optional;
 import nephele.app.text.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 
@@ -13,9 +14,8 @@ final class EventText {
 
     static Optional<String> of(TickEvent event, Language language) {
         if (event instanceof TickEvent.PortalRefused refused) {
-            String reason = Phrase.ofRefusal(refused.reason())
-                    .in(language, PlacementResult.Refused.millimetres(refused.unevenMetres()));
-            return Optional.of(Phrase.NO_PORTAL.in(language, reason));
+            long millimetres = PlacementResult.Refused.millimetres(refused.unevenMetres());
+            return Optional.of(refusal(refused.reason(), millimetres, language));
         }
         if (event instanceof Handled handled) {
             return switch (handled.kind()) {
@@ -25,5 +25,10 @@ final class EventText {
             };
         }
         return Optional.empty();
+    }
+
+    /** @param unevenMillimetres by how much the ground is uneven, if that is the reason */
+    static String refusal(Refusal reason, long unevenMillimetres, Language language) {
+        return Phrase.NO_PORTAL.in(language, Phrase.ofRefusal(reason).in(language, unevenMillimetres));
     }
 }

@@ -12,11 +12,15 @@ import nephele.app.window.PadButton;
 import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.playthrough.Playthrough;
+import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 
-/** Names the key of an action that is possible now, until the player has done it once. */
+/**
+ * Names the key of an action that is possible now, until the player has done it once. Where none is, it says by how much
+ * the ground aimed at is too uneven for a portal: unlike other reasons, that cannot be seen.
+ */
 final class Prompts {
     /** The actions in the order of their prompts. */
     private static final List<Control> ACTIONS =
@@ -27,6 +31,9 @@ final class Prompts {
     private GameSettings shownSettings;
     private Input.Device shownDevice;
     private String shown;
+    private long unevenMillimetres;
+    private Language unevenIn;
+    private String uneven;
 
     /** Learns what the player did in these events. */
     void after(List<TickEvent> events) {
@@ -47,7 +54,7 @@ final class Prompts {
         }
     }
 
-    /** Returns the prompt; null for none. */
+    /** Returns the line below the crosshair; null for none. */
     String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings, Input.Device device) {
         for (int i = 0; i < ACTIONS.size(); i++) {
             Control action = ACTIONS.get(i);
@@ -55,7 +62,26 @@ final class Prompts {
                 return shown(action, settings, device);
             }
         }
-        return null;
+        long millimetres = unevenMillimetres(crosshair);
+        return millimetres == 0 ? null : uneven(millimetres, settings.get(Settings.LANGUAGE));
+    }
+
+    private static long unevenMillimetres(CrosshairState crosshair) {
+        return crosshair.first() == null
+                ? 0
+                : Math.max(
+                        crosshair.first().unevenMillimetres(),
+                        crosshair.second().unevenMillimetres());
+    }
+
+    /** Returns the same text while number and language stay the same. */
+    private String uneven(long millimetres, Language language) {
+        if (unevenMillimetres != millimetres || unevenIn != language) {
+            unevenMillimetres = millimetres;
+            unevenIn = language;
+            uneven = EventText.refusal(Refusal.NOT_FLAT, millimetres, language);
+        }
+        return uneven;
     }
 
     /** Returns the same text while action, settings and device stay the same. */

@@ -21,6 +21,10 @@ public record CrosshairState(double right, double down, Half first, Half second)
         REFUSED
     }
 
-    /** The half of the crosshair for one shot. */
-    public record Half(Portal portal, Shot shot) {}
+    /**
+     * The half of the crosshair for one shot.
+     *
+     * @param unevenMillimetres by how much the ground aimed at is uneven, if the shot is refused for that, otherwise 0
+     */
+    public record Half(Portal portal, Shot shot, long unevenMillimetres) {}
 }

@@ -2,20 +2,35 @@ package nephele.engine.playthrough;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.Refusal;
 import nephele.engine.scene.PortalPreview;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState;
 
 /**
- * The result that each shot would have in the last state: computed at most once a tick, and only if a frame shows it.
+ * The result that each shot would have in the last state: computed at most once a tick, and only if a frame shows it
+ * and something moved since. Ground that is too uneven takes the longest to search: it is searched once for both shots,
+ * and at most {@link #SEARCHES_PER_SECOND} times a second.
  */
 final class ShotPreviews {
     /** Distance below which two portals are at one place, so that one preview is enough. */
     private static final double SAME_PLACE_METRES = 0.05;
+
+    static final int SEARCHES_PER_SECOND = 30;
+
+    /** Motion of the eye that a preview does not follow. */
+    private static final double STILL_METRES = 1e-4;
+
+    /** Portals farther than this from the aimed point leave a shot at it as it is. */
+    private static final double APART_METRES = 8;
 
     private final Simulation simulation;
     private final PlacementResult[] placed = new PlacementResult[GunPortals.Colour.BOTH.size()];
@@ -59,17 +74,71 @@ final class ShotPreviews {
         boolean opens = would instanceof PlacementResult.Fits;
         return new CrosshairState.Half(
                 made ? CrosshairState.Portal.MADE : CrosshairState.Portal.NONE,
-                opens ? CrosshairState.Shot.OPENS : CrosshairState.Shot.REFUSED);
+                opens ? CrosshairState.Shot.OPENS : CrosshairState.Shot.REFUSED,
+                isUneven(would)
+                        ? PlacementResult.Refused.millimetres(((PlacementResult.Refused) would).unevenMetres())
+                        : 0);
+    }
+
+    private static boolean isUneven(PlacementResult result) {
+        return result instanceof PlacementResult.Refused refused && refused.reason() == Refusal.NOT_FLAT;
     }
 
     private void ask(SimState state) {
-        if (asked == state) {
+        if (asked == state || asked != null && isAnswered(state)) {
             return;
         }
         asked = state;
         placed[0] = simulation.aim(state, GunPortals.Colour.FIRST);
-        placed[1] = simulation.aim(state, GunPortals.Colour.SECOND);
+        placed[1] = isUneven(placed[0]) && isFarFromShots(state, ((PlacementResult.Refused) placed[0]).where())
+                ? placed[0]
+                : simulation.aim(state, GunPortals.Colour.SECOND);
         previews = outlines(state);
+    }
+
+    /** Returns true if the earlier answers are good enough for a state. */
+    private boolean isAnswered(SimState state) {
+        WorldState then = asked.world();
+        WorldState now = state.world();
+        if (then.portals() != now.portals() || !then.shots().equals(now.shots())) {
+            return false;
+        }
+        long ticks = state.tick() - asked.tick();
+        boolean isRecent = ticks * SEARCHES_PER_SECOND < simulation.settings().ticksPerSecond();
+        return isUneven(placed[0]) && isRecent || isStill(asked.player(), state.player()) && areAsleep(now.bodies());
+    }
+
+    private static boolean isStill(PlayerState then, PlayerState now) {
+        return then.heading().equals(now.heading())
+                && then.tilt().equals(now.tilt())
+                && then.eye().minus(now.eye()).length() <= STILL_METRES;
+    }
+
+    private static boolean areAsleep(Bodies bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (!bodies.isAsleep(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Returns true if no shot's portal is near a place, so that both shots are alike there. */
+    private static boolean isFarFromShots(SimState state, Vec3 where) {
+        for (GunPortals.Colour shot : GunPortals.Colour.BOTH) {
+            int portal = state.world().shots().portal(shot);
+            if (portal != GunPortals.UNFIRED
+                    && state.world()
+                                    .portals()
+                                    .portal(portal)
+                                    .centre()
+                                    .minus(where)
+                                    .length()
+                            < APART_METRES) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private List<PortalPreview> outlines(SimState state) {

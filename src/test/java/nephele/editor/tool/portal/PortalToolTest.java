@@ -4,15 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import nephele.editor.document.Selection;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolTrial;
+import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.RoomLevel;
+import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -51,6 +55,26 @@ class PortalToolTest {
         assertEquals(2, trial.document().selection().entities().size());
         trial.assertOneSoundStep(before);
         assertEquals(2, trial.level().portals().size());
+    }
+
+    /** On a slope of 20°, where a portal's up direction depends on the view of the click. */
+    @Test
+    void twoClicksOnARampAreAPair() {
+        Level hall = RoomLevel.hall().gun().level();
+        List<Solid> solids = new ArrayList<>(hall.solids());
+        double rise = 8 * Math.tan(Math.toRadians(20));
+        Vec3 middle = new Vec3(0, rise / 2, -4);
+        solids.add(new Solid.Wedge("ramp", null, true, null, middle, new Vec3(8, rise, 8), BoxFace.MINUS_Z, Map.of()));
+        ToolTrial trial = new ToolTrial(hall.with(hall.materials(), solids), PortalTool::new);
+        trial.lookingFrom(new Vec3(-3, 4, 3), -30, -25);
+        trial.click(middle.plus(new Vec3(-1, 0, 0)));
+        trial.click(middle.plus(new Vec3(1, 0, 0)));
+        assertEquals(List.of(), trial.messages());
+        assertEquals(2, trial.level().portals().size());
+        assertEquals(
+                Math.cos(Math.toRadians(20)),
+                trial.level().portals().get(1).normal().y(),
+                1e-6);
     }
 
     @Test

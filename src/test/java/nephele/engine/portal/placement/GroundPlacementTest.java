@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -100,9 +101,36 @@ class GroundPlacementTest {
         assertEquals(0, ((PlacementResult.Fits) result).slideMetres());
         assertEquals(cosine, portal.normal().y(), 0.02);
         assertEquals(0, portal.centre().x() - 0.3, 0.021);
-        // Between floors and walls the upright turns with the view, also on solids.
-        boolean isBetween = slopeDegrees >= 10 && slopeDegrees <= 30;
-        assertTrue(isBetween || ground.placement().holds(portal, List.of()));
+        assertTrue(ground.placement().holds(portal, List.of()));
+    }
+
+    /**
+     * Between floors and walls the upright turns with the shooter's view. A portal holds whoever made it, and no longer
+     * when the ground tilts, even about the portal's own axes, or rises by a millimetre.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 10, 15, 20, 25, 30, 45, 60})
+    void aPortalOnASlopeHoldsAsLongAsTheGroundIsTheSame(double degrees) {
+        double slope = Math.tan(Math.toRadians(degrees));
+        double cosine = Math.cos(Math.toRadians(degrees));
+        DoubleBinaryOperator heights = (x, z) -> slope * x + bumps(x, z) / cosine;
+        Placement placement = Ground.of(Vec3.ZERO, heights).placement();
+        Placement risen = Ground.of(Vec3.ZERO, (x, z) -> heights.applyAsDouble(x, z) + 1e-3 / cosine)
+                .placement();
+        for (int yaw = 0; yaw < 360; yaw += 45) {
+            Portal portal = fits(Ground.of(Vec3.ZERO, heights).shot(0.3, -0.2, -89, yaw));
+            assertTrue(placement.holds(portal, List.of()), portal.toString());
+            assertFalse(risen.holds(portal, List.of()), portal.toString());
+            assertFalse(placement.holds(turned(portal, 0.02, 0), List.of()), "about its up axis");
+            assertFalse(placement.holds(turned(portal, 0, 0.02), List.of()), "about its right axis");
+        }
+    }
+
+    /** Returns a portal with its normal turned about its own axes, in radians. */
+    private static Portal turned(Portal portal, double aboutUp, double aboutRight) {
+        Basis axes = portal.frame();
+        Vec3 normal = axes.back().addScaled(aboutUp, axes.right()).addScaled(aboutRight, axes.up());
+        return new Portal(portal.id(), portal.centre(), Portal.facing(normal, axes.up()), portal.aperture());
     }
 
     @ParameterizedTest

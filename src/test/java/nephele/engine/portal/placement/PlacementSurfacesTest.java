@@ -1,6 +1,8 @@
 package nephele.engine.portal.placement;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +18,8 @@ import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Placement in whole rooms, on ramps and meshes, and far from the origin. */
 class PlacementSurfacesTest {
@@ -128,6 +132,33 @@ class PlacementSurfacesTest {
         assertEquals(-half, portal.frame().up().z(), 1e-9);
         Portal slid = placed(ramp, new Vec3(1.9, 2, 4), 0, -10);
         assertEquals(1.4, slid.centre().x(), 1e-6);
+    }
+
+    /** A portal on a ramp holds from wherever it was shot; the same one turned out of the ramp's plane does not. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 10, 15, 20, 25, 30, 45})
+    void aPortalOnARampHoldsFromWhereverItWasShot(double degrees) {
+        double rise = 6 * Math.tan(Math.toRadians(degrees));
+        Solid.Wedge wedge = new Solid.Wedge(
+                "ramp",
+                null,
+                true,
+                TextureMapping.WORLD,
+                new Vec3(0, 0, 0),
+                new Vec3(6, rise, 6),
+                BoxFace.MINUS_Z,
+                Map.of());
+        PlacementSurfaces ramp = PlacementSurfaces.of(List.of(Brush.of(wedge)), List.of());
+        for (int yaw = 0; yaw < 360; yaw += 45) {
+            Portal portal = placed(ramp, new Vec3(0, 5, 0), yaw, -85);
+            assertTrue(new Placement(ramp, GUN).holds(portal, List.of()), portal.toString());
+            Vec3 normal = portal.normal().addScaled(0.05, portal.frame().right());
+            Basis turned = Portal.facing(normal, portal.frame().up());
+            assertFalse(
+                    new Placement(ramp, GUN)
+                            .holds(new Portal("p", portal.centre(), turned, portal.aperture()), List.of()),
+                    portal.toString());
+        }
     }
 
     /** Faces that differ by half a millimetre are one surface; faces that differ by two are not. */

@@ -2,6 +2,7 @@ package nephele.engine.portal.placement;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
@@ -42,8 +43,12 @@ final class GroundPlacement {
     private final RegionFit fit;
     private final double reach;
 
-    /** A shot that hits a terrain. */
-    record Shot(String id, Ray ray, RayHit hit, Vec3 where, Basis view, List<Portal> others) {}
+    /**
+     * A shot that hits a terrain.
+     *
+     * @param upright returns the portal's up direction for its normal
+     */
+    record Shot(String id, Ray ray, RayHit hit, Vec3 where, UnaryOperator<Vec3> upright, List<Portal> others) {}
 
     /** A portal that fits, with its distance from the aimed point. */
     private record Place(Portal portal, double metres) {}
@@ -85,20 +90,20 @@ final class GroundPlacement {
     }
 
     private GroundSeat seat(Shot shot, HeightField field, Vec3 on) {
-        return GroundSeat.over(field, on, shot.id(), gun.aperture(), normal -> PortalUpright.on(normal, shot.view()));
+        return GroundSeat.over(field, on, shot.id(), gun.aperture(), shot.upright());
     }
 
     /** Returns true if nothing else is where a portal would be. */
     private boolean isFree(Shot shot, HeightField field, Portal portal) {
         Region region = region(portal, field);
-        return region != null && fit.allows(region, portal.centre(), shot.view(), flattened(shot.others(), portal));
+        return region != null && fit.allows(region, portal.centre(), shot.upright(), flattened(shot.others(), portal));
     }
 
     private PlacementResult slid(Shot shot, HeightField field, Portal portal) {
         Region region = region(portal, field);
         return region == null
                 ? new PlacementResult.Refused(Refusal.EDGE, shot.where())
-                : fit.fit(shot.id(), region, portal.centre(), shot.view(), flattened(shot.others(), portal));
+                : fit.fit(shot.id(), region, portal.centre(), shot.upright(), flattened(shot.others(), portal));
     }
 
     /** Returns the plane of a portal as a surface; {@code null} if something else is over the portal's centre. */
@@ -174,7 +179,7 @@ final class GroundPlacement {
             return null;
         }
         Vec3 where = Placement.onPlane(region.frame(), shot.ray(), shot.where());
-        PlacementResult result = fit.fit(shot.id(), region, where, shot.view(), shot.others());
+        PlacementResult result = fit.fit(shot.id(), region, where, shot.upright(), shot.others());
         if (!(result instanceof PlacementResult.Fits flat)) {
             return null;
         }

@@ -1,7 +1,10 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
@@ -46,6 +49,11 @@ public final class Placement {
      * @param moving other obstacles of the shot
      */
     public PlacementResult place(String id, ShotRay aim, List<Portal> others, MovingSurfaces moving) {
+        return place(id, aim, normal -> PortalUpright.on(normal, aim.view()), others, moving);
+    }
+
+    private PlacementResult place(
+            String id, ShotRay aim, UnaryOperator<Vec3> upright, List<Portal> others, MovingSurfaces moving) {
         Vec3 direction = aim.direction();
         Ray ray = Ray.of(aim.eye(), direction);
         boolean hits = surfaces.first(ray, hit);
@@ -61,23 +69,34 @@ public final class Placement {
         Vec3 where = ray.at(hit.distance());
         StaticShape.HeightGrid terrain = surfaces.ground(hit.item());
         if (terrain != null && terrain.said().portalable()) {
-            return ground.place(new GroundPlacement.Shot(id, ray, hit, where, aim.view(), others), terrain.field());
+            return ground.place(new GroundPlacement.Shot(id, ray, hit, where, upright, others), terrain.field());
         }
         Region region = terrain != null ? null : surfaces.region(ray, hit.item());
         if (region == null) {
             return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
-        return onRegion.fit(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
+        return onRegion.fit(id, region, onPlane(region.frame(), ray, where), upright, others);
     }
 
-    /** Returns true if a shot straight at a portal's centre would place it where it is, among the current surfaces. */
+    /**
+     * Returns true if a shot straight at a portal's centre would place it where it is, among the current surfaces. The
+     * portal keeps its own up direction: that of slopes depended on a view that is not known any more.
+     */
     public boolean holds(Portal portal, List<Portal> others) {
-        Vec3 before = portal.world(0, 0, HOLDS_FROM_METRES);
-        PlacementResult again = place(portal.id(), new ShotRay(before, portal.frame()), others, MovingSurfaces.NONE);
+        ShotRay straight = new ShotRay(portal.world(0, 0, HOLDS_FROM_METRES), portal.frame());
+        PlacementResult again =
+                place(portal.id(), straight, normal -> keptUp(portal.frame(), normal), others, MovingSurfaces.NONE);
         return again instanceof PlacementResult.Fits fits
                 && isSame(fits.portal().aperture(), portal.aperture())
                 && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES
+                && fits.portal().normal().dot(portal.normal()) >= Tolerance.COPLANAR_COSINE
                 && fits.portal().frame().up().dot(portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
+    }
+
+    /** Returns a portal's own up direction, turned into the plane with a normal. */
+    private static Vec3 keptUp(Basis frame, Vec3 normal) {
+        Vec3 up = Directions.unit(frame.up().addScaled(-frame.up().dot(normal), normal));
+        return up == null ? PortalUpright.on(normal, frame) : up;
     }
 
     private static boolean isSame(Aperture a, Aperture b) {

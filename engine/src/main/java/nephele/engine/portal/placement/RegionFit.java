@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
@@ -36,32 +37,36 @@ final class RegionFit {
     }
 
     /** Returns true if a portal over a point needs no slide. */
-    boolean allows(Region region, Vec3 where, Basis view, List<Portal> others) {
+    boolean allows(Region region, Vec3 where, UnaryOperator<Vec3> upright, List<Portal> others) {
         PlaneFrame frame = region.frame();
         double x = frame.x(where);
         double y = frame.y(where);
         if (region.isBarred(x, y, found)) {
             return false;
         }
-        collectObstacles(region, turned(frame, view), x, y, 0);
+        collectObstacles(region, turned(frame, upright), x, y, 0);
         others.forEach(other -> addObstacle(frame, other));
         return nearest.find(region, x, y, 0);
     }
 
-    private ReflectedAperture turned(PlaneFrame frame, Basis view) {
-        Vec3 up = PortalUpright.on(frame.normal(), view);
+    private ReflectedAperture turned(PlaneFrame frame, UnaryOperator<Vec3> upright) {
+        Vec3 up = upright.apply(frame.normal());
         return new ReflectedAperture(gun.aperture(), frame.xOf(up), frame.yOf(up));
     }
 
-    /** Returns a portal that slides as far as the gun's do. */
-    PlacementResult fit(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
+    /**
+     * Returns a portal that slides as far as the gun's do.
+     *
+     * @param upright returns the portal's up direction for its normal
+     */
+    PlacementResult fit(String id, Region region, Vec3 where, UnaryOperator<Vec3> upright, List<Portal> others) {
         PlaneFrame frame = region.frame();
         double x = frame.x(where);
         double y = frame.y(where);
         if (region.isBarred(x, y, found)) {
             return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
-        Vec3 up = PortalUpright.on(frame.normal(), view);
+        Vec3 up = upright.apply(frame.normal());
         double upX = frame.xOf(up);
         double upY = frame.yOf(up);
         ReflectedAperture turned = new ReflectedAperture(gun.aperture(), upX, upY);
