@@ -18,8 +18,10 @@ import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
+import nephele.lab.oracle.PinholeViews;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** The oracle's billboards beside drawn ones, by identity. */
@@ -82,5 +84,51 @@ class BillboardShapeTest {
         assertEquals(0, sight.at(0.5, 0.5));
         assertEquals(false, sight.isLit(Vec3.ZERO, new Vec3(0, 1, 1), Double.POSITIVE_INFINITY));
         assertEquals(true, sight.isLit(Vec3.ZERO, new Vec3(0, 1, -1), Double.POSITIVE_INFINITY));
+    }
+
+    /** The picture has the light of four corners, linear between them: less than that of a ball before the sun. */
+    @ParameterizedTest
+    @CsvSource({"0.2, 0.5, 1", "-1, 0.3, 0.1", "1, 0.2, 0.4", "0.1, 0.3, -1", "0, 1, 0"})
+    void isAsBrightAsDrawnWhereverTheSunIs(double x, double y, double z) {
+        Level level = new TestLevel()
+                .box(null, new Vec3(0, -1.5, -4), new Vec3(20, 1, 20))
+                .sun(new Vec3(x, y, z), 3)
+                .billboards(Billboards.at("b", "disc.png", Facing.CYLINDRICAL, 2, 2, List.of(FOOT)))
+                .level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(EYE, FOOT.plus(new Vec3(0, 1, 0)));
+            TracedLevel traced = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
+            boolean[] within = within(
+                    traced.sight(new Pinhole(EYE, new Basis(view.right(), view.up(), view.back()), 1, 1, 0.05, 1000)));
+            double drawn = mean(offscreen.radiance(level, assets, view), within);
+            var settings = new TraceSettings(SIZE, SIZE, 4, 1, 2);
+            double exact = mean(ReferencePicture.trace(traced, PinholeViews.of(view), settings, done -> {}), within);
+            assertEquals(exact, drawn, 0.2 * exact + 0.004);
+        }
+    }
+
+    /** Returns for each pixel whether it and all beside it show the disc. */
+    private static boolean[] within(VisibleSurface sight) {
+        var within = new boolean[SIZE * SIZE];
+        for (int i = 0; i < within.length; i++) {
+            boolean isWithin = true;
+            for (int neighbour = 0; neighbour < 9; neighbour++) {
+                double x = (i % SIZE + neighbour % 3 - 0.5) / SIZE;
+                double y = (i / SIZE + neighbour / 3 - 0.5) / SIZE;
+                isWithin &= sight.at(x, y) == 1;
+            }
+            within[i] = isWithin;
+        }
+        return within;
+    }
+
+    private static double mean(float[] radiance, boolean[] within) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < within.length; i++) {
+            sum += within[i] ? radiance[3 * i] : 0;
+            count += within[i] ? 1 : 0;
+        }
+        return sum / count;
     }
 }

@@ -24,6 +24,9 @@ final class BillboardShape implements TracedShape {
     /** As {@code BULGE} in {@code billboard.vert}. */
     private static final double BULGE = 0.75;
 
+    /** As {@code THROUGH} and {@code BETWEEN_LEAVES} there. */
+    private static final SurfacePoint.Leaves LEAVES = new SurfacePoint.Leaves(0.4, 0.75);
+
     private final PlantedBillboards.Group group;
     private final int index;
     private final Picture picture;
@@ -139,6 +142,7 @@ final class BillboardShape implements TracedShape {
                         sample(spot.right(), spot.up(), 1) / 255,
                         sample(spot.right(), spot.up(), 2) / 255);
         Vec3 emission = group.said().emission().times(colour);
-        return new SurfacePoint(path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission);
+        return new SurfacePoint(
+                path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission, LEAVES);
     }
 }

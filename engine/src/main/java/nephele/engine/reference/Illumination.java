@@ -97,14 +97,12 @@ final class Illumination {
     }
 
     private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
-        if (surface.faceNormal().dot(towardsSun) > 0
+        if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
             double share =
                     sun.castsShadow() ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random()) : 1;
-            sum.add(surface.reflected(towardsSun)
-                    .mul(sun.irradiance().toVector())
-                    .mul(share));
+            sum.add(surface.sunlit(towardsSun).mul(sun.irradiance().toVector()).mul(share));
         }
     }
 

@@ -18,6 +18,7 @@ import org.joml.Vector3dc;
  * @param gloss {@code null} for a Lambert surface
  * @param toEye unit
  * @param emission emitted radiance
+ * @param leaves {@code null} for a surface that lets no light through
  */
 record SurfacePoint(
         int item,
@@ -28,7 +29,44 @@ record SurfacePoint(
         Vector3dc albedo,
         Brdf gloss,
         Vector3dc toEye,
-        Vec3 emission) {
+        Vec3 emission,
+        Leaves leaves) {
+    /**
+     * Leaves that a billboard stands for; the sun shines on them from all sides.
+     *
+     * @param through length by which the unit normal is turned towards the sun before both are made a unit again
+     * @param between share of the sun's light that those receive on the mean which lie behind others
+     */
+    record Leaves(double through, double between) {}
+
+    /** Makes a point of a surface that lets no light through. */
+    SurfacePoint(
+            int item,
+            Vec3 place,
+            Vector3dc normal,
+            Vector3dc smoothNormal,
+            Vector3dc faceNormal,
+            Vector3dc albedo,
+            Brdf gloss,
+            Vector3dc toEye,
+            Vec3 emission) {
+        this(item, place, normal, smoothNormal, faceNormal, albedo, gloss, toEye, emission, null);
+    }
+
+    /** Returns whether the sun shines on the side of the eye. */
+    boolean isTowards(Vector3dc sun) {
+        return leaves != null || faceNormal.dot(sun) > 0;
+    }
+
+    /** As {@link #reflected(Vector3dc)}, of light from the sun. */
+    Vector3d sunlit(Vector3dc sun) {
+        if (leaves == null) {
+            return reflected(sun);
+        }
+        double cosine =
+                new Vector3d(normal).fma(leaves.through, sun).normalize().dot(sun);
+        return new Vector3d(albedo).mul(leaves.between * Math.max(cosine, 0) / Math.PI);
+    }
 
     /** Returns the radiance towards the eye per irradiance on a plane perpendicular to the light. */
     Vector3d reflected(Vector3dc toLight) {
