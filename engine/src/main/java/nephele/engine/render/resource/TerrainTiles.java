@@ -39,10 +39,6 @@ public final class TerrainTiles implements GlObject {
         GENTLE,
         STEEP;
 
-        private int count(int gentle, int all) {
-            return this == ALL ? all : this == GENTLE ? gentle : all - gentle;
-        }
-
         private boolean has(boolean isGentle) {
             return this == ALL || isGentle == (this == GENTLE);
         }
@@ -53,7 +49,6 @@ public final class TerrainTiles implements GlObject {
     private final BufferTexture instances;
     private final DetailTiles tiles = new DetailTiles();
     private final List<DetailRanges> ranges = new ArrayList<>();
-    private int gentle;
     private FloatBuffer values = MemoryUtil.memAllocFloat(DetailTiles.FLOATS * 256);
 
     public TerrainTiles(GlContext gl, HeightField field) {
@@ -106,35 +101,33 @@ public final class TerrainTiles implements GlObject {
      */
     public void select(DetailView view, double scale, Frustum seen) {
         tiles.select(ranges(scale), view, seen);
-        gentle = 0;
-        for (int tile = 0; tile < tiles.count(); tile++) {
-            gentle += isGentle(tile) ? 1 : 0;
-        }
     }
 
     private boolean isGentle(int tile) {
         return tiles.rise(tile) <= GroundProjections.GENTLE_RISE;
     }
 
-    /** Draws those selected tiles that have some slopes, with the current program. */
-    public void draw(Slopes slopes) {
-        int count = slopes.count(gentle, tiles.count());
-        if (count == 0) {
-            return;
-        }
-        int floats = DetailTiles.FLOATS * count;
+    /**
+     * Draws those selected tiles that have some slopes, with the current program: the ones within the picture, or the ones
+     * that its border clips.
+     */
+    public void draw(Slopes slopes, boolean clipped) {
+        int floats = DetailTiles.FLOATS * tiles.count();
         if (values.capacity() < floats) {
             values = MemoryUtil.memRealloc(values, 2 * floats);
         }
         values.clear();
         for (int tile = 0; tile < tiles.count(); tile++) {
-            if (slopes.has(isGentle(tile))) {
+            if (tiles.isClipped(tile) == clipped && slopes.has(isGentle(tile))) {
                 values.put(tiles.values(), DetailTiles.FLOATS * tile, DetailTiles.FLOATS);
             }
         }
-        instances.upload(values.flip());
-        instances.bind(TextureUnit.TERRAIN_TILES);
-        mesh.drawInstanced(0, 6 * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS, count);
+        int count = values.flip().remaining() / DetailTiles.FLOATS;
+        if (count > 0) {
+            instances.upload(values);
+            instances.bind(TextureUnit.TERRAIN_TILES);
+            mesh.drawInstanced(0, 6 * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS, count);
+        }
     }
 
     private DetailRanges ranges(double scale) {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
+import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyInfluences;
@@ -37,6 +38,13 @@ public final class TerrainProof implements Proof {
     private static final int BODY_TICKS = 12;
     private static final double MAX_METRES_PER_SECOND = 1000;
     private static final double TICK_SECONDS = 1.0 / 120;
+
+    /** Radius of a ball around any body, in the body's sizes. */
+    private static final double BOUND = 0.87;
+
+    /** Places that are tried for a body. */
+    private static final int TRIES = 20;
+
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0);
 
     /** A player that falls out of the world restarts here, where the check detects it. */
@@ -146,7 +154,12 @@ public final class TerrainProof implements Proof {
         }
 
         private void throwBody(long unit, SplittableRandom random) {
-            Body body = body(random, valley.place(random, random.nextDouble(1.2, 6)));
+            double size = random.nextDouble(0.2, 1);
+            Vec3 at = freePlace(random, RoundedHull.sphere(BOUND * size));
+            if (at == null) {
+                return;
+            }
+            Body body = body(random, at, size);
             findings.bodies++;
             RigidStep step = new RigidStep(new BodyTable(List.of(body)), GRAVITY);
             Vec3 spin = new Vec3(random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-20, 20));
@@ -161,8 +174,18 @@ public final class TerrainProof implements Proof {
             }
         }
 
-        private static Body body(SplittableRandom random, Vec3 at) {
-            double size = random.nextDouble(0.2, 1);
+        /** Returns a place where a ball touches no ground, which a few metres above a cliff it may; {@code null} if none is found. */
+        private Vec3 freePlace(SplittableRandom random, RoundedHull ball) {
+            for (int i = 0; i < TRIES; i++) {
+                Vec3 at = valley.place(random, random.nextDouble(1.2, 6));
+                if (depenetration.isFree(valley.world(), ball, at.toVector())) {
+                    return at;
+                }
+            }
+            return null;
+        }
+
+        private static Body body(SplittableRandom random, Vec3 at, double size) {
             return switch (random.nextInt(3)) {
                 case 0 -> new Body.Box("box", at, new Vec3(size, size, size), 1, null, 0.6, 0);
                 case 1 -> new Body.Sphere("ball", at, size / 2, 1, null, 0.6, 0);
