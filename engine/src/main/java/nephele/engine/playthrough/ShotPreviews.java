@@ -34,6 +34,7 @@ final class ShotPreviews {
 
     private final Simulation simulation;
     private final PlacementResult[] placed = new PlacementResult[GunPortals.Colour.BOTH.size()];
+    private final CrosshairState.Half[] halves = new CrosshairState.Half[GunPortals.Colour.BOTH.size()];
     private SimState asked;
     private List<PortalPreview> previews = List.of();
     private GunPortals.Colour lastShot = GunPortals.Colour.SECOND;
@@ -66,6 +67,10 @@ final class ShotPreviews {
     /** Returns a half of the crosshair, {@code null} without a gun. */
     CrosshairState.Half half(SimState state, GunPortals.Colour shot) {
         ask(state);
+        return halves[shot.ordinal()];
+    }
+
+    private CrosshairState.Half madeHalf(SimState state, GunPortals.Colour shot) {
         PlacementResult would = placed[shot.ordinal()];
         if (would == null) {
             return null;
@@ -94,6 +99,9 @@ final class ShotPreviews {
                 ? placed[0]
                 : simulation.aim(state, GunPortals.Colour.SECOND);
         previews = outlines(state);
+        for (GunPortals.Colour shot : GunPortals.Colour.BOTH) {
+            halves[shot.ordinal()] = madeHalf(state, shot);
+        }
     }
 
     /** Returns true if the earlier answers are good enough for a state. */
@@ -108,10 +116,17 @@ final class ShotPreviews {
         return isUneven(placed[0]) && isRecent || isStill(asked.player(), state.player()) && areAsleep(now.bodies());
     }
 
+    /** Compares what the eye follows from, which allocates nothing. */
     private static boolean isStill(PlayerState then, PlayerState now) {
+        Vec3 from = then.feet();
+        Vec3 to = now.feet();
         return then.heading().equals(now.heading())
                 && then.tilt().equals(now.tilt())
-                && then.eye().minus(now.eye()).length() <= STILL_METRES;
+                && then.stance() == now.stance()
+                && Math.abs(then.eyeMetres() - now.eyeMetres()) <= STILL_METRES
+                && Math.abs(from.x() - to.x()) <= STILL_METRES
+                && Math.abs(from.y() - to.y()) <= STILL_METRES
+                && Math.abs(from.z() - to.z()) <= STILL_METRES;
     }
 
     private static boolean areAsleep(Bodies bodies) {
