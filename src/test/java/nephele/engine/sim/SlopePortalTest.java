@@ -30,12 +30,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SlopePortalTest {
     private static final double SECONDS = 1.0 / 120;
 
-    /** The upright turn moves eye and view by up to these within a tick. */
+    /** Greatest motion of eye and view within a tick: that of the turn to upright. */
     private static final double TURNED_METRES = 0.1;
 
     private static final double TURNED_RADIANS = 2 * Math.PI * SECONDS + 1e-3;
 
-    /** Within this time no second passage counts as a new one: the first would have gone back and forth. */
+    /** Time after a passage in which another one counts as going back and forth. */
     private static final int FLICKER_TICKS = 30;
 
     private static final double GROUND_METRES = 0.02;
@@ -45,13 +45,13 @@ class SlopePortalTest {
 
     /** A walk of which every tick is checked. */
     private static final class Walk {
-        final Valley valley;
+        final PortalValley valley;
         final List<Integer> passages = new ArrayList<>();
         private final PortalWorld space;
         private final Depenetration solids = new Depenetration();
         private int ticks;
 
-        Walk(Valley valley) {
+        Walk(PortalValley valley) {
             this.valley = valley;
             space = valley.space();
         }
@@ -152,15 +152,15 @@ class SlopePortalTest {
         }
     }
 
-    private static Valley valley(double degrees, Body... bodies) {
-        return new Valley(degrees, degrees, List.of(), bodies);
+    private static PortalValley valley(double degrees, Body... bodies) {
+        return new PortalValley(degrees, degrees, List.of(), bodies);
     }
 
-    /** Uphill over the near edge and downhill over the far one, out of a wall. */
+    /** The player walks in uphill over the near edge, or downhill over the far one, and comes out of a wall. */
     @ParameterizedTest
     @CsvSource({"10, 0", "20, 0", "30, 0", "40, 0", "45, 0", "10, 180", "20, 180", "30, 180", "40, 180", "45, 180"})
     void aPlayerWalksIntoTheSlopeAndOutOfAWall(double degrees, double yaw) {
-        Valley valley = valley(degrees);
+        PortalValley valley = valley(degrees);
         Portal north = valley.north();
         valley.open(north, valley.wall());
         Walk walk = new Walk(valley);
@@ -183,7 +183,7 @@ class SlopePortalTest {
         fallIntoTheSlope(degrees, -5);
     }
 
-    /** Where the ground falls away from the portal's plane just above the portal. */
+    /** The portal lies just below a crest, beyond which the ground falls away from its plane. */
     @ParameterizedTest
     @ValueSource(doubles = {20, 30, 45})
     void aPlayerFallsIntoTheSlopeBelowItsCrest(double degrees) {
@@ -192,7 +192,7 @@ class SlopePortalTest {
 
     private static void fallIntoTheSlope(double degrees, double z) {
         for (double[] place : new double[][] {{0, 0}, {0.2, 0.5}, {-0.2, -0.6}, {0, -0.3}, {-0.1, 0.3}}) {
-            Valley valley = valley(degrees);
+            PortalValley valley = valley(degrees);
             Portal north = valley.north(z);
             valley.open(north, valley.wall());
             Walk walk = new Walk(valley);
@@ -205,11 +205,11 @@ class SlopePortalTest {
         }
     }
 
-    /** Out of a slope of 20 and 45 degrees; who falls back passes again, but in between has left. */
+    /** The player comes out of a slope of 20 or 45 degrees. One that falls back passes again, after it has left the portal. */
     @ParameterizedTest
     @CsvSource({"10, 20", "20, 45", "30, 20", "45, 45", "45, 10"})
     void aPlayerFallsIntoASlopeAndOutOfAnother(double into, double out) {
-        Valley valley = new Valley(into, out, List.of());
+        PortalValley valley = new PortalValley(into, out, List.of());
         Portal north = valley.north();
         valley.open(north, valley.south());
         Walk walk = new Walk(valley);
@@ -223,7 +223,7 @@ class SlopePortalTest {
     @ParameterizedTest
     @ValueSource(doubles = {10, 20, 30, 40, 45})
     void aPlayerWalksIntoAWallAndOutOfTheSlope(double degrees) {
-        Valley valley = new Valley(degrees, degrees, List.of(Assist.FLOOR_EXIT_SPEED));
+        PortalValley valley = new PortalValley(degrees, degrees, List.of(Assist.FLOOR_EXIT_SPEED));
         valley.open(valley.wall(), valley.north());
         Walk walk = new Walk(valley);
         walk.put(new Vec3(-6.5, valley.ground(new Vec3(-6.5, 0, 0)) + 0.1, 0), 90);
@@ -239,7 +239,7 @@ class SlopePortalTest {
         double up = Math.tan(Math.toRadians(degrees));
         Body falls = new Body.Box("falls", new Vec3(0, 3 * up + 2.5, -5), cube(0.5), 20, null, 0.6, 0);
         Body slides = new Body.Box("slides", new Vec3(0.1, 4.2 * up + 0.6, -6.2), cube(0.4), 20, null, 0.05, 0);
-        Valley valley = valley(degrees, falls, slides);
+        PortalValley valley = valley(degrees, falls, slides);
         valley.open(valley.north(), valley.wall());
         int[] passed = new int[2];
         int[] last = {-100, -100};
@@ -268,11 +268,11 @@ class SlopePortalTest {
         return new Vec3(edge, edge, edge);
     }
 
-    private static BodyState body(Valley valley, int body) {
+    private static BodyState body(PortalValley valley, int body) {
         return valley.state.world().bodies().state(body);
     }
 
-    private static void assertLiesOnTheGround(Valley valley, BodyState body, double edge) {
+    private static void assertLiesOnTheGround(PortalValley valley, BodyState body, double edge) {
         double least = Double.POSITIVE_INFINITY;
         for (int corner = 0; corner < 8; corner++) {
             Vector3d at = new Vector3d((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5).mul(edge);

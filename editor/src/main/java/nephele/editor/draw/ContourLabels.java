@@ -9,7 +9,6 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 
@@ -20,8 +19,6 @@ import nephele.engine.render.pass.overlay.OverlayColour;
 final class ContourLabels {
     private static final double EM_POINTS = 10;
     private static final double ROOM_POINTS = 26;
-    private static final OverlayColour PLATE_ON_DARK = new OverlayColour(0.09f, 0.1f, 0.115f, 0.8f);
-    private static final OverlayColour PLATE_ON_LIGHT = new OverlayColour(0.98f, 0.98f, 0.985f, 0.8f);
 
     private ContourLabels() {}
 
@@ -54,9 +51,8 @@ final class ContourLabels {
     /** Writes the labels, from the least height to the greatest. */
     static void add(
             List<Label> labels, PaneSize size, MarkPalette palette, double pixelsPerPoint, OverlayCanvas texts) {
-        LineColour line = palette.of(MarkColour.GROUND_MAJOR);
-        var ink = new OverlayColour(line.red(), line.green(), line.blue(), 1);
-        OverlayColour plate = palette == MarkPalette.ON_DARK ? PLATE_ON_DARK : PLATE_ON_LIGHT;
+        OverlayColour ink = MarkDrawing.overlay(palette.of(MarkColour.GROUND_MAJOR));
+        OverlayColour plate = palette.plate();
         for (Label label : apart(labels, size, ROOM_POINTS * pixelsPerPoint)) {
             String text = GridSpacing.text(label.metres);
             double width = texts.width(EM_POINTS, text);

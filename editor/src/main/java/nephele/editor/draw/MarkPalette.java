@@ -2,6 +2,7 @@ package nephele.editor.draw;
 
 import nephele.editor.mark.MarkColour;
 import nephele.engine.render.line.LineColour;
+import nephele.engine.render.pass.overlay.OverlayColour;
 
 /** The shades of marks on one kind of background. */
 enum MarkPalette {
@@ -12,6 +13,13 @@ enum MarkPalette {
     /** Returns an opaque shade. */
     LineColour of(MarkColour colour) {
         return LineColour.of(this == ON_DARK ? onDark(colour) : onLight(colour), 1);
+    }
+
+    /** Returns the shade of the plate behind letters that stand on a plan's lines. */
+    OverlayColour plate() {
+        return this == ON_DARK
+                ? new OverlayColour(0.09f, 0.1f, 0.115f, 0.85f)
+                : new OverlayColour(0.98f, 0.98f, 0.985f, 0.85f);
     }
 
     private static int onDark(MarkColour colour) {

@@ -58,9 +58,7 @@ record PlanGrid(PlanCamera camera, PaneSize size, GridSpacing spacing, MarkPalet
     /** Adds coordinates in metres. */
     void addLabels(OverlayCanvas texts) {
         double width = size.width() / pixelsPerPoint;
-        OverlayColour ground = palette == MarkPalette.ON_DARK
-                ? new OverlayColour(0.09f, 0.1f, 0.115f, 0.85f)
-                : new OverlayColour(0.98f, 0.98f, 0.985f, 0.85f);
+        OverlayColour ground = palette.plate();
         OverlayColour ink = OverlayColour.opaque(palette == MarkPalette.ON_DARK ? 0xb6bec7 : 0x4a525b);
         texts.rectangle(0, 0, width, STRIP_POINTS, ground);
         double metres = spacing.labelMetres();

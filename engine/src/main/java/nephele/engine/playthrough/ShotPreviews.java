@@ -26,7 +26,7 @@ final class ShotPreviews {
 
     static final int SEARCHES_PER_SECOND = 30;
 
-    /** Motion of the eye that a preview does not follow. */
+    /** Greatest motion of the eye, along each axis, for which an earlier preview is shown. */
     private static final double STILL_METRES = 1e-4;
 
     /** Portals farther than this from the aimed point leave a shot at it as it is. */
@@ -116,7 +116,7 @@ final class ShotPreviews {
         return isUneven(placed[0]) && isRecent || isStill(asked.player(), state.player()) && areAsleep(now.bodies());
     }
 
-    /** Compares what the eye follows from, which allocates nothing. */
+    /** Returns true if the player's eye has not moved nor turned; allocates nothing. */
     private static boolean isStill(PlayerState then, PlayerState now) {
         Vec3 from = then.feet();
         Vec3 to = now.feet();

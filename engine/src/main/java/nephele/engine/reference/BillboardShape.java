@@ -21,10 +21,10 @@ import org.joml.Vector3dc;
 final class BillboardShape implements TracedShape {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SIDE = new Vec3(1, 0, 0);
-    /** As {@code BULGE} in {@code billboard.vert}. */
+    /** {@code BULGE} of {@code billboard.vert}. */
     private static final double BULGE = 0.75;
 
-    /** As {@code THROUGH} and {@code BETWEEN_LEAVES} there. */
+    /** {@code THROUGH} and {@code BETWEEN_LEAVES} of {@code billboard.vert}. */
     private static final SurfacePoint.Leaves LEAVES = new SurfacePoint.Leaves(0.4, 0.75);
 
     private final PlantedBillboards.Group group;

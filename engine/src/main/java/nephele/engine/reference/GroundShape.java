@@ -153,7 +153,8 @@ final class GroundShape implements TracedShape {
         SurfacePoint point(int item, Vec3 place, Vector3dc faceNormal, Vector3dc toEye, boolean isGlossy) {
             normal.normalize();
             Brdf gloss = isGlossy ? Brdf.of(colour, roughness, metallic, normal.dot(toEye)) : null;
-            return new SurfacePoint(item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission));
+            return new SurfacePoint(
+                    item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission), null);
         }
     }
 }

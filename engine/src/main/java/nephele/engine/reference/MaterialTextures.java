@@ -102,7 +102,8 @@ final class MaterialTextures {
                 colour,
                 gloss,
                 bare.toEye(),
-                material.emission());
+                material.emission(),
+                null);
     }
 
     private static Brdf gloss(Material material, Vector3dc colour, double roughnessFactor, double cosine) {

@@ -39,26 +39,12 @@ record SurfacePoint(
      */
     record Leaves(double through, double between) {}
 
-    /** Makes a point of a surface that lets no light through. */
-    SurfacePoint(
-            int item,
-            Vec3 place,
-            Vector3dc normal,
-            Vector3dc smoothNormal,
-            Vector3dc faceNormal,
-            Vector3dc albedo,
-            Brdf gloss,
-            Vector3dc toEye,
-            Vec3 emission) {
-        this(item, place, normal, smoothNormal, faceNormal, albedo, gloss, toEye, emission, null);
-    }
-
-    /** Returns whether the sun shines on the side of the eye. */
+    /** Returns true if the surface faces the sun, or lets its light through. */
     boolean isTowards(Vector3dc sun) {
         return leaves != null || faceNormal.dot(sun) > 0;
     }
 
-    /** As {@link #reflected(Vector3dc)}, of light from the sun. */
+    /** Returns the radiance towards the eye per irradiance of the sun on a plane perpendicular to its light. */
     Vector3d sunlit(Vector3dc sun) {
         if (leaves == null) {
             return reflected(sun);

@@ -75,7 +75,11 @@ public final class TradeSite implements AutoCloseable {
         return sharing(other, TradeView.of(other, null, extent.aspect()));
     }
 
-    /** Returns a site with the same context, level and view. @param assets that have all of the level's, unchanged */
+    /**
+     * Returns a site with the same context, level and view.
+     *
+     * @param assets all of the level's, unchanged, and others
+     */
     public TradeSite with(AssetSource assets) {
         var read = new LevelFile.Opened(opened.file(), opened.level(), assets, opened.notice());
         return sharing(new OpenedLevel(read), seen);

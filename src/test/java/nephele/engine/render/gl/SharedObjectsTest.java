@@ -42,7 +42,7 @@ class SharedObjectsTest {
         assertEquals(List.of(1L, 2L), made);
     }
 
-    /** Of one value more than are kept, the one goes that has not been used for the longest time. */
+    /** A full cache drops its least recently used value for a new one. */
     @Test
     void theLeastRecentlyUsedLastingValueGoesFirst() {
         for (long i = 0; i < SharedObjects.MOST_LASTING; i++) {

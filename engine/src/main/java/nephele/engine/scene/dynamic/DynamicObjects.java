@@ -41,7 +41,7 @@ public record DynamicObjects(
     /** The flatness of the coarse mesh, in radii of the character's first part. */
     private static final double COARSE_FLATNESS = 0.005;
 
-    /** Of an observer's sphere: apart from all models, and in contact. */
+    /** The two materials of an observer's sphere: blue while it touches no bounding volume, red in contact. */
     private static final List<Material> OBSERVER_MATERIALS =
             List.of(observerMaterial(0.06, 0.2, 0.62), observerMaterial(0.9, 0.1, 0.02));
 

@@ -174,7 +174,10 @@ public final class TerrainProof implements Proof {
             }
         }
 
-        /** Returns a place where a ball touches no ground, which a few metres above a cliff it may; {@code null} if none is found. */
+        /**
+         * Returns a place where a ball touches no ground; {@code null} if none is found. Some metres above a cliff are some
+         * centimetres beside it.
+         */
         private Vec3 freePlace(SplittableRandom random, RoundedHull ball) {
             for (int i = 0; i < TRIES; i++) {
                 Vec3 at = valley.place(random, random.nextDouble(1.2, 6));

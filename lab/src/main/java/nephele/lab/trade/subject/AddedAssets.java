@@ -7,7 +7,7 @@ import java.util.function.BiFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 
-/** A level's assets, and files that are made while the report is. */
+/** A level's assets together with files in memory, which a report makes. */
 record AddedAssets(AssetSource rest, Map<String, byte[]> added) implements AssetSource {
     @Override
     public byte[] bytes(String assetId) throws AssetException {

@@ -28,7 +28,7 @@ import org.joml.Vector3d;
  * @param assets the level's and the pictures
  */
 record PlantSprites(List<Billboards> groups, AddedAssets assets) {
-    /** Along a side of a picture with its border; the largest tree of a report's picture has fewer pixels. */
+    /** The side of a picture with its border, more than the pixels of the largest tree in a report. */
     private static final int TEXELS = 512;
 
     static PlantSprites of(PlacedLevel placed) {

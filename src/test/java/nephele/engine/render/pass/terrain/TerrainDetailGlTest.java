@@ -39,6 +39,12 @@ class TerrainDetailGlTest {
     private static final int HEIGHT = 90;
     private static final int MAGENTA = 0xff00ff;
 
+    /**
+     * Cameras over the ground of 257² samples, at 1 pixel, whose pictures have an open pixel if what their border clips is
+     * drawn with culling (llvmpipe): all of 12,000.
+     */
+    private static final List<Integer> OPEN_WITH_CULLING = List.of(4102, 7579, 8382, 11_031);
+
     private static TestAssets map(int side) {
         ByteBuffer bytes = ByteBuffer.allocate(2 * side * side).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < side * side; i++) {
@@ -73,10 +79,13 @@ class TerrainDetailGlTest {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer = Renderer.load(
                         offscreen.gl, level, map(side), settings(Output.PLAIN, TerrainDetail.LOD, errorPixels))) {
-            for (int camera = 0; camera < 40; camera++) {
+            for (int camera = 0; camera <= 11_031; camera++) {
                 Vec3 eye =
                         new Vec3(side * (random.nextDouble() - 0.5) / 2, 130, side * (random.nextDouble() - 0.5) / 2);
                 Vec3 target = new Vec3(eye.x() / 2 + 10, 50, eye.z() / 2 + random.nextInt(20));
+                if (camera >= 40 && !OPEN_WITH_CULLING.contains(camera)) {
+                    continue;
+                }
                 View view = offscreen.view(eye, eye.plus(target.minus(eye).scaled(0.1)));
                 renderer.draw(narrow(view), offscreen.picture);
                 long magenta = IntStream.of(offscreen.pixels())

@@ -39,7 +39,7 @@ import nephele.engine.sim.state.SimState;
  * A valley of bumpy ground, 32 m square: flat for |z| < 2, with slopes that rise to the north (−z) and to the south, and
  * a wall that faces east (+x) at x = −9.
  */
-final class Valley {
+final class PortalValley {
     private static final double BUMP_METRES = 0.007;
     private static final double HALF = 16;
     private static final double CELL = 0.2;
@@ -53,7 +53,7 @@ final class Valley {
     private final Placement placement;
     private final SimLevel level;
 
-    Valley(double northDegrees, double southDegrees, List<Assist> assists, Body... bodies) {
+    PortalValley(double northDegrees, double southDegrees, List<Assist> assists, Body... bodies) {
         int side = 1 + (int) Math.round(2 * HALF / CELL);
         Terrain ground = new Terrain(
                 "ground",
@@ -105,7 +105,7 @@ final class Valley {
         return shot("wall", new Vec3(WALL_X, 1.25, 0), Basis.ofYawPitch(Math.PI / 2, 0));
     }
 
-    /** Shoots at a point; one off the wall is lifted onto the ground. */
+    /** Returns the portal of a shot at a point; points that are not on the wall are moved onto the ground below or above. */
     private Portal shot(String id, Vec3 at, Basis view) {
         Vec3 aimed = at.x() == WALL_X ? at : new Vec3(at.x(), ground(at), at.z());
         Vec3 eye = aimed.addScaled(2, view.back());
@@ -120,7 +120,7 @@ final class Valley {
     }
 
     /** Opens a pair. */
-    Valley open(Portal a, Portal b) {
+    PortalValley open(Portal a, Portal b) {
         Portals pair = new Portals(List.of(a, b), List.of(1, 0));
         state = state.with(state.world().with(pair, GunPortals.NONE));
         return this;
@@ -130,7 +130,7 @@ final class Valley {
         return PortalWorld.of(level.statics(), state.world().portals());
     }
 
-    Valley tick(PlayerInput input) {
+    PortalValley tick(PlayerInput input) {
         state = simulation.step(state, input);
         return this;
     }
