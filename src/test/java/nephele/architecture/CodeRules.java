@@ -69,7 +69,7 @@ final class CodeRules {
                     .areTopLevelClasses()
                     .and(are(describe("written", CodeRules::isWritten)))
                     .should(PackageSize.atMost35Classes())
-                    .as("no package with more than 35 classes"),
+                    .as("no package with more than 60 classes"),
             classes()
                     .that()
                     .areTopLevelClasses()

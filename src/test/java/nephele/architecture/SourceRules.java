@@ -7,11 +7,11 @@ import java.util.regex.Pattern;
 
 /** The rules that need the source text: constants are inlined, and comments and line counts are not compiled. */
 enum SourceRules {
-    AT_MOST_400_LINES {
+    AT_MOST_800_LINES {
         @Override
         List<String> violations(SourceFile file) {
             long lines = file.text().lines().count();
-            return lines <= 400 ? List.of() : List.of(file.path() + ": " + lines + " lines; split it by topic");
+            return lines <= 800 ? List.of() : List.of(file.path() + ": " + lines + " lines; split it by topic");
         }
     },
     NOTHING_NEWER_THAN_OPENGL_4_1 {
