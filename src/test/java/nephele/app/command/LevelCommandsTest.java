@@ -20,6 +20,7 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.render.RenderFeatures;
 import nephele.engine.terminal.CrashReport;
 import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.ProgramVersion;
 import nephele.engine.terminal.Terminal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -196,6 +197,7 @@ class LevelCommandsTest {
         var failure = new IllegalStateException("broken below " + home + "/secret");
         var text = new CrashReport(List.of("play", home + "/level.json"), Instant.EPOCH, failure).text();
         assertFalse(text.contains(home), text);
+        assertTrue(text.contains("program   " + ProgramVersion.line()), text);
         assertTrue(text.contains("~/secret") && text.contains("~/level.json"), text);
     }
 }

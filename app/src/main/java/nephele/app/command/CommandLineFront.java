@@ -8,6 +8,7 @@ import nephele.engine.render.fixed.LightTerm;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.frame.Output;
 import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.ProgramVersion;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -43,7 +44,7 @@ public final class CommandLineFront {
             return words.isEmpty() ? ExitCode.USAGE : ExitCode.DONE;
         }
         if (words.get(0).equals("--version")) {
-            terminal.out().println(Version.line());
+            terminal.out().println(ProgramVersion.line());
             return ExitCode.DONE;
         }
         var entry = Commands.named(words.get(0));

@@ -21,6 +21,7 @@ import nephele.app.window.KeyBindings;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
+import nephele.engine.terminal.ProgramVersion;
 
 /** Makes the pages of the menu from the player's settings and progress, in the player's language. */
 final class GameMenus {
@@ -57,7 +58,7 @@ final class GameMenus {
         entries.add(new Entry(text(Phrase.LEVELS), new Choice.Open(Menu.Page.LEVELS)));
         entries.add(new Entry(text(Phrase.SETTINGS), new Choice.Open(Menu.Page.SETTINGS)));
         entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
-        return menu("title", GameLoop.TITLE, List.of(), entries, null);
+        return menu("title", GameLoop.TITLE, List.of(ProgramVersion.text()), entries, null);
     }
 
     /** @param level the level that is paused */

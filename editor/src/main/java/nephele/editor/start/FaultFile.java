@@ -1,13 +1,14 @@
 package nephele.editor.start;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
 import java.util.function.Consumer;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.terminal.CrashReport;
 
 /**
  * Writes a fault of the program to a file and tells of it in one line. The event loop goes on after a fault, and the
@@ -34,11 +35,9 @@ final class FaultFile implements Thread.UncaughtExceptionHandler {
 
     @Override
     public void uncaughtException(Thread thread, Throwable fault) {
-        StringWriter text = new StringWriter();
-        text.append("Thread ").append(thread.getName()).append('\n');
-        fault.printStackTrace(new PrintWriter(text, true));
+        var report = new CrashReport(List.of("edit", "thread " + thread.getName()), Instant.now(), fault);
         try {
-            AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+            AtomicFile.write(file, report.text().getBytes(StandardCharsets.UTF_8));
             tell.accept(TOLD.with(file));
         } catch (IOException noPlace) {
             tell.accept(NOT_WRITTEN.with(fault.toString()));

@@ -31,11 +31,11 @@ public record CrashReport(List<String> arguments, Instant when, Throwable crash)
         var stackTrace = new StringWriter();
         crash.printStackTrace(new PrintWriter(stackTrace));
         String report = "Nephele crash report\n"
+                + "program   " + ProgramVersion.line() + "\n"
                 + "when      " + when + "\n"
                 + "arguments " + String.join(" ", arguments) + "\n"
                 + "java      " + System.getProperty("java.vendor") + " " + System.getProperty("java.version") + "\n"
-                + "system    " + System.getProperty("os.name") + " " + System.getProperty("os.version") + " "
-                + System.getProperty("os.arch") + "\n\n"
+                + "system    " + System.getProperty("os.name") + " " + System.getProperty("os.version") + "\n\n"
                 + stackTrace;
         return withoutHome(report, System.getProperty("user.home", ""));
     }
