@@ -65,7 +65,11 @@ public final class TestLevel {
     }
 
     public TestLevel fog(double extinctionPerMetre, Vec3 radiance) {
-        fog = new Environment.Fog(extinctionPerMetre, radiance);
+        return fog(new Environment.Fog(extinctionPerMetre, radiance));
+    }
+
+    public TestLevel fog(Environment.Fog written) {
+        fog = written;
         return this;
     }
 

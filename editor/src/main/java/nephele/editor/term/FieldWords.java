@@ -147,6 +147,7 @@ public final class FieldWords {
             word("rising", "High side", "Lado alto", "Lado alto"),
             word("rotationDegrees", "Rotation", "Rotação", "Rotação"),
             word("roughness", "Roughness", "Rugosidade", "Rugosidade"),
+            word("scaleHeightMetres", "Scale height", "Altura de escala", "Altura de escala"),
             word("scaleU", "Scale u", "Escala u", "Escala u"),
             word("scaleV", "Scale v", "Escala v", "Escala v"),
             word("seed", "Seed", "Semente", "Semente"),

@@ -30,12 +30,27 @@ public record Environment(
         @Written Lightning lightning) {
 
     /**
-     * Homogeneous fog of unlimited extent: it adds radiance · (1 − exp(−extinction · distance)) and attenuates what is
-     * behind. It does not attenuate the light that surfaces receive. It hides the sky, which is at infinite distance.
+     * Fog: it adds radiance · (1 − exp(−optical depth)) and attenuates what is behind, not the light that surfaces
+     * receive. Without a scale height it is the same everywhere and hides the sky, which is at infinite distance. With
+     * one it has its extinction up to the base; above, the extinction falls by 1/e in each scale height.
+     *
+     * @param scaleHeightMetres 0 for fog without end
      */
     public record Fog(
             @Written(required = true, min = 0, max = 1e3) double extinctionPerMetre,
-            @Written(required = true, min = 0, max = 1e9) Vec3 radiance) {}
+            @Written(required = true, min = 0, max = 1e9) Vec3 radiance,
+            @Written double baseAltitudeMetres,
+            @Written(min = 0, prototype = "20") double scaleHeightMetres) {
+
+        /** Creates fog without end. */
+        public Fog(double extinctionPerMetre, Vec3 radiance) {
+            this(extinctionPerMetre, radiance, 0, 0);
+        }
+
+        public boolean isEndless() {
+            return scaleHeightMetres == 0;
+        }
+    }
 
     /**
      * A weather at a time.

@@ -48,10 +48,15 @@ final class EyePath {
     /**
      * A mirror on the path.
      *
-     * @param metres length of the path from the eye to it
+     * @param before the part of the path that ends at it
      * @param lost share of light that all mirrors before it transmit and that it absorbs
      */
-    record Reflected(double metres, Vector3dc lost) {}
+    record Reflected(Segment before, Vector3dc lost) {
+        /** Returns the length of the path from the eye to the mirror. */
+        double metres() {
+            return before.metresBefore() + before.metres();
+        }
+    }
 
     /**
      * A straight part of the path.
@@ -61,6 +66,11 @@ final class EyePath {
      * @param tint product of the tints of the mirrors before it
      */
     record Segment(Vec3 origin, Vec3 direction, double metres, double metresBefore, Vector3dc tint) {
+        /** Returns where the path would begin if it were as straight as this part. */
+        Vec3 straightEye() {
+            return origin.addScaled(-metresBefore, direction);
+        }
+
         /** Returns its part up to a distance from its origin; empty if that is negative. */
         Segment shortened(double most) {
             return most < metres ? new Segment(origin, direction, most, metresBefore, tint) : this;
@@ -100,7 +110,7 @@ final class EyePath {
             boolean isCrossing = crossing.find(portals, origin, direction, STRAIGHT, free);
             addSegment(isCrossing ? crossing.seconds() : isMet ? hit.distance() : left, walked, length);
             if (!isCrossing) {
-                if (isMet && isReflected(walked * length, length)) {
+                if (isMet && isReflected()) {
                     walked += hit.distance();
                     continue;
                 }
@@ -126,7 +136,7 @@ final class EyePath {
     }
 
     /** Reflects the path if it hits a mirror. */
-    private boolean isReflected(double metresBefore, double length) {
+    private boolean isReflected() {
         if (!mirrors.mayBe(hit.item())) {
             return false;
         }
@@ -137,7 +147,7 @@ final class EyePath {
         }
         Vector3d before = new Vector3d(tint);
         tint.mul(mirror.tint().toVector());
-        reflected.add(new Reflected(metresBefore + hit.distance() * length, before.sub(tint)));
+        reflected.add(new Reflected(lastSegment(), before.sub(tint)));
         pathHash = Hash64.combine(Hash64.combine(pathHash, ~hit.item()), face);
         origin.set(ray.at(hit.distance()).toVector());
         new Reflection(Vec3.ZERO, mirror.normal()).direction(direction);
@@ -159,10 +169,8 @@ final class EyePath {
         return segments;
     }
 
-    /** Returns where the path would begin if it were as straight as its last part. */
-    Vec3 straightEye() {
-        Segment last = segments.get(segments.size() - 1);
-        return last.origin().addScaled(-last.metresBefore(), last.direction());
+    Segment lastSegment() {
+        return segments.get(segments.size() - 1);
     }
 
     /** Returns the last segment of the path; its parameter starts at the last portal or mirror. */

@@ -140,9 +140,16 @@ public final class TracedLevel {
         return exits;
     }
 
-    /** Returns the share of light that passes the fog along a path of this length. */
-    double transmittance(double metres) {
-        return fog.map(all -> all.transmittance(metres)).orElse(1.0);
+    /**
+     * Returns the share of light that passes the fog.
+     *
+     * @param segment the part of the path that ends at the light
+     * @param metres length of the path
+     */
+    double fogTransmittance(EyePath.Segment segment, double metres) {
+        return fog.map(all -> all.transmittance(
+                        segment.straightEye().y(), segment.direction().y(), metres))
+                .orElse(1.0);
     }
 
     /** Returns the radiance of the place at a path's end as seen through the air. */
@@ -171,7 +178,8 @@ public final class TracedLevel {
     Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
         Vector3d away = new Vector3d(path.direction()).normalize();
         Vector3d seen = sky(eyeHeight, away);
-        shade.ifPresent(all -> seen.sub(all.taken(path.straightEye(), Vec3.of(away), path.metres(), random)));
+        shade.ifPresent(
+                all -> seen.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
         return seen;
     }
 
@@ -186,7 +194,15 @@ public final class TracedLevel {
                 .orElseGet(() -> new Vector3d(1));
     }
 
-    Vector3d throughFog(Vector3d radiance, double metres) {
-        return fog.isPresent() ? fog.get().over(radiance, metres) : radiance;
+    /** Returns radiance seen through the fog; parameters as in {@link #fogTransmittance}. */
+    Vector3d throughFog(Vector3d radiance, EyePath.Segment segment, double metres) {
+        return fog.isPresent()
+                ? fog.get()
+                        .over(
+                                radiance,
+                                segment.straightEye().y(),
+                                segment.direction().y(),
+                                metres)
+                : radiance;
     }
 }

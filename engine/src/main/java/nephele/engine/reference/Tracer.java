@@ -45,13 +45,13 @@ final class Tracer {
         SurfacePoint surface = level.surface(path, place, toEye);
         Vector3d seen =
                 level.throughAir(level.light().radiance(surface, shadows, sample), place, path, sample.random());
-        Vector3d radiance = level.throughFog(seen, path.metres());
+        Vector3d radiance = level.throughFog(seen, path.lastSegment(), path.metres());
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
     private Vector3d fromSky(PixelSample sample) {
         Vector3d seen = level.sky(from.y(), path, sample.random());
-        Vector3d radiance = level.throughFog(seen, Double.POSITIVE_INFINITY);
+        Vector3d radiance = level.throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
@@ -60,7 +60,7 @@ final class Tracer {
         Vector3d scattered = clouds.radiance(cloud, sample.random());
         Vector3d seen =
                 level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), sample.random());
-        Vector3d radiance = level.throughFog(seen, cloud.metres());
+        Vector3d radiance = level.throughFog(seen, cloud.segment(), cloud.metres());
         List<EyePath.Reflected> mirrors = path.reflected().stream()
                 .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
                 .toList();
@@ -73,7 +73,8 @@ final class Tracer {
     private Vector3d mirrored(Vector3d radiance, Vector3dc tint, List<EyePath.Reflected> mirrors) {
         radiance.mul(tint);
         for (EyePath.Reflected mirror : mirrors) {
-            radiance.add(level.throughFog(new Vector3d(), mirror.metres()).mul(mirror.lost()));
+            radiance.add(level.throughFog(new Vector3d(), mirror.before(), mirror.metres())
+                    .mul(mirror.lost()));
         }
         return radiance;
     }

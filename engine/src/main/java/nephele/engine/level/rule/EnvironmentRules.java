@@ -44,6 +44,20 @@ final class EnvironmentRules {
         }
     };
 
+    /** Warns of a sky that nobody sees, because fog without end is before it. */
+    static final LevelRule FOG = (level, assets, report) -> {
+        Environment environment = level.environment();
+        if (environment.sky() != null
+                && environment.fog() != null
+                && environment.fog().extinctionPerMetre() > 0
+                && environment.fog().isEndless()) {
+            report.accept(Problem.warning(
+                    "environment.fog",
+                    "has no end, so the sky lights the level but is not seen: give the fog a"
+                            + " scaleHeightMetres, such as 20"));
+        }
+    };
+
     /** Warns of techniques of clouds that cannot show a cloud. */
     static final LevelRule TECHNIQUES = (level, assets, report) ->
             LevelRule.each("environment.clouds", level.environment().clouds(), (path, cloud) -> {

@@ -39,6 +39,7 @@ public final class LevelRules {
             BillboardRules.MEANT,
             ImpostorRules.PLANTED,
             ImpostorRules.MATT,
+            EnvironmentRules.FOG,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES);
 

@@ -8,7 +8,7 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The colour behind everything, computed once on the CPU: a constant sky and fog of unlimited extent need no pass. */
+/** The colour behind everything, computed once on the CPU: a constant sky and fog without end need no pass. */
 public record ClearColour(float red, float green, float blue) {
     private static final double LARGEST_HALF = 65504;
 
@@ -24,7 +24,7 @@ public record ClearColour(float red, float green, float blue) {
     private static ClearColour of(Environment environment, Output output, Vector3dc tint) {
         Vec3 sky = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
         Vec3 radiance =
-                FogTransmittance.of(environment).map(FogTransmittance::radiance).orElse(sky);
+                FogTransmittance.hidesSky(environment) ? environment.fog().radiance() : sky;
         return new ClearColour(
                 value(radiance.x() * tint.x(), environment, output),
                 value(radiance.y() * tint.y(), environment, output),

@@ -23,6 +23,9 @@ public final class Defines {
                 .with(ToneMapping.define(environment.toneCurve()))
                 .withIf(MeteredExposure.isRequiredBy(context.request()), "EXPOSURE_METERED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
+                .withIf(
+                        FogTransmittance.of(environment).isPresent() && !FogTransmittance.hidesSky(environment),
+                        "FOG_LAYER")
                 .withIf(AerialPerspective.isIn(environment), "AIR")
                 .withIf(AerialPerspective.isMoonlit(environment), "MOONLIT_AIR")
                 .withIf(ShaftLight.isIn(environment), "SHAFTS")

@@ -30,11 +30,15 @@ public final class FrameUniforms implements GlObject {
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
-    private static final int FLOATS = 16 + 16 * 4;
+    private static final int FLOATS = 16 + 17 * 4;
     private static final int SAMPLE_POSITIONS = 40;
     private static final int AIR = 60;
+    private static final int FOG_PLACE = 80;
 
     private final DrawState state;
+    /** {@code null} without fog. */
+    private final FogTransmittance fog;
+
     private final UniformBuffer buffer;
     private final float[] values = new float[FLOATS];
     private final Matrix4d matrix = new Matrix4d();
@@ -44,10 +48,12 @@ public final class FrameUniforms implements GlObject {
     public FrameUniforms(GlContext gl, Environment environment) {
         state = gl.state();
         buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
-        FogTransmittance.of(environment).ifPresent(fog -> {
+        fog = FogTransmittance.of(environment).orElse(null);
+        if (fog != null) {
             put(36, fog.radiance().toVector());
             values[39] = (float) fog.extinctionPerMetre();
-        });
+            values[FOG_PLACE + 1] = (float) (1 / fog.scaleHeightMetres());
+        }
     }
 
     /**
@@ -97,6 +103,9 @@ public final class FrameUniforms implements GlObject {
         values[28] = (float) exposure;
         put(56, view.tint());
         putClip(view);
+        if (fog != null) {
+            values[FOG_PLACE] = (float) fog.scaledAltitude(view.eyeY());
+        }
         buffer.upload(values);
         buffer.bind(BINDING);
         state.frontFace(view.isMirrored() ? FrontFace.CLOCKWISE : FrontFace.COUNTER_CLOCKWISE);

@@ -130,7 +130,7 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
     radiance *= airAlong(at.ray * metres).transmittance;
 #endif
 #ifdef FOG
-    radiance *= exp(-fog.a * metres);
+    radiance *= throughFog(at.ray * metres);
 #endif
 #else
 #ifdef AIR
@@ -138,7 +138,7 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
     radiance = radiance * air.transmittance + covered * air.inScatter;
 #endif
 #ifdef FOG
-    float clear = exp(-fog.a * metres);
+    float clear = throughFog(at.ray * metres);
     radiance = radiance * clear + fog.rgb * covered * (1.0 - clear);
 #endif
 #endif

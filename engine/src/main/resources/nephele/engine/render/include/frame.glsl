@@ -14,4 +14,5 @@ layout(std140) uniform Frame {
                    // eye, metres at the density of the ground, w: their density at the eye, relative to that
     vec4 airTowards[2]; // xy: horizontal unit direction towards the sun, then towards the moon, as x and z
     vec4 airIrradiance[2]; // rgb: of the sun and of the moon outside the air, a: 0 where the light does not count
+    vec4 fogPlace; // x: height of the eye over the fog's base, in scale heights, y: 1 / scale height, per metre
 };

@@ -44,8 +44,16 @@ void writeRadiance(vec3 radiance, vec3 relativePosition) {
     radiance = throughAir(radiance, relativePosition);
 #endif
 #ifdef FOG
-    writeRadiance(behindFog(radiance, fog, length(relativePosition)));
+    writeRadiance(behindFog(radiance, relativePosition));
 #else
     writeRadiance(radiance);
 #endif
+}
+
+// Writes the radiance of the sky, with fog between it and the eye. direction: not of unit length
+void writeSky(vec3 radiance, vec3 direction) {
+#ifdef FOG_LAYER
+    radiance = mix(fog.rgb, radiance, skyThroughFog(direction));
+#endif
+    writeRadiance(radiance);
 }

@@ -59,9 +59,10 @@ public final class PortalPass implements Pass {
         surroundings = context.shared().surroundings();
         fog = MirrorFog.of(context);
         Environment environment = context.scene().level().environment();
-        skyCovers = environment.sky() != null
-                && !(environment.sky() instanceof Sky.Constant)
-                && FogTransmittance.of(environment).isEmpty();
+        boolean isFogBefore = FogTransmittance.of(environment).isPresent();
+        skyCovers = isFogBefore
+                ? !FogTransmittance.hidesSky(environment)
+                : environment.sky() != null && !(environment.sky() instanceof Sky.Constant);
     }
 
     @Override

@@ -18,7 +18,10 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.resource.FrameUniforms;
 
-/** Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn. Fog hides it. */
+/**
+ * Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn; behind fog that ends with
+ * altitude a sky of one radiance, too.
+ */
 public final class GradientSkyPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("sky.gradient", Stage.IN_VIEWS, Role.SKY, GradientSkyPass::requiredBy);
@@ -42,8 +45,31 @@ public final class GradientSkyPass implements Pass {
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
         Sky sky = environment.sky();
-        boolean isSeen = FogTransmittance.of(environment).isEmpty() && sky instanceof Sky.Gradient;
-        return isSeen ? List.of(new Required("environment.sky: a gradient", GradientSkyPass::new)) : List.of();
+        if (FogTransmittance.hidesSky(environment)) {
+            return List.of();
+        }
+        if (sky instanceof Sky.Gradient) {
+            return List.of(new Required("environment.sky: a gradient", GradientSkyPass::new));
+        }
+        boolean isFogBefore = FogTransmittance.of(environment).isPresent() && isEven(environment);
+        return isFogBefore
+                ? List.of(new Required(
+                        "environment.fog: its share of the sky changes with altitude", GradientSkyPass::new))
+                : List.of();
+    }
+
+    /** Returns true if the sky has one radiance. */
+    private static boolean isEven(Environment environment) {
+        Sky sky = environment.sky();
+        return sky == null || sky instanceof Sky.Constant || sky instanceof Sky.Atmosphere && environment.sun() == null;
+    }
+
+    private static Sky.Gradient gradient(Sky sky) {
+        if (sky instanceof Sky.Gradient gradient) {
+            return gradient;
+        }
+        Vec3 even = sky instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
+        return new Sky.Gradient(even, even, even);
     }
 
     private static void set(Vector3 uniform, Vec3 v) {
@@ -52,7 +78,7 @@ public final class GradientSkyPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        Sky.Gradient sky = (Sky.Gradient) frame.frameState().environment().sky();
+        Sky.Gradient sky = gradient(frame.frameState().environment().sky());
         set(colours.zenith, sky.zenith());
         set(colours.horizon, sky.horizon());
         set(colours.ground, sky.ground());

@@ -2,6 +2,9 @@
 #define MOVING_RECEIVER
 #include "frame.glsl"
 #include "view-clip.glsl"
+#ifdef FOG
+#include "fog.glsl"
+#endif
 #ifdef AIR
 #include "air.glsl"
 #endif
@@ -122,7 +125,7 @@ void main() {
     addedRadiance = air.inScatter;
 #endif
 #ifdef FOG
-    passing = exp(-fog.a * length(relative));
+    passing = throughFog(relative);
     addedRadiance = mix(fog.rgb, addedRadiance, passing);
 #endif
     clipToView(position);

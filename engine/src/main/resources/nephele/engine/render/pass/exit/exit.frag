@@ -36,7 +36,7 @@ vec3 lightOfPart(vec2 part, vec3 direction, int exit) {
         vec3 fromFeet = place * direction - feetAndRadius[exit].xyz;
         vec3 emission = curtainEmission(fromFeet, vec2(feetAndRadius[exit].w, heightMetres[exit]), seconds);
 #ifdef FOG
-        emission *= exp(-fog.a * place * unit);
+        emission *= throughFog(place * direction);
 #endif
         light += emission;
     }

@@ -1,6 +1,9 @@
 // A plant as a rectangle that faces the eye of its view.
 #include "frame.glsl"
 #include "view-clip.glsl"
+#ifdef FOG
+#include "fog.glsl"
+#endif
 #ifdef AIR
 #include "air.glsl"
 #endif
@@ -83,7 +86,7 @@ void main() {
     addedRadiance = air.inScatter;
 #endif
 #ifdef FOG
-    passing = exp(-fog.a * metres);
+    passing = throughFog(relative);
     addedRadiance = mix(fog.rgb, addedRadiance, passing);
 #endif
     clipToView(position);

@@ -1,6 +1,9 @@
 // The rectangle of pixels around a segment of a bolt.
 #include "frame.glsl"
 #include "view-clip.glsl"
+#ifdef FOG
+#include "fog.glsl"
+#endif
 #ifdef AIR
 #include "air.glsl"
 #endif
@@ -40,7 +43,7 @@ vec3 lightOf(int point, vec4 place, vec3 relative) {
     light *= airAlong(relative).transmittance;
 #endif
 #ifdef FOG
-    light *= exp(-fog.a * metres);
+    light *= throughFog(relative);
 #endif
 #ifdef MIRRORS
     light *= mirrorTint.rgb;

@@ -1,6 +1,9 @@
 // A square that faces the eye, for each particle of a sheet. Stretched ones are turned to their direction.
 #include "frame.glsl"
 #include "view-clip.glsl"
+#ifdef FOG
+#include "fog.glsl"
+#endif
 #ifdef AIR
 #include "air.glsl"
 #endif
@@ -29,7 +32,7 @@ vec4 throughDistance(vec4 seen, vec3 relative) {
     seen.rgb = seen.rgb * air.transmittance + seen.a * air.inScatter;
 #endif
 #ifdef FOG
-    float clear = exp(-fog.a * length(relative));
+    float clear = throughFog(relative);
     seen.rgb = seen.rgb * clear + seen.a * (1.0 - clear) * fog.rgb;
 #endif
 #ifdef MIRRORS

@@ -12,5 +12,5 @@ layout(location = 0) out vec4 pixel;
 void main() {
     vec3 relativePosition =
             picturePosition.x * viewRight.xyz + picturePosition.y * viewUp.xyz + picturePosition.z * viewForward.xyz;
-    pixel = vec4(keptBack * behindFog(vec3(0.0), fog, length(relativePosition)), 0.0);
+    pixel = vec4(keptBack * behindFog(vec3(0.0), relativePosition), 0.0);
 }

@@ -254,5 +254,5 @@ void main() {
     vec3 end = away * min(2.0 * AIR_MIDDLE, planetMetres(away, vec2(0.5 / AIR_PLANET_RADIUS, airPlace.x)));
     light = max(vec3(0.0), light - takenByClouds(end));
 #endif
-    writeRadiance(light);
+    writeSky(light, away);
 }

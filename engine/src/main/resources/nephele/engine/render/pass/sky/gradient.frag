@@ -9,5 +9,5 @@ uniform vec3 ground;
 // A gradient over the sine of the altitude; the Java twin is render.pass.sky.GradientSky.
 void main() {
     float sine = direction.y * inversesqrt(dot(direction, direction));
-    writeRadiance(mix(horizon, sine > 0.0 ? zenith : ground, abs(sine)));
+    writeSky(mix(horizon, sine > 0.0 ? zenith : ground, abs(sine)), direction);
 }

@@ -2,6 +2,7 @@
 
 uniform sampler2DArray faces;
 
+in vec3 direction; // not of unit length
 in vec2 st;
 flat in float face;
 
@@ -10,5 +11,5 @@ void main() {
 #ifdef WHITE_RADIANCE
     radiance *= float(WHITE_RADIANCE);
 #endif
-    writeRadiance(radiance);
+    writeSky(radiance, direction);
 }
