@@ -1,6 +1,7 @@
 package nephele.editor.panel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -16,13 +17,17 @@ import nephele.editor.document.Selection;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
+import nephele.editor.window.WindowLook;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The panels over a level of the game, without a window. */
 class PanelEditsSwingTest {
@@ -106,5 +111,35 @@ class PanelEditsSwingTest {
             seen.add(session.document().level().environment().exposureStops());
         });
         assertEquals(List.of(false, Exposure.AUTO, Exposure.NEUTRAL, true, written), seen);
+    }
+
+    /** Every editor ends within the panel, also where the panel is as narrow as a window of 800 points makes it. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void nothingOfTheInspectorReachesBeyondIt(int scale) throws Exception {
+        EditorSession session = session();
+        onEventThread(() -> {
+            WindowLook.apply(session.settings().with(EditorSetting.SCALE_PERCENT, 100 * scale));
+            var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
+            inspector.setSize(scale * 280, scale * 400);
+            layOut(inspector);
+            layOut(inspector);
+            for (Component part :
+                    all(inspector, WidthTrackingPanel.class).get(0).getComponents()) {
+                int room = part.getParent().getWidth();
+                assertTrue(part.getX() + part.getWidth() <= room, () -> part + " ends beyond " + room);
+            }
+            inspector.close();
+            WindowLook.apply(session.settings());
+        });
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
     }
 }

@@ -23,6 +23,7 @@ import nephele.editor.term.FieldWords;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {
+    private static final int INDENT_POINTS = 10;
     private static final int LONGEST_TITLE_POINTS = 112;
     private static final int LONGEST_CHOICE_POINTS = 104;
 
@@ -46,12 +47,13 @@ final class FieldLine {
     }
 
     void addTo(JPanel panel) {
-        int indentPixels = UIScale.scale(10 * field.depth());
-        String indent = "gapleft " + indentPixels;
+        // The layout scales its own lengths.
+        String indent = "gapleft " + INDENT_POINTS * field.depth();
+        int indentPixels = UIScale.scale(INDENT_POINTS * field.depth());
         FieldKind kind = field.type().kind();
         boolean isLong = title.getPreferredSize().width + indentPixels > UIScale.scale(LONGEST_TITLE_POINTS);
         if (kind == FieldKind.TRUTH && isLong) {
-            panel.add(title, indent + ", span 2, split 2");
+            panel.add(title, indent + ", span 2, split 2, wmin 0");
             panel.add(editor.component());
             panel.add(menu);
             return;
@@ -59,7 +61,7 @@ final class FieldLine {
         boolean isWide = kind == FieldKind.VECTOR || kind == FieldKind.ASSET || kind == FieldKind.EXPOSURE;
         if (isWide || isLong || hasLongChoice()) {
             // Several inputs, the name of a file, a long title and a long choice need the whole width to be readable.
-            panel.add(title, indent + ", span 2");
+            panel.add(title, indent + ", span 2, wmin 0");
             panel.add(menu);
             panel.add(editor.component(), indent + ", span 3, growx, w 40:120:");
             return;

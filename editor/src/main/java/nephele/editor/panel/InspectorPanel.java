@@ -6,6 +6,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
@@ -25,9 +26,9 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
     private final transient AssetChooser chooser;
     private final ComparisonPart comparison;
     private final JLabel heading = new JLabel();
-    private final JLabel message = new JLabel();
+    private final JTextArea message = new JTextArea();
     private final JPanel content =
-            new WidthTrackingPanel(new MigLayout("insets 4, gap 4 3, fillx, wrap 3", "[][104lp::, grow, fill][]"));
+            new WidthTrackingPanel(new MigLayout("insets 4, gap 4 3, fillx, wrap 3", "[][76::, grow, fill][]"));
     private final transient List<FieldLine> lines = new ArrayList<>();
     private transient Language shownLanguage;
 
@@ -43,7 +44,13 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
         scroll.getVerticalScrollBar().setUnitIncrement(16);
         add(heading);
         add(scroll);
-        add(message);
+        message.setEditable(false);
+        message.setFocusable(false);
+        message.setOpaque(false);
+        message.setLineWrap(true);
+        message.setWrapStyleWord(true);
+        // A long message takes lines, not width.
+        add(message, "wmin 0");
         add(comparison);
         message.setVisible(false);
         registration = session.listen(change -> {

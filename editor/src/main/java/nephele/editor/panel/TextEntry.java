@@ -49,6 +49,8 @@ final class TextEntry {
             outline(null);
             if (!component.getText().equals(text)) {
                 component.setText(text);
+                // Of a text that does not fit, the beginning is seen.
+                component.setCaretPosition(0);
             }
         }
     }

@@ -1,6 +1,9 @@
 package nephele.editor.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -38,7 +41,7 @@ public final class EditorWindow extends JFrame {
         keys = new WindowKeys(this, panel);
         desk.attach(this);
         add(panel);
-        setSize(1280, 800);
+        setSize(fitting(1280, 800));
         setLocationByPlatform(true);
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
@@ -50,6 +53,15 @@ public final class EditorWindow extends JFrame {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
         registration = session.listen(this::follow);
         setTitle(EditorTitle.of(session));
+    }
+
+    /** Returns a size in points of text at the scale of the settings, at most that of the screen without its bars. */
+    private static Dimension fitting(int width, int height) {
+        Dimension screen = GraphicsEnvironment.getLocalGraphicsEnvironment()
+                .getMaximumWindowBounds()
+                .getSize();
+        return new Dimension(
+                Math.min(UIScale.scale(width), screen.width), Math.min(UIScale.scale(height), screen.height));
     }
 
     /** Returns the question of a window about unsaved changes. */
