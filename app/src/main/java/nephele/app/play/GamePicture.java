@@ -68,6 +68,13 @@ final class GamePicture {
         captions.begin(null);
     }
 
+    /** Draws what the window waits for until the level's first frame, which computes tables of its sky. */
+    void announce() {
+        Language language = files.settings().get(Settings.LANGUAGE);
+        Banner banner = Captions.preparing(current.session().request().level(), language);
+        display.drawEmpty(new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()));
+    }
+
     /**
      * Draws a frame.
      *

@@ -68,6 +68,7 @@ final class TestPlay {
     Optional<FinishedRun> run() {
         picture.levelBegins();
         window.reveal();
+        picture.announce();
         picture.draw(GameStage.RUNNING, null, page, shot);
         reports.firstShown.run();
         lastNanos = System.nanoTime();
