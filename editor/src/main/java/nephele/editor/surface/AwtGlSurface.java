@@ -53,6 +53,9 @@ public final class AwtGlSurface implements ViewportSurface {
     private final class GlCanvas extends AWTGLCanvas {
         private static final long serialVersionUID = 1;
 
+        /** The size of the last picture; {@code null} before the first. */
+        private transient SurfaceSize painted;
+
         GlCanvas(GLData format) {
             super(format);
             setMinimumSize(new Dimension(1, 1));
@@ -71,6 +74,11 @@ public final class AwtGlSurface implements ViewportSurface {
             SurfaceSize size = SurfaceSize.of(this);
             painter.paint(RenderTarget.window(gl, size.width(), size.height()), size);
             swapBuffers();
+            if (!size.equals(painted)) {
+                // Drivers may give the buffers their new size only with the swap: what was drawn then had the old one.
+                painted = size;
+                repaintSoon();
+            }
         }
 
         @Override
