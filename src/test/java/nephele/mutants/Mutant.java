@@ -23,7 +23,12 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         PLACEMENT,
         SIMULATION,
         LEVEL,
-        MODEL
+        MODEL,
+        CLOUD,
+        SKY,
+        PARTICLE,
+        TERRAIN,
+        PLANT
     }
 
     /** Returns the file's text with the fault. */

@@ -15,7 +15,9 @@ final class Mutants {
                     SimulationMutants.ALL,
                     LevelMutants.ALL,
                     ModelMutants.ALL,
-                    SurfaceLightMutants.ALL)
+                    SurfaceLightMutants.ALL,
+                    SkyMutants.ALL,
+                    GroundMutants.ALL)
             .flatMap(List::stream)
             .toList();
 

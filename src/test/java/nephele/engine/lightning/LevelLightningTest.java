@@ -120,4 +120,17 @@ class LevelLightningTest {
         }
         return false;
     }
+
+    /** Nobody can count the seconds to the next strike: times between two have a spread of the size of their mean. */
+    @Test
+    void strikesComeAtUnevenTimes() {
+        double shortest = Double.POSITIVE_INFINITY;
+        double longest = 0;
+        for (int strike = 0; strike < STRIKES; strike++) {
+            double between = lightning.beginSeconds(strike + 1) - lightning.beginSeconds(strike);
+            shortest = Math.min(shortest, between);
+            longest = Math.max(longest, between);
+        }
+        assertTrue(longest > 2 * shortest, shortest + " to " + longest + " s");
+    }
 }

@@ -35,4 +35,15 @@ class StackSpanTest {
         assertEquals(1500, StackSpan.height(R, ray, span.fromMetres()), 0.01);
         assertEquals(1800, StackSpan.height(R, ray, span.toMetres()), 0.01);
     }
+
+    /** The sides of a box cut the span along both axes. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "0, 1"})
+    void theSidesOfTheBoxCutTheSpan(double x, double z) {
+        Ray ray = new Ray(-100 * x, 1600, -100 * z, x, 0, z);
+        Aabb box = new Aabb(-30 - 1e3 * z, 1500, -30 - 1e3 * x, 40 + 1e3 * z, 1800, 40 + 1e3 * x);
+        StackSpan span = StackSpan.of(box, R, ray);
+        assertEquals(70, span.fromMetres(), 1e-9);
+        assertEquals(140, span.toMetres(), 1e-9);
+    }
 }

@@ -154,4 +154,14 @@ class CloudMotionTest {
             assertEquals(before, after, 1e-5);
         }
     }
+
+    /** A layer keeps its altitude and its pattern in a wind that blows up. */
+    @Test
+    void aLayerDoesNotRise() {
+        densities().forEach((name, density) -> {
+            var still = field(LAYER, density, Cloud.Motion.STILL, 0);
+            var moved = field(LAYER, density, new Cloud.Motion(new Vec3(0, 3, 0), 0), 40);
+            requireShifted(name, still, moved, Vec3.ZERO);
+        });
+    }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -65,5 +66,16 @@ class PlanMapTest {
             tight += map.greatest(x, z, x + 1, z + 1) < 0.5 ? 1 : 0;
         }
         assertTrue(tight > 200, tight + " of 1000 bounds are far below the greatest value");
+    }
+
+    /** Between pixels the value is bilinear: that of a picture that rises evenly is exact everywhere. */
+    @Test
+    void anEvenSlopeIsExactBetweenPixels() {
+        float[] values = new float[COLUMNS * ROWS];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = i % COLUMNS + 100f * (i / COLUMNS);
+        }
+        PlanMap map = new PlanMap(new VoxelGrid(COLUMNS, 1, ROWS, BOX, values), GridAxis.Edge.CLAMPED);
+        assertEquals(10.25 + 100 * 20.75, map.at(-10 + 2 * 10.75, 5 + 2 * 21.25), 1e-3);
     }
 }

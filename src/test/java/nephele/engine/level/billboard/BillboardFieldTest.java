@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
@@ -83,5 +84,22 @@ class BillboardFieldTest {
     void noMoreThanFitArePlanted() {
         List<Vec3> onBlock = plant(field(300, 20, new Billboards.HeightLimits(1.9, 2.1)));
         assertTrue(onBlock.size() > 25 && onBlock.size() < 60, onBlock.size() + " fit");
+    }
+
+    /** A density map lies over the ground as seen from above, its left side at the least x, its upper side at the least z. */
+    @Test
+    void theDensityMapLiesOverTheGroundAsSeenFromAbove() {
+        TestAssets maps = new TestAssets()
+                .picture("left.png", 8, 8, (x, y) -> x < 4 ? 0xffffff : 0)
+                .picture("upper.png", 8, 8, (x, y) -> y < 4 ? 0xffffff : 0);
+        List<Vec3> left = plant("left.png", maps);
+        List<Vec3> upper = plant("upper.png", maps);
+        assertTrue(left.size() > 20 && upper.size() > 20);
+        left.forEach(p -> assertTrue(p.x() <= 0, p.toString()));
+        upper.forEach(p -> assertTrue(p.z() <= 0, p.toString()));
+    }
+
+    private static List<Vec3> plant(String map, TestAssets maps) {
+        return BillboardField.plant(new Billboards.Field(null, 4, 50, 0.6, map, 90, null), ground(), maps);
     }
 }

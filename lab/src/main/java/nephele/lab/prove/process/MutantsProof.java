@@ -24,9 +24,9 @@ public final class MutantsProof implements Proof {
         return new Claim(
                 "mutants",
                 "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
-                        + " simulation, level and model code makes a test fail.",
+                        + " simulation, level, model, cloud, sky, particle, terrain and plant code makes a test fail.",
                 "mutants",
-                69,
+                108,
                 13);
     }
 
