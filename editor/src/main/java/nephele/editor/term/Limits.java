@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -41,7 +42,9 @@ public final class Limits {
 
     /** Returns what is wrong with a value of a component or with an entry of it, and what would be right. */
     public static Optional<Words> problem(RecordField field, Object value) {
-        if (value == null || value.equals(field.written().absent())) {
+        boolean isAbsent =
+                !field.isRequired() && Objects.equals(value, field.written().absent());
+        if (isAbsent) {
             return Optional.empty();
         } else if (value instanceof Number number) {
             return number(field, number.doubleValue());
