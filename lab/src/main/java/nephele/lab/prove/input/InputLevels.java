@@ -22,7 +22,10 @@ import nephele.engine.level.json.LevelJson;
  * value, then random pairs.
  */
 final class InputLevels {
-    private static final List<String> NAMES = List.of("room", "skybox", "air", "ground", "weather");
+    private static final List<String> NAMES = List.of("room", "skybox", "air", "ground", "weather", "clouds");
+    /** Times at which levels are drawn: the start, amid their changes, and the end of the environment's clock. */
+    private static final List<Double> SECONDS = List.of(0.0, 12.5, 1e9);
+
     private static final int COLOUR_TEXELS = 4;
     private static final int HEIGHT_SAMPLES = 17;
 
@@ -37,14 +40,16 @@ final class InputLevels {
      * A level's text with odd numbers.
      *
      * @param numbers the replaced places with their numbers
+     * @param seconds the time of the environment at which it is drawn
      */
-    record OddInput(String name, byte[] utf8, Map<LevelNumbers.Place, String> numbers) {
+    record OddInput(String name, byte[] utf8, Map<LevelNumbers.Place, String> numbers, double seconds) {
         /** Returns what is odd in it, to find it again. */
         String told() {
             return name + " with "
                     + numbers.entrySet().stream()
                             .map(entry -> entry.getKey().path() + " " + entry.getValue())
-                            .collect(Collectors.joining(" and "));
+                            .collect(Collectors.joining(" and "))
+                    + " at " + seconds + " s";
         }
 
         /** Returns true if each number may be where it is. */
@@ -78,7 +83,7 @@ final class InputLevels {
     OddInput of(long unit) {
         if (unit < alone.size()) {
             OddNumber odd = alone.get((int) unit);
-            return with(odd.level(), Map.of(odd.place(), odd.number()));
+            return with(odd.level(), Map.of(odd.place(), odd.number()), seconds(unit));
         }
         SplittableRandom random = new SplittableRandom(unit);
         int level = random.nextInt(levels.size());
@@ -88,15 +93,19 @@ final class InputLevels {
             List<String> odd = List.copyOf(levels.get(level).places().get(place).oddNumbers());
             numbers.put(place, odd.get(random.nextInt(odd.size())));
         }
-        return with(level, numbers);
+        return with(level, numbers, seconds(unit));
     }
 
-    private OddInput with(int level, Map<Integer, String> numbers) {
+    private static double seconds(long unit) {
+        return SECONDS.get((int) (unit % SECONDS.size()));
+    }
+
+    private OddInput with(int level, Map<Integer, String> numbers, double seconds) {
         LevelNumbers all = levels.get(level);
         byte[] utf8 = all.with(numbers).getBytes(StandardCharsets.UTF_8);
         Map<LevelNumbers.Place, String> named = new LinkedHashMap<>();
         numbers.forEach((place, number) -> named.put(all.places().get(place), number));
-        return new OddInput(NAMES.get(level), utf8, named);
+        return new OddInput(NAMES.get(level), utf8, named, seconds);
     }
 
     private static LevelNumbers numbers(String name) {

@@ -30,6 +30,7 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.WorldRules;
+import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
@@ -68,9 +69,6 @@ final class InputTrial {
     private static final int HEIGHT = 36;
     private static final int TICKS = 12;
 
-    /** Times of the environment at which a level is drawn: its start, amid its changes, and after eleven days. */
-    private static final List<Double> SECONDS = List.of(0.0, 12.5, 1e6);
-
     /** What no user should read: names of exceptions, and records as text. */
     private static final Pattern JAVA = Pattern.compile("Exception|\\b[A-Z]\\w+\\[\\w+=|\\bnull\\b|@[0-9a-f]{5,}");
 
@@ -96,7 +94,7 @@ final class InputTrial {
             CloudExplanation.lines(placed);
             simulated(placed);
             if (gl != null) {
-                drawn(placed, gl);
+                drawn(placed, input.seconds(), gl);
                 outcome = Outcome.DRAWN;
             }
             return new Ended(outcome, Optional.empty());
@@ -159,11 +157,13 @@ final class InputTrial {
         }
     }
 
+    /** Walks, and fires both portals if there is a gun. */
     private static void simulated(PlacedLevel placed) throws Fault {
         Simulation simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT, FaultLog.SILENT);
         SimState state = simulation.start();
         for (int tick = 0; tick < TICKS; tick++) {
-            state = simulation.step(state, PlayerInput.NONE);
+            Action fired = tick < TICKS / 2 ? Action.FIRE_FIRST : Action.FIRE_SECOND;
+            state = simulation.step(state, PlayerInput.FORWARD.holding(fired));
         }
         Vec3 feet = state.player().feet();
         if (!Double.isFinite(feet.x() + feet.y() + feet.z())) {
@@ -171,25 +171,21 @@ final class InputTrial {
         }
     }
 
-    private void drawn(PlacedLevel placed, GlContext gl) throws Fault {
+    private void drawn(PlacedLevel placed, double seconds, GlContext gl) throws Fault {
         Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
         RenderSettings settings = RenderSettings.of(Output.HDR, Quality.LOW.withPictureResolution(1));
         try (RenderTarget target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT);
                 Renderer renderer = Renderer.load(gl, scene, settings)) {
-            for (double seconds : SECONDS) {
-                FrameState state = FrameState.atStart(renderer.scene().level());
-                state.seconds(seconds);
-                renderer.draw(
-                        Viewpoints.standard(placed.level(), file.toString(), (double) WIDTH / HEIGHT)
-                                .view(0),
-                        state,
-                        target);
-                gl.requireNoError("draw");
-                float[] radiance = renderer.readRadiance();
-                for (int i = 0; i < radiance.length; i++) {
-                    if (!Float.isFinite(radiance[i])) {
-                        throw new Fault("at " + seconds + " s pixel " + i / 3 + " is " + radiance[i]);
-                    }
+            FrameState state = FrameState.atStart(renderer.scene().level());
+            state.seconds(seconds);
+            double aspect = (double) WIDTH / HEIGHT;
+            renderer.draw(
+                    Viewpoints.standard(placed.level(), file.toString(), aspect).view(0), state, target);
+            gl.requireNoError("draw");
+            float[] radiance = renderer.readRadiance();
+            for (int i = 0; i < radiance.length; i++) {
+                if (!Float.isFinite(radiance[i])) {
+                    throw new Fault("pixel " + i / 3 + " is " + radiance[i]);
                 }
             }
         }
