@@ -186,7 +186,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
     /** Returns the range in words, such as {@code 0 … 1}; empty if it is only the size of the world. */
     public String range() {
         NumberRange range = field.range();
-        return range == null || range.equals(NumberRange.WORLD)
+        return range == null || range.stretches().equals(NumberRange.WORLD.stretches())
                 ? ""
                 : range.text("%s … %s", ", ", NumberExpression::text);
     }
