@@ -128,6 +128,29 @@ class HeightStrokeTest {
         });
     }
 
+    /** A way of 10⁹ m has as many dabs as its part at the terrain, and of 1e300 m too. */
+    @Test
+    void aStrokeThatLeavesTheTerrainCostsNoMoreThanItsPartThere() {
+        for (double far : new double[] {1e3, 1e9, 1e300}) {
+            int[] dabs = {0};
+            Dabs way = new Dabs(GROUND, 1.5, 6, 100, -50);
+            way.to(100 + far, -50, (x, z) -> {
+                dabs[0]++;
+                assertEquals(0, (x - 100) % 1.5, 1e-6);
+            });
+            assertTrue(dabs[0] >= 17 && dabs[0] <= 20, far + " m: " + dabs[0]);
+            way.to(100 + far, -50 + far, (x, z) -> dabs[0] = 999);
+            assertTrue(dabs[0] < 999, "beside the terrain");
+        }
+        HeightStroke near =
+                new HeightStroke(GROUND, map((c, r) -> 20_000), new TerrainBrush(Effect.RAISE, 6, 1), 90, -50);
+        HeightStroke far =
+                new HeightStroke(GROUND, map((c, r) -> 20_000), new TerrainBrush(Effect.RAISE, 6, 1), 90, -50);
+        near.to(150, -50);
+        far.to(1e9, -50);
+        assertArrayEquals(near.map().values(), far.map().values());
+    }
+
     @Test
     void aSmallBrushReachesASampleAndABorderCutsIt() {
         HeightMap flat = map((c, r) -> 20_000);

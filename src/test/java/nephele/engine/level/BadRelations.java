@@ -97,15 +97,15 @@ final class BadRelations {
             prism("side 01", "{}", "", "no such face"),
             prism("+x", "{}", "", "side 0 to side 4 are known"),
             prism("side 4", "{\"material\": \"wood\"}", ".material", "no material 'wood'"),
-            prism("+y", "{\"texture\": {\"scaleU\": 0}}", ".texture.scaleU", "at least 0.001"),
-            prism("+y", "{\"texture\": {\"scaleV\": -0.0009}}", ".texture.scaleV", "at most -0.001"),
+            prism("+y", "{\"texture\": {\"scaleU\": 0}}", ".texture.scaleU", "or from 0.001 to 10000, not 0"),
+            prism("+y", "{\"texture\": {\"scaleV\": -0.0009}}", ".texture.scaleV", "from -10000 to -0.001 or"),
             level(
                     "solids[0].faces.slope.texture.scaleV",
-                    "no size",
+                    "from 0.001 to 10000",
                     wedge("+x", "{\"slope\": {\"texture\": {\"scaleV\": 0}}}")),
             level(
                     "solids[0].planes[4].texture.scaleU",
-                    "no size",
+                    "from 0.001 to 10000",
                     planes(tetrahedron() + ", {\"distanceMetres\": 9, \"normal\": [0, 1, 0],"
                             + " \"texture\": {\"scaleU\": -0}}")),
             level("lights[0].innerConeDegrees", "outerConeDegrees", spot("[0, -1, 0]", ", \"innerConeDegrees\": 50")),
@@ -160,12 +160,12 @@ final class BadRelations {
                             + model("a", null, "{\"kind\": \"rotate\", \"axis\": [0, 0, 0], \"angleDegrees\": 90}")
                             + "]"),
             level(
-                    "models[0].transform[0].by",
-                    "scale of zero",
+                    "models[0].transform[0].by[1]",
+                    "or from 1e-9 to 10000000, not",
                     "\"models\": [" + model("a", null, "{\"kind\": \"scale\", \"by\": [1, 0, 1]}") + "]"),
             level(
-                    "models[0].transform[0].by",
-                    "scale of zero",
+                    "models[0].transform[0].by[1]",
+                    "or from 1e-9 to 10000000, not",
                     "\"models\": [" + model("a", null, "{\"kind\": \"scale\", \"by\": [1, 1e-30, 1]}") + "]"),
             level("models[0].file", "no such file", "\"models\": [" + model("a", null, "") + "]"),
             level(

@@ -58,6 +58,8 @@ final class BadValues {
             box("faces.+y.colour", "{\"+y\": {\"colour\": 1}}", "unknown key"),
             texture("scaleU", "NaN", "not valid JSON"),
             texture("scaleU", "20000", "must be from"),
+            texture("scaleU", "0", "from 0.001 to 10000, not 0"),
+            texture("scaleV", "-0.0009", "from -10000 to -0.001 or"),
             texture("scaleV", "\"1\"", "a number"),
             texture("scale", "2", "unknown key"),
             texture("rotationDegrees", "361", "must be from -360 to 360"),
@@ -72,7 +74,7 @@ final class BadValues {
             emitter(
                     "ratePerSecond",
                     "\"kind\": \"fire\", \"size\": [1, 1, 1], \"ratePerSecond\": -1",
-                    "must be from 0 to 1000000"),
+                    "must be 0 or from 0.000001 to 1000000"),
             emitter(
                     "size[1]",
                     "\"kind\": \"fire\", \"size\": [1, 0, 1], \"ratePerSecond\": 1",
@@ -83,7 +85,7 @@ final class BadValues {
                     "whole number"),
             level(
                     "environment.lightning.strikesPerMinute",
-                    "must be from 0 to 30",
+                    "must be 0 or from 0.001 to 30",
                     "\"environment\": {\"lightning\": {\"strikesPerMinute\": 31, \"centre\": [0, 900, 0], \"size\":"
                             + " [9, 9, 9]}}"),
             level("solids[0].kind", "is missing", "\"solids\": [{\"id\": \"a\"}]"),
@@ -121,7 +123,7 @@ final class BadValues {
                     "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"files\": [1,1,1,1,1,1,1]}}"),
             level(
                     "environment.clouds[0].density.seed",
-                    "must be from",
+                    "to 9007199254740991, not 9007199254740993",
                     cloud("{\"kind\": \"noise\", \"seed\": 9007199254740993}")),
             level("environment.clouds[0].density.kind", "no kind", cloud("{\"kind\": \"fluff\"}")),
             level(
@@ -144,6 +146,18 @@ final class BadValues {
                     "environment.clouds[0].density.fill.boxes",
                     "is missing",
                     cloud("{\"kind\": \"puffs\", \"fill\": {}}")),
+            level(
+                    "environment.weatherSeed",
+                    "to 9007199254740991, not -9007199254740995",
+                    "\"environment\": {\"weather\": \"few\", \"weatherSeed\": -9007199254740995}"),
+            level(
+                    "environment.clouds[0].evolutionSeconds",
+                    "must be 0 or from 1 to",
+                    cloud("{\"kind\": \"noise\"}").replace("}}]", "}, \"evolutionSeconds\": 0.5}]")),
+            level(
+                    "environment.sky.dayLengthSeconds",
+                    "must be 0 or from 1 to",
+                    "\"environment\": {\"sky\": {\"kind\": \"atmosphere\", \"dayLengthSeconds\": 5e-324}}"),
             level("environment.weather", "one of", "\"environment\": {\"weather\": \"rain\"}"),
             level(
                     "environment.clouds[0].size",

@@ -49,29 +49,30 @@ final class RandomLevels {
                 && written.absent().isEmpty()
                 && type != List.class
                 && type != Map.class;
-        return mayBeNull && random.nextInt(3) == 0 ? null : value(component.getGenericType(), written);
+        return mayBeNull && random.nextInt(3) == 0 ? null : value(component.getGenericType(), component);
     }
 
-    private Object value(Type type, Written written) {
+    private Object value(Type type, RecordComponent component) {
         if (type instanceof ParameterizedType generic) {
             Type[] arguments = generic.getActualTypeArguments();
-            return generic.getRawType() == List.class ? list(arguments[0], written) : table(arguments, written);
+            return generic.getRawType() == List.class ? list(arguments[0], component) : table(arguments, component);
         }
         Class<?> raw = (Class<?>) type;
         if (raw == Vec3.class) {
-            return new Vec3(number(written), number(written), number(written));
+            Vec3 vector = new Vec3(number(component), number(component), number(component));
+            return range(component).reaches(vector) ? vector : new Vec3(0, 1, 0);
         } else if (raw == Exposure.class) {
-            return random.nextInt(3) == 0 ? Exposure.AUTO : Exposure.ofStops(number(written));
+            return random.nextInt(3) == 0 ? Exposure.AUTO : Exposure.ofStops(number(component));
         } else if (raw == double.class || raw == Double.class) {
-            return number(written);
+            return number(component);
         } else if (raw == int.class) {
-            return (int) Math.rint(number(written));
+            return (int) Math.rint(number(component));
         } else if (raw == long.class) {
-            return (long) Math.rint(number(written));
+            return (long) Math.rint(number(component));
         } else if (raw == boolean.class || raw == Boolean.class) {
             return random.nextBoolean();
         } else if (raw == String.class) {
-            return text(written.text());
+            return text(component.getAnnotation(Written.class).text());
         } else if (raw.isEnum()) {
             return raw.getEnumConstants()[random.nextInt(raw.getEnumConstants().length)];
         } else if (raw.isSealed()) {
@@ -81,34 +82,39 @@ final class RandomLevels {
         return record(raw);
     }
 
-    private List<Object> list(Type element, Written written) {
+    private List<Object> list(Type element, RecordComponent component) {
         List<Object> list = new ArrayList<>();
         for (int i = random.nextInt(4); i > 0; i--) {
-            list.add(value(element, written));
+            list.add(value(element, component));
         }
         return list;
     }
 
-    private Map<Object, Object> table(Type[] arguments, Written written) {
+    private Map<Object, Object> table(Type[] arguments, RecordComponent component) {
         Map<Object, Object> table = new TreeMap<>();
         for (int i = random.nextInt(3); i > 0; i--) {
-            table.put(value(arguments[0], written), value(arguments[1], written));
+            table.put(value(arguments[0], component), value(arguments[1], component));
         }
         return table;
     }
 
     /** Returns any bits, the ends of the range, zeros of both signs, subnormals, and numbers with few decimals. */
-    private double number(Written written) {
+    private double number(RecordComponent component) {
+        NumberRange range = range(component);
         double value =
                 switch (random.nextInt(6)) {
                     case 0 -> Double.longBitsToDouble(random.nextLong());
-                    case 1 -> random.nextBoolean() ? written.min() : written.max();
+                    case 1 -> random.nextBoolean() ? range.min() : range.max();
                     case 2 -> random.nextBoolean() ? -0.0 : 0.0;
                     case 3 -> Double.longBitsToDouble(random.nextLong(1L << 52));
                     case 4 -> random.nextInt(-100_000, 100_000) / 1000.0;
-                    default -> written.min() + random.nextDouble() * (written.max() - written.min());
+                    default -> range.min() + random.nextDouble() * (range.max() - range.min());
                 };
-        return value >= written.min() && value <= written.max() ? value : written.min();
+        return range.contains(value) ? value : range.nearest(Double.isNaN(value) ? 1 : value);
+    }
+
+    private static NumberRange range(RecordComponent component) {
+        return NumberRange.of(component.getAnnotation(Range.class));
     }
 
     private String text(TextKind rule) {

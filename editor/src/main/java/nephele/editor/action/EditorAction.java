@@ -1,7 +1,9 @@
 package nephele.editor.action;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 
@@ -62,8 +64,18 @@ public record EditorAction(
      * @throws ActionFailure with a message for the user
      */
     public void run(ActionCall call) throws ActionFailure {
-        if (endDrag(call.session())) {
+        if (!endDrag(call.session())) {
+            return;
+        }
+        List<Words> refusals = new ArrayList<>();
+        Registration listening = call.session().document().onRefusal(refusals::add);
+        try {
             effect.run(call);
+        } finally {
+            listening.close();
+        }
+        if (!refusals.isEmpty()) {
+            throw new ActionFailure(refusals.get(0));
         }
     }
 

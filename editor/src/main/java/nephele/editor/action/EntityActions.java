@@ -1,6 +1,5 @@
 package nephele.editor.action;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -19,7 +18,6 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
 import nephele.editor.transform.EntityTransform;
@@ -160,29 +158,10 @@ final class EntityActions {
         step(call, label, (level, refs) -> (Level) entities.changed(level, refs, change));
     }
 
-    /** Makes a change of what is selected a step, unless a file could not hold it. */
-    private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
-            throws ActionFailure {
+    /** Makes a change of what is selected a step. */
+    private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change) {
         Document document = call.session().document();
-        List<EntityRef> refs = document.selection().entities();
-        Level after = change.apply(document.level(), refs);
-        for (EntityRef ref : refs) {
-            Optional<Words> problem = document.entities().find(after, ref).flatMap(EntityActions::problem);
-            if (problem.isPresent()) {
-                throw new ActionFailure(problem.get());
-            }
-        }
-        document.edit(label, before -> after);
-    }
-
-    /** Returns why a file could not hold an entity, such as a place outside the world. */
-    private static Optional<Words> problem(Record entity) {
-        List<Words> problems = new ArrayList<>();
-        RecordWalk.map(entity, (field, value) -> {
-            FieldType.of(field).problem(value).ifPresent(problems::add);
-            return value;
-        });
-        return problems.stream().findFirst();
+        document.edit(label, level -> change.apply(level, document.selection().entities()));
     }
 
     private static void set(ActionCall call) throws ActionFailure {

@@ -3,10 +3,13 @@ package nephele.editor.document;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
+import nephele.editor.term.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 
@@ -23,6 +26,7 @@ public final class Document {
 
     private final Entities entities = Entities.LEVEL;
     private final List<Listener> listeners = new ArrayList<>();
+    private final List<Consumer<Words>> refusals = new ArrayList<>();
     private History history;
     /** The state that a drag shows and has not made a step yet; {@code null} without a drag. */
     private Snapshot preview;
@@ -35,6 +39,12 @@ public final class Document {
     public Registration listen(Listener listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);
+    }
+
+    /** Registers who is told why a step was refused, until the registration is closed. */
+    public Registration onRefusal(Consumer<Words> told) {
+        refusals.add(told);
+        return () -> refusals.remove(told);
     }
 
     public Entities entities() {
@@ -70,7 +80,7 @@ public final class Document {
         tell(before);
     }
 
-    /** Makes a step, unless the level stays the same object. */
+    /** Makes a step, unless the level stays the same object, or the step is refused since a file could not hold it. */
     public void edit(Words label, UnaryOperator<Level> change) {
         edit(label, null, snapshot -> snapshot.with(change.apply(snapshot.level())));
     }
@@ -84,7 +94,9 @@ public final class Document {
         cancelDrag();
         Snapshot before = history.current();
         Snapshot after = existing(change.apply(before));
-        if (after.level() != before.level()) {
+        if (isRefused(before, after)) {
+            return;
+        } else if (after.level() != before.level()) {
             history.add(label, mergeKey, after);
         } else if (!after.selection().equals(before.selection())) {
             history.select(after.selection());
@@ -116,7 +128,7 @@ public final class Document {
         tell(before);
     }
 
-    /** Makes the drag one step; does nothing without a drag. */
+    /** Makes the drag one step, or takes it back if a file could not hold it; does nothing without a drag. */
     public void commitDrag(Words label) {
         commitDrag(label, null);
     }
@@ -128,9 +140,10 @@ public final class Document {
         }
         Snapshot before = preview;
         preview = null;
-        if (before.level() != history.current().level()) {
+        boolean isRefused = isRefused(history.current(), before);
+        if (!isRefused && before.level() != history.current().level()) {
             history.add(label, mergeKey, before);
-        } else {
+        } else if (!isRefused) {
             history.select(before.selection());
         }
         tell(before);
@@ -181,6 +194,13 @@ public final class Document {
 
     public boolean isModified() {
         return history.isModified();
+    }
+
+    /** Returns true, and tells why, if a file could not hold what a step makes, such as a place outside the world. */
+    private boolean isRefused(Snapshot before, Snapshot after) {
+        Optional<Words> problem = Limits.change(before.level(), after.level());
+        problem.ifPresent(words -> List.copyOf(refusals).forEach(told -> told.accept(words)));
+        return problem.isPresent();
     }
 
     private Snapshot existing(Snapshot snapshot) {

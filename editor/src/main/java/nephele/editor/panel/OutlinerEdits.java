@@ -8,6 +8,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
+import nephele.editor.term.Limits;
 import nephele.engine.level.TextKind;
 
 /** The steps that the outliner makes. */
@@ -44,8 +45,7 @@ record OutlinerEdits(EditorSession session) {
             return;
         }
         if (id.length() > TextKind.ID.longest()) {
-            session.status(
-                    PanelText.LENGTH.with(id.substring(0, 8) + "…", TextKind.ID.shortest(), TextKind.ID.longest()));
+            session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
             return;
         }
         if (document().entities().find(document().level(), renamed).isPresent()) {

@@ -1,6 +1,7 @@
 package nephele.editor.play;
 
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.Range;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.RecordFile;
@@ -17,8 +18,8 @@ import nephele.engine.level.json.RecordFile;
 public record PlayEnd(
         @Written(required = true) PlayerStart player,
         @Written boolean exitReached,
-        @Written(min = 0) double exitSeconds,
-        @Written(min = 0) int portals,
+        @Written @Range(min = 0) double exitSeconds,
+        @Written @Range(min = 0) int portals,
         @Written(text = TextKind.PROSE) String recorded) {
     private static final RecordFile<PlayEnd> FILE = RecordFile.of("play-end", 1, PlayEnd.class);
 

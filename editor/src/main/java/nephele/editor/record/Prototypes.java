@@ -52,8 +52,7 @@ public final class Prototypes {
     }
 
     private static Object derived(RecordField field, String id, Vec3 at) {
-        double number =
-                Math.max(field.declaration().min(), Math.min(field.declaration().max(), 1));
+        double number = field.range() == null ? 1 : field.range().nearest(1);
         return switch (field.kind()) {
             case NUMBER -> number;
             case WHOLE -> field.valueClass() == int.class ? (Object) (int) number : (Object) (long) number;

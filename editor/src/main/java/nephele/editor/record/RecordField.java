@@ -2,6 +2,7 @@ package nephele.editor.record;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.NumberRange;
 import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
@@ -20,6 +21,11 @@ public record RecordField(int index, WrittenField written, FieldKind kind) {
     /** Returns the declaration: limits, reference, meaning in the world. */
     public Written declaration() {
         return written.written();
+    }
+
+    /** Returns the range of its numbers, or of those of its entries; {@code null} if it holds none. */
+    public NumberRange range() {
+        return written.range();
     }
 
     public Spatial spatial() {

@@ -62,6 +62,7 @@ public final class EditorSession {
         proving = new Proving(new ProvedSession(this));
         drag = new ToolDrag(this);
         document.listen((before, after) -> tell(Change.DOCUMENT));
+        document.onRefusal(this::status);
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
     }

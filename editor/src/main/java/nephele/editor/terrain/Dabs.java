@@ -1,8 +1,15 @@
 package nephele.editor.terrain;
 
-/** The places of a stroke's dabs: its beginning, then at equal distances along its way. */
+import nephele.engine.level.Terrain;
+
+/**
+ * The places of a stroke's dabs: its beginning, then at equal distances along its way. Of those after the beginning only
+ * dabs that can reach the terrain are made, so that a way of any length costs no more than one across the terrain.
+ */
 final class Dabs {
     private final double spacing;
+    private final double[] middle;
+    private final double[] reach;
     private double x;
     private double z;
     /** The way from the last dab to the present place. */
@@ -14,9 +21,16 @@ final class Dabs {
         void at(double x, double z);
     }
 
-    /** @param spacing metres between two dabs along the way */
-    Dabs(double spacing, double x, double z) {
+    /**
+     * @param spacing metres between two dabs along the way
+     * @param radius of a dab, metres
+     */
+    Dabs(Terrain terrain, double spacing, double radius, double x, double z) {
         this.spacing = spacing;
+        middle = new double[] {terrain.centre().x(), terrain.centre().z()};
+        reach = new double[] {
+            terrain.sizeMetres().x() / 2 + radius, terrain.sizeMetres().z() / 2 + radius
+        };
         this.x = x;
         this.z = z;
     }
@@ -24,13 +38,35 @@ final class Dabs {
     /** Goes straight to a place. */
     void to(double toX, double toZ, Dab dab) {
         double way = Math.hypot(toX - x, toZ - z);
-        double next = spacing - since;
-        for (; next <= way; next += spacing) {
-            double share = next / way;
-            dab.at(x + share * (toX - x), z + share * (toZ - z));
+        double first = spacing - since;
+        double count = Math.floor((way - first) / spacing) + 1;
+        if (count > 0) {
+            double[] shares = {0, 1};
+            clip(0, x, toX, shares);
+            clip(1, z, toZ, shares);
+            double from = Math.max(0, Math.ceil((shares[0] * way - first) / spacing - 1));
+            double to = Math.min(count - 1, Math.floor((shares[1] * way - first) / spacing + 1));
+            for (double i = from; i <= to; i++) {
+                double share = Math.min(1, (first + i * spacing) / way);
+                dab.at(x + share * (toX - x), z + share * (toZ - z));
+            }
         }
-        since = way - (next - spacing);
+        since = count > 0 ? Math.max(0, Math.min(spacing, way - first - (count - 1) * spacing)) : since + way;
         x = toX;
         z = toZ;
+    }
+
+    /** Narrows the shares of the way between which one of its coordinates can reach the terrain. */
+    private void clip(int axis, double start, double end, double[] shares) {
+        double low = middle[axis] - reach[axis];
+        double high = middle[axis] + reach[axis];
+        if (start == end) {
+            shares[1] = start < low || start > high ? -1 : shares[1];
+            return;
+        }
+        double a = (low - start) / (end - start);
+        double b = (high - start) / (end - start);
+        shares[0] = Math.max(shares[0], Math.min(a, b));
+        shares[1] = Math.min(shares[1], Math.max(a, b));
     }
 }

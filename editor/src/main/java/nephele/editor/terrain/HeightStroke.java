@@ -53,7 +53,7 @@ public final class HeightStroke implements TerrainStroke {
             values[i] = map.values()[i] & 0xffff;
         }
         flat = (float) valueAt(x, z);
-        dabs = new Dabs(radius / 4, x, z);
+        dabs = new Dabs(said, radius / 4, radius, x, z);
         dab(x, z);
     }
 

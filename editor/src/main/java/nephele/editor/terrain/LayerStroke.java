@@ -45,7 +45,7 @@ public final class LayerStroke implements TerrainStroke {
         grid = TerrainGrid.of(said, map.columns(), map.rows());
         radius = grid.effective(brush.radiusMetres());
         covered = new float[map.columns() * map.rows()];
-        dabs = new Dabs(radius / 4, x, z);
+        dabs = new Dabs(said, radius / 4, radius, x, z);
         dab(x, z);
     }
 

@@ -104,22 +104,17 @@ public final class EntityTransform {
 
     private static Object scaled(RecordField field, Object value, Vec3 pivot, Vec3 factors, double length) {
         if (field.spatial() == Spatial.LENGTH && value instanceof Double metres) {
-            return within(field, metres * length);
+            return field.range().nearest(metres * length);
         } else if (field.spatial() == Spatial.POINT && value instanceof Vec3 point) {
             return pivot.plus(point.minus(pivot).times(factors));
         } else if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
             Vec3 scaled = size.times(factors);
             return new Vec3(
-                    within(field, Math.abs(scaled.x())),
-                    within(field, Math.abs(scaled.y())),
-                    within(field, Math.abs(scaled.z())));
+                    field.range().nearest(Math.abs(scaled.x())),
+                    field.range().nearest(Math.abs(scaled.y())),
+                    field.range().nearest(Math.abs(scaled.z())));
         }
         return value;
-    }
-
-    /** Returns the nearest length that a file permits. */
-    private static double within(RecordField field, double metres) {
-        return Math.max(field.declaration().min(), Math.min(field.declaration().max(), metres));
     }
 
     private static Record points(Record entity, java.util.function.UnaryOperator<Vec3> change) {

@@ -23,18 +23,18 @@ import nephele.engine.math.Vec3;
 public record Billboards(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true, text = TextKind.ASSET, prototype = "\"textures/sprites/bush.png\"") String sprite,
-        @Written(min = 0, max = 1) Vec3 colourKey,
+        @Written @Range(min = 0, max = 1) Vec3 colourKey,
         @Written(absent = "\"cylindrical\"") Facing facing,
         @Written(required = true, array = true, prototype = "[1.4, 1.05]") Size sizeMetres,
-        @Written(min = 0, max = 1) double heightVariation,
-        @Written(most = 100_000, spatial = Spatial.POINT) List<Vec3> at,
+        @Written @Range(min = 0, max = 1) double heightVariation,
+        @Written(most = 100_000, spatial = Spatial.POINT) @Range List<Vec3> at,
         @Written Field field,
-        @Written(absent = "1", min = 1, max = MOST_FRAMES) int frames,
-        @Written(min = 0, max = 240) double framesPerSecond,
-        @Written(min = 0, max = 60) double windMetresPerSecond,
+        @Written(absent = "1") @Range(min = 1, max = MOST_FRAMES) int frames,
+        @Written @Range(min = 1e-3, max = 240, shape = Range.Shape.OR_ZERO) double framesPerSecond,
+        @Written @Range(min = 0, max = 60) double windMetresPerSecond,
         @Written boolean blended,
-        @Written(absent = "[0, 0, 0]", min = 0, max = 1e4) Vec3 emission,
-        @Written(min = 0, max = 1e4) Vec3 colour) {
+        @Written(absent = "[0, 0, 0]") @Range(min = 0, max = 1e4) Vec3 emission,
+        @Written @Range(min = 0, max = 1e4) Vec3 colour) {
     /** The most billboards of a level, fields included. */
     public static final int MOST = 200_000;
 
@@ -59,8 +59,8 @@ public record Billboards(
 
     /** Width and height of the largest one. */
     public record Size(
-            @Written(required = true, min = 0.01, max = 1000, spatial = Spatial.LENGTH) double width,
-            @Written(required = true, min = 0.01, max = 1000, spatial = Spatial.LENGTH) double height) {}
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 0.01, max = 1000) double width,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 0.01, max = 1000) double height) {}
 
     /**
      * Random places that keep a distance.
@@ -74,18 +74,18 @@ public record Billboards(
      */
     public record Field(
             @Written(text = TextKind.ID, refersTo = "terrains") String terrain,
-            @Written(min = 0, max = 1e9) int seed,
-            @Written(required = true, min = 1, max = MOST, prototype = "20") int count,
-            @Written(required = true, min = 0.01, max = 1e4, spatial = Spatial.LENGTH, prototype = "1")
+            @Written @Range(min = 0, max = 1e9) int seed,
+            @Written(required = true, prototype = "20") @Range(min = 1, max = MOST) int count,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "1") @Range(min = 0.01, max = 1e4)
                     double spacingMetres,
             @Written(text = TextKind.ASSET) String densityMap,
-            @Written(absent = "90", min = 0, max = 90) double maxSlopeDegrees,
+            @Written(absent = "90") @Range(min = 0, max = 90) double maxSlopeDegrees,
             @Written(array = true) HeightLimits heightRangeMetres) {}
 
     /** The least and the greatest height. */
     public record HeightLimits(
-            @Written(required = true, spatial = Spatial.LENGTH) double low,
-            @Written(required = true, spatial = Spatial.LENGTH) double high) {}
+            @Written(required = true, spatial = Spatial.LENGTH) @Range double low,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range double high) {}
 
     /** Makes opaque billboards of one size that stand still at places. */
     public static Billboards at(String id, String sprite, Facing facing, double width, double height, List<Vec3> at) {

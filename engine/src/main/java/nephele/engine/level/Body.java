@@ -31,12 +31,13 @@ public sealed interface Body {
     /** {@code "kind": "box"}. */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT, prototype = "[0.6, 0.6, 0.6]") Vec3 size,
-            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.EXTENT, prototype = "[0.6, 0.6, 0.6]") @Range(min = 1e-4)
+                    Vec3 size,
+            @Written(required = true, prototype = "30") @Range(min = 1e-6) double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
-            @Written(absent = "0.6", min = 0, max = 10) double friction,
-            @Written(min = 0, max = 1) double restitution)
+            @Written(absent = "0.6") @Range(min = 0, max = 10) double friction,
+            @Written @Range(min = 0, max = 1) double restitution)
             implements Body {
         @Override
         public Body withMaterial(String other) {
@@ -47,12 +48,13 @@ public sealed interface Body {
     /** {@code "kind": "sphere"}. */
     record Sphere(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH, prototype = "0.3") double radiusMetres,
-            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "0.3") @Range(min = 1e-4)
+                    double radiusMetres,
+            @Written(required = true, prototype = "30") @Range(min = 1e-6) double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
-            @Written(absent = "0.6", min = 0, max = 10) double friction,
-            @Written(min = 0, max = 1) double restitution)
+            @Written(absent = "0.6") @Range(min = 0, max = 10) double friction,
+            @Written @Range(min = 0, max = 1) double restitution)
             implements Body {
         @Override
         public Body withMaterial(String other) {
@@ -63,13 +65,15 @@ public sealed interface Body {
     /** {@code "kind": "capsule"}: its axis stands upright at the start; {@code heightMetres} includes both caps. */
     record Capsule(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH, prototype = "0.3") double radiusMetres,
-            @Written(required = true, min = 2e-4, spatial = Spatial.LENGTH, prototype = "1.2") double heightMetres,
-            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "0.3") @Range(min = 1e-4)
+                    double radiusMetres,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "1.2") @Range(min = 2e-4)
+                    double heightMetres,
+            @Written(required = true, prototype = "30") @Range(min = 1e-6) double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
-            @Written(absent = "0.6", min = 0, max = 10) double friction,
-            @Written(min = 0, max = 1) double restitution)
+            @Written(absent = "0.6") @Range(min = 0, max = 10) double friction,
+            @Written @Range(min = 0, max = 1) double restitution)
             implements Body {
         @Override
         public Body withMaterial(String other) {

@@ -17,9 +17,9 @@ public record Cloud(
         @Written(beside = true) Extent extent,
         @Written(absent = "\"auto\"") CloudTechnique technique,
         @Written(absent = "{\"kind\": \"ellipsoid\"}") Density density,
-        @Written(absent = "0.05", min = 0, max = 1e3) double extinctionPerMetre,
-        @Written(absent = "1", min = 0, max = 1) double albedo,
-        @Written(min = -0.999, max = 0.999) double phaseG,
+        @Written(absent = "0.05") @Range(min = 1e-9, max = 1e3, shape = Range.Shape.OR_ZERO) double extinctionPerMetre,
+        @Written(absent = "1") @Range(min = 0, max = 1) double albedo,
+        @Written @Range(min = -0.999, max = 0.999) double phaseG,
         @Written(beside = true) BackLobe backLobe,
         @Written(beside = true) Motion motion,
         @Written boolean shafts,
@@ -88,14 +88,15 @@ public record Cloud(
     public sealed interface Extent {
         /** {@code "kind": "volume"}: an axis-aligned box. */
         record Volume(
-                @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-                @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT, prototype = "[40, 16, 40]") Vec3 size)
+                @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+                @Written(required = true, spatial = Spatial.EXTENT, prototype = "[40, 16, 40]") @Range(min = 1e-4)
+                        Vec3 size)
                 implements Extent {}
 
         /** {@code "kind": "layer"}: endless; under a sky of kind atmosphere a shell around the planet. */
         record Layer(
-                @Written(required = true, prototype = "1500") double baseAltitudeMetres,
-                @Written(required = true, min = 1e-3, prototype = "300") double thicknessMetres)
+                @Written(required = true, prototype = "1500") @Range double baseAltitudeMetres,
+                @Written(required = true, prototype = "300") @Range(min = 1e-3) double thicknessMetres)
                 implements Extent {}
     }
 
@@ -139,13 +140,13 @@ public record Cloud(
          * @param anvil how far the top spreads
          */
         record Noise(
-                @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed,
-                @Written(absent = "100", min = 1e-3) double featureMetres,
-                @Written(absent = "0.5", min = 0, max = 1) double coverage,
-                @Written(min = 0, max = 1) double erosion,
+                @Written @Range(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed,
+                @Written(absent = "100") @Range(min = 1e-3) double featureMetres,
+                @Written(absent = "0.5") @Range(min = 0, max = 1) double coverage,
+                @Written @Range(min = 0, max = 1) double erosion,
                 @Written CloudProfile profile,
                 @Written(text = TextKind.ASSET) String coverageMap,
-                @Written(min = 0, max = 1) double anvil)
+                @Written @Range(min = 0, max = 1) double anvil)
                 implements Density {
 
             /** Creates noise that fills the extent evenly and has round edges. */
@@ -170,7 +171,8 @@ public record Cloud(
 
     /** One soft ball; its centre is relative to the extent's centre. */
     public record Puff(
-            @Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) double radiusMetres) {}
+            @Written(required = true) @Range Vec3 centre,
+            @Written(required = true) @Range(min = 1e-4) double radiusMetres) {}
 
     /**
      * Blocks that are filled with puffs.
@@ -179,13 +181,13 @@ public record Cloud(
      */
     public record PuffFill(
             @Written(required = true, most = 1000) List<FillBox> boxes,
-            @Written(absent = "200", min = 0, max = 100_000) int count,
-            @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed) {}
+            @Written(absent = "200") @Range(min = 0, max = 100_000) int count,
+            @Written @Range(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed) {}
 
     /** One block; its centre is relative to the extent's centre. */
     public record FillBox(
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-3, prototype = "[20, 10, 20]") Vec3 size) {}
+            @Written(required = true) @Range Vec3 centre,
+            @Written(required = true, prototype = "[20, 10, 20]") @Range(min = 1e-3) Vec3 size) {}
 
     /**
      * The second lobe of a cloud's phase function. The file has the members beside the cloud's own.
@@ -194,7 +196,8 @@ public record Cloud(
      * @param phaseBackShare share of the light that it scatters; 0 for one lobe
      */
     public record BackLobe(
-            @Written(min = -0.999, max = 0.999) double phaseBackG, @Written(min = 0, max = 1) double phaseBackShare) {
+            @Written @Range(min = -0.999, max = 0.999) double phaseBackG,
+            @Written @Range(min = 0, max = 1) double phaseBackShare) {
         public static final BackLobe NONE = new BackLobe(0, 0);
     }
 
@@ -207,10 +210,10 @@ public record Cloud(
      * @param evolutionSeconds time in which noise takes another shape; 0 for a shape that stays
      */
     public record Motion(
-            @Written(absent = "[0, 0, 0]", min = -200, max = 200) Vec3 windMetresPerSecond,
-            @Written(absent = "[0, 0, 0]", min = -1e5, max = 1e5) Vec3 swayMetres,
-            @Written(absent = "60", min = 1, max = 1e9) double swaySeconds,
-            @Written(min = 0, max = 1e9) double evolutionSeconds) {
+            @Written(absent = "[0, 0, 0]") @Range(min = -200, max = 200) Vec3 windMetresPerSecond,
+            @Written(absent = "[0, 0, 0]") @Range(min = -1e5, max = 1e5) Vec3 swayMetres,
+            @Written(absent = "60") @Range(min = 1, max = 1e9) double swaySeconds,
+            @Written @Range(min = 1, max = 1e9, shape = Range.Shape.OR_ZERO) double evolutionSeconds) {
         private static final double USUAL_SWAY_SECONDS = 60;
 
         public static final Motion STILL = new Motion(Vec3.ZERO, 0);
@@ -244,8 +247,8 @@ public record Cloud(
      *     picture's width, in per cent of its mean
      */
     public record Tolerance(
-            @Written(absent = "1", min = 0, max = 1e4) double maxErrorPixels,
-            @Written(absent = "10", min = 0, max = 1e4) double maxErrorPercent) {
+            @Written(absent = "1") @Range(min = 0, max = 1e4) double maxErrorPixels,
+            @Written(absent = "10") @Range(min = 0, max = 1e4) double maxErrorPercent) {
         public static final Tolerance USUAL = new Tolerance(1, 10);
     }
 }

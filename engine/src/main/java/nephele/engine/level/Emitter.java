@@ -15,13 +15,16 @@ import nephele.engine.math.Vec3;
 public record Emitter(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true, prototype = "\"smoke\"") Kind kind,
-        @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-        @Written(required = true, min = 0.01, max = 1000, spatial = Spatial.EXTENT, prototype = "[2, 3, 2]") Vec3 size,
-        @Written(required = true, min = 0, max = 1e6, prototype = "20") double ratePerSecond,
-        @Written(min = 0, max = 1e9) int seed,
-        @Written double startSeconds,
-        @Written(min = 0, max = 1e6) double repeatSeconds,
-        @Written(min = 0, max = 100, spatial = Spatial.LENGTH) double widthMetres,
+        @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+        @Written(required = true, spatial = Spatial.EXTENT, prototype = "[2, 3, 2]") @Range(min = 0.01, max = 1000)
+                Vec3 size,
+        @Written(required = true, prototype = "20") @Range(min = 1e-6, max = 1e6, shape = Range.Shape.OR_ZERO)
+                double ratePerSecond,
+        @Written @Range(min = 0, max = 1e9) int seed,
+        @Written @Range double startSeconds,
+        @Written @Range(min = 0.1, max = 1e6, shape = Range.Shape.OR_ZERO) double repeatSeconds,
+        @Written(spatial = Spatial.LENGTH) @Range(min = 1e-4, max = 100, shape = Range.Shape.OR_ZERO)
+                double widthMetres,
         @Written boolean splashes) {
     /** What an emitter makes; its word in a level file is the name in lower case. */
     public enum Kind {

@@ -19,13 +19,13 @@ import nephele.engine.math.Vec3;
 public record Environment(
         @Written Sun sun,
         @Written Sky sky,
-        @Written(min = 0, max = 1e9) Vec3 ambient,
-        @Written(min = -32, max = 32, absent = "0") Exposure exposureStops,
+        @Written @Range(min = 0, max = 1e9) Vec3 ambient,
+        @Written(absent = "0") @Range(min = -32, max = 32) Exposure exposureStops,
         @Written(absent = "\"clip\"") ToneCurve toneCurve,
         @Written Fog fog,
         @Written(most = 1000) List<Cloud> clouds,
         @Written Weather weather,
-        @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
+        @Written @Range(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
         @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes,
         @Written Lightning lightning) {
 
@@ -37,10 +37,12 @@ public record Environment(
      * @param scaleHeightMetres 0 for fog without end
      */
     public record Fog(
-            @Written(required = true, min = 0, max = 1e3) double extinctionPerMetre,
-            @Written(required = true, min = 0, max = 1e9) Vec3 radiance,
-            @Written double baseAltitudeMetres,
-            @Written(min = 0, prototype = "20") double scaleHeightMetres) {
+            @Written(required = true) @Range(min = 1e-9, max = 1e3, shape = Range.Shape.OR_ZERO)
+                    double extinctionPerMetre,
+            @Written(required = true) @Range(min = 0, max = 1e9) Vec3 radiance,
+            @Written @Range double baseAltitudeMetres,
+            @Written(prototype = "20") @Range(min = 1e-3, max = 1e7, shape = Range.Shape.OR_ZERO)
+                    double scaleHeightMetres) {
 
         /** Creates fog without end. */
         public Fog(double extinctionPerMetre, Vec3 radiance) {
@@ -58,7 +60,7 @@ public record Environment(
      * @param timeSeconds simulated time
      */
     public record WeatherKeyframe(
-            @Written(required = true, min = 0, max = 1e9) double timeSeconds,
+            @Written(required = true) @Range(min = 0, max = 1e9) double timeSeconds,
             @Written(required = true, prototype = "\"few\"") Weather weather) {}
 
     /**
@@ -72,14 +74,16 @@ public record Environment(
      * @param radiantIntensity of a whole bolt when its first stroke is brightest, linear RGB, in watts per steradian
      */
     public record Lightning(
-            @Written(required = true, min = 0, max = 30, prototype = "6") double strikesPerMinute,
-            @Written(min = 0, max = 1e9) int seed,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1, max = 1e5, spatial = Spatial.EXTENT, prototype = "[4000, 400, 4000]")
+            @Written(required = true, prototype = "6") @Range(min = 1e-3, max = 30, shape = Range.Shape.OR_ZERO)
+                    double strikesPerMinute,
+            @Written @Range(min = 0, max = 1e9) int seed,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.EXTENT, prototype = "[4000, 400, 4000]")
+                    @Range(min = 1, max = 1e5)
                     Vec3 size,
-            @Written double groundAltitudeMetres,
-            @Written(absent = "0.6", min = 0, max = 1) double groundShare,
-            @Written(absent = "[4000000, 4300000, 5200000]", min = 0, max = 1e9) Vec3 radiantIntensity) {
+            @Written @Range double groundAltitudeMetres,
+            @Written(absent = "0.6") @Range(min = 0, max = 1) double groundShare,
+            @Written(absent = "[4000000, 4300000, 5200000]") @Range(min = 0, max = 1e9) Vec3 radiantIntensity) {
         /** Returns true if anything of it is ever seen. */
         public boolean strikes() {
             return strikesPerMinute > 0 && !radiantIntensity.equals(Vec3.ZERO);

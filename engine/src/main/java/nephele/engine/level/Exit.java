@@ -10,9 +10,9 @@ import nephele.engine.math.Vec3;
  */
 public record Exit(
         @Written(required = true, text = TextKind.ID) String id,
-        @Written(required = true, spatial = Spatial.POINT) Vec3 feet,
-        @Written(absent = "1", min = 0.1, max = 1000, spatial = Spatial.LENGTH) double radiusMetres,
-        @Written(absent = "2", min = 0.1, max = 1000, spatial = Spatial.LENGTH) double heightMetres) {
+        @Written(required = true, spatial = Spatial.POINT) @Range Vec3 feet,
+        @Written(absent = "1", spatial = Spatial.LENGTH) @Range(min = 0.1, max = 1000) double radiusMetres,
+        @Written(absent = "2", spatial = Spatial.LENGTH) @Range(min = 0.1, max = 1000) double heightMetres) {
     /** Returns true if a point is inside; the base and the side belong to the inside. */
     public boolean contains(Vec3 point) {
         double x = point.x() - feet.x();

@@ -41,7 +41,7 @@ public record Level(
      */
     public record Observer(
             @Written(text = TextKind.ID, refersTo = "cameras") String camera,
-            @Written(absent = "0.5", min = 0.05, max = 100, spatial = Spatial.LENGTH) double radiusMetres,
+            @Written(absent = "0.5", spatial = Spatial.LENGTH) @Range(min = 0.05, max = 100) double radiusMetres,
             @Written(absent = "\"sphere\"") Bounds bounds) {
         /** The volume around a model that the sphere touches; its word in a level file is the name in lower case. */
         public enum Bounds {

@@ -35,21 +35,25 @@ public sealed interface Light {
     /** {@code "kind": "point"}. */
     record Point(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
-            @Written(required = true, min = 0, max = 1e9, prototype = "[20, 19, 17]") Vec3 radiantIntensity,
-            @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 position,
+            @Written(required = true, prototype = "[20, 19, 17]") @Range(min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(absent = "20", spatial = Spatial.LENGTH) @Range(min = 1e-3, max = 1e7, shape = Range.Shape.OR_ZERO)
+                    double rangeMetres,
             @Written(absent = "true") boolean castsShadow)
             implements Light {}
 
     /** {@code "kind": "spot"}; cone angles are half angles from the axis, with full intensity inside the inner cone. */
     record Spot(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
-            @Written(required = true, spatial = Spatial.DIRECTION, prototype = "[0, -1, 0]") Vec3 direction,
-            @Written(required = true, min = 0, max = 1e9, prototype = "[20, 19, 17]") Vec3 radiantIntensity,
-            @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
-            @Written(absent = "20", min = 0, max = 90) double innerConeDegrees,
-            @Written(absent = "30", min = 0.1, max = 90) double outerConeDegrees,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 position,
+            @Written(required = true, spatial = Spatial.DIRECTION, prototype = "[0, -1, 0]")
+                    @Range(min = 1e-9, shape = Range.Shape.DIRECTION)
+                    Vec3 direction,
+            @Written(required = true, prototype = "[20, 19, 17]") @Range(min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(absent = "20", spatial = Spatial.LENGTH) @Range(min = 1e-3, max = 1e7, shape = Range.Shape.OR_ZERO)
+                    double rangeMetres,
+            @Written(absent = "20") @Range(min = 0, max = 90) double innerConeDegrees,
+            @Written(absent = "30") @Range(min = 0.1, max = 90) double outerConeDegrees,
             @Written(absent = "true") boolean castsShadow)
             implements Light {}
 }

@@ -17,13 +17,13 @@ import nephele.engine.math.Vec3;
  */
 public record Material(
         @Written(required = true, text = TextKind.ID) String id,
-        @Written(absent = "[1, 1, 1]", min = 0, max = 1) Vec3 baseColour,
+        @Written(absent = "[1, 1, 1]") @Range(min = 0, max = 1) Vec3 baseColour,
         @Written(text = TextKind.ASSET) String texture,
-        @Written(min = 0, max = 1) Double roughness,
-        @Written(min = 0, max = 1) Double metallic,
+        @Written @Range(min = 0, max = 1) Double roughness,
+        @Written @Range(min = 0, max = 1) Double metallic,
         @Written(text = TextKind.ASSET) String normalTexture,
-        @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
-        @Written(absent = "1", min = 1e-3) double textureMetres,
+        @Written(absent = "[0, 0, 0]") @Range(min = 0, max = 1e9) Vec3 emission,
+        @Written(absent = "1") @Range(min = 1e-3) double textureMetres,
         @Written boolean mirror) {
     /** Creates a material that is no mirror. */
     public Material(

@@ -23,7 +23,7 @@ public record ModelPlacement(
         @Written boolean portalable,
         @Written boolean impostor,
         @Written Billboards.Field field,
-        @Written(min = 0, max = 0.9) double heightVariation) {
+        @Written @Range(min = 0, max = 0.9) double heightVariation) {
     /** Creates a model at one place, always drawn as its mesh. */
     public ModelPlacement(
             String id, String file, String parent, List<TransformStep> transform, String material, boolean portalable) {
@@ -58,13 +58,16 @@ public record ModelPlacement(
     /** One transform step; steps apply in file order, the first one outermost. */
     public sealed interface TransformStep {
         /** {@code "kind": "translate"}. */
-        record Translate(@Written(required = true) Vec3 by) implements TransformStep {}
+        record Translate(@Written(required = true) @Range Vec3 by) implements TransformStep {}
 
         /** {@code "kind": "rotate"}. */
-        record Rotate(@Written(required = true) Vec3 axis, @Written(required = true) double angleDegrees)
+        record Rotate(
+                @Written(required = true) @Range(min = 1e-9, shape = Range.Shape.DIRECTION) Vec3 axis,
+                @Written(required = true) @Range double angleDegrees)
                 implements TransformStep {}
 
         /** {@code "kind": "scale"}. */
-        record Scale(@Written(required = true) Vec3 by) implements TransformStep {}
+        record Scale(@Written(required = true) @Range(min = 1e-9, max = 1e7, shape = Range.Shape.EITHER_SIGN) Vec3 by)
+                implements TransformStep {}
     }
 }

@@ -7,6 +7,6 @@ import nephele.engine.math.Vec3;
  * positive upwards.
  */
 public record PlayerStart(
-        @Written(required = true, spatial = Spatial.POINT) Vec3 feet,
-        @Written double yawDegrees,
-        @Written(min = -90, max = 90) double pitchDegrees) {}
+        @Written(required = true, spatial = Spatial.POINT) @Range Vec3 feet,
+        @Written @Range double yawDegrees,
+        @Written @Range(min = -90, max = 90) double pitchDegrees) {}

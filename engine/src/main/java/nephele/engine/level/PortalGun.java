@@ -6,7 +6,7 @@ package nephele.engine.level;
  * @param rangeMetres the range of a shot
  */
 public record PortalGun(
-        @Written(absent = "1.2", min = 0.1, max = 100) double widthMetres,
-        @Written(absent = "2.1", min = 0.1, max = 100) double heightMetres,
+        @Written(absent = "1.2") @Range(min = 0.1, max = 100) double widthMetres,
+        @Written(absent = "2.1") @Range(min = 0.1, max = 100) double heightMetres,
         @Written(absent = "\"arch\"") PortalShape shape,
-        @Written(absent = "500", min = 1, max = 100_000) double rangeMetres) {}
+        @Written(absent = "500") @Range(min = 1, max = 100_000) double rangeMetres) {}

@@ -6,13 +6,13 @@ import nephele.engine.math.Vec3;
 /** Radiance from every direction in which a ray hits nothing, linear RGB. */
 public sealed interface Sky {
     /** {@code "kind": "constant"}. */
-    record Constant(@Written(required = true, min = 0, max = 1e9) Vec3 radiance) implements Sky {}
+    record Constant(@Written(required = true) @Range(min = 0, max = 1e9) Vec3 radiance) implements Sky {}
 
     /** {@code "kind": "gradient"}: a function of the sine of the altitude: horizon at 0, zenith at 1, ground at −1. */
     record Gradient(
-            @Written(required = true, min = 0, max = 1e9) Vec3 zenith,
-            @Written(required = true, min = 0, max = 1e9) Vec3 horizon,
-            @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 ground)
+            @Written(required = true) @Range(min = 0, max = 1e9) Vec3 zenith,
+            @Written(required = true) @Range(min = 0, max = 1e9) Vec3 horizon,
+            @Written(absent = "[0, 0, 0]") @Range(min = 0, max = 1e9) Vec3 ground)
             implements Sky {}
 
     /**
@@ -27,7 +27,7 @@ public sealed interface Sky {
     record Skybox(
             @Written(absent = "\"faces\"") SkyboxLayout layout,
             @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files,
-            @Written(absent = "1", min = 0, max = 1e9) double whiteRadiance)
+            @Written(absent = "1") @Range(min = 1e-9, max = 1e9, shape = Range.Shape.OR_ZERO) double whiteRadiance)
             implements Sky {
 
         /** Creates a skybox whose files hold radiance as it is. */
@@ -52,15 +52,16 @@ public sealed interface Sky {
      *     air has a hard edge
      */
     record Atmosphere(
-            @Written(absent = "0.3", min = 0, max = 1) double groundAlbedo,
-            @Written(absent = "1", min = 0, max = 100) double mieScale,
-            @Written(absent = "0.8", min = -0.99, max = 0.99) double mieG,
-            @Written(absent = "1", min = 0, max = 10) double ozoneScale,
-            @Written(absent = "45", min = -90, max = 90) double latitudeDegrees,
-            @Written(absent = "172", min = 1, max = 366) double dayOfYear,
-            @Written(absent = "10", min = 0, max = 24) double timeOfDayHours,
-            @Written(min = 0, max = 1e9) double dayLengthSeconds,
-            @Written(absent = "0.2666", min = 0, max = 5) double sunRadiusDegrees)
+            @Written(absent = "0.3") @Range(min = 0, max = 1) double groundAlbedo,
+            @Written(absent = "1") @Range(min = 0, max = 100) double mieScale,
+            @Written(absent = "0.8") @Range(min = -0.99, max = 0.99) double mieG,
+            @Written(absent = "1") @Range(min = 0, max = 10) double ozoneScale,
+            @Written(absent = "45") @Range(min = -90, max = 90) double latitudeDegrees,
+            @Written(absent = "172") @Range(min = 1, max = 366) double dayOfYear,
+            @Written(absent = "10") @Range(min = 0, max = 24) double timeOfDayHours,
+            @Written @Range(min = 1, max = 1e9, shape = Range.Shape.OR_ZERO) double dayLengthSeconds,
+            @Written(absent = "0.2666") @Range(min = 0.01, max = 5, shape = Range.Shape.OR_ZERO)
+                    double sunRadiusDegrees)
             implements Sky {
         /** Clear air in the morning of a summer's day. */
         public static final Atmosphere CLEAR = new Atmosphere(0.3, 1, 0.8, 1, 45, 172, 10, 0, 0.2666);

@@ -27,8 +27,8 @@ public sealed interface Solid {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.EXTENT) @Range(min = 1e-4) Vec3 size,
             @Written Map<BoxFace, Face> faces)
             implements Solid {
         @Override
@@ -71,8 +71,8 @@ public sealed interface Solid {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.EXTENT) @Range(min = 1e-4) Vec3 size,
             @Written(required = true, prototype = "\"+x\"") BoxFace rising,
             @Written Map<String, Face> faces)
             implements Solid {
@@ -98,10 +98,10 @@ public sealed interface Solid {
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double heightMetres,
-            @Written(absent = "16", min = 3, max = 62) int sides,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 1e-4) double radiusMetres,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 1e-4) double heightMetres,
+            @Written(absent = "16") @Range(min = 3, max = 62) int sides,
             @Written Map<String, Face> faces)
             implements Solid {
         @Override
@@ -136,8 +136,8 @@ public sealed interface Solid {
      * @param texture {@code null} if the picture lies as the solid's mapping says
      */
     record PlaneFace(
-            @Written(required = true) Vec3 normal,
-            @Written(required = true) double distanceMetres,
+            @Written(required = true) @Range(min = 1e-9, shape = Range.Shape.DIRECTION) Vec3 normal,
+            @Written(required = true) @Range double distanceMetres,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written Boolean portalable,
             @Written TexturePlacement texture) {}

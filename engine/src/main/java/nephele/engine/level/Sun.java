@@ -10,6 +10,6 @@ import nephele.engine.math.Vec3;
  * irradiance × cos
  */
 public record Sun(
-        @Written(prototype = "[1, 2, 1]") Vec3 directionTowardsSun,
-        @Written(required = true, min = 0, max = 1e9) Vec3 irradiance,
+        @Written(prototype = "[1, 2, 1]") @Range(min = 1e-9, shape = Range.Shape.DIRECTION) Vec3 directionTowardsSun,
+        @Written(required = true) @Range(min = 0, max = 1e9) Vec3 irradiance,
         @Written(absent = "true") boolean castsShadow) {}

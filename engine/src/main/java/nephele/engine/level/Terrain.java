@@ -19,7 +19,7 @@ import nephele.engine.math.Vec3;
 public record Terrain(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true, text = TextKind.ASSET, prototype = "\"terrain/hills.png\"") String heightMap,
-        @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+        @Written(required = true, spatial = Spatial.POINT) @Range Vec3 centre,
         @Written(required = true, array = true, prototype = "[256, 256]") Sides sizeMetres,
         @Written(required = true, array = true, prototype = "[0, 40]") HeightRange heightRangeMetres,
         @Written(most = 8) List<Layer> layers,
@@ -39,13 +39,13 @@ public record Terrain(
 
     /** The lengths of the rectangle's sides along x and z. */
     public record Sides(
-            @Written(required = true, min = 0.01, max = 1e6, spatial = Spatial.LENGTH) double x,
-            @Written(required = true, min = 0.01, max = 1e6, spatial = Spatial.LENGTH) double z) {}
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 0.01, max = 1e6) double x,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = 0.01, max = 1e6) double z) {}
 
     /** The heights of the map's value 0 and of its full scale. */
     public record HeightRange(
-            @Written(required = true, min = -1e5, max = 1e5, spatial = Spatial.LENGTH) double low,
-            @Written(required = true, min = -1e5, max = 1e5, spatial = Spatial.LENGTH) double high) {}
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = -1e5, max = 1e5) double low,
+            @Written(required = true, spatial = Spatial.LENGTH) @Range(min = -1e5, max = 1e5) double high) {}
 
     /**
      * A material between two heights and two slopes.
@@ -56,11 +56,11 @@ public record Terrain(
      */
     public record Layer(
             @Written(required = true, text = TextKind.ID, refersTo = "materials") String material,
-            @Written(absent = "-1e7", spatial = Spatial.LENGTH) double fromMetres,
-            @Written(absent = "1e7", spatial = Spatial.LENGTH) double toMetres,
-            @Written(min = 0, max = 1e5, spatial = Spatial.LENGTH) double blendMetres,
-            @Written(min = 0, max = 90) double minSlopeDegrees,
-            @Written(absent = "90", min = 0, max = 90) double maxSlopeDegrees) {
+            @Written(absent = "-1e7", spatial = Spatial.LENGTH) @Range double fromMetres,
+            @Written(absent = "1e7", spatial = Spatial.LENGTH) @Range double toMetres,
+            @Written(spatial = Spatial.LENGTH) @Range(min = 0, max = 1e5) double blendMetres,
+            @Written @Range(min = 0, max = 90) double minSlopeDegrees,
+            @Written(absent = "90") @Range(min = 0, max = 90) double maxSlopeDegrees) {
         /** Makes a layer of all heights and slopes. */
         public static Layer everywhere(String material) {
             return new Layer(material, -1e7, 1e7, 0, 0, 90);

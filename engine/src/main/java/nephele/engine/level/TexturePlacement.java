@@ -12,11 +12,11 @@ package nephele.engine.level;
  * @param scaleV factor on its height
  */
 public record TexturePlacement(
-        @Written double shiftUMetres,
-        @Written double shiftVMetres,
-        @Written(min = -360, max = 360) double rotationDegrees,
-        @Written(absent = "1", min = -1e4, max = 1e4) double scaleU,
-        @Written(absent = "1", min = -1e4, max = 1e4) double scaleV) {
+        @Written @Range double shiftUMetres,
+        @Written @Range double shiftVMetres,
+        @Written @Range(min = -360, max = 360) double rotationDegrees,
+        @Written(absent = "1") @Range(min = LEAST_SCALE, max = 1e4, shape = Range.Shape.EITHER_SIGN) double scaleU,
+        @Written(absent = "1") @Range(min = LEAST_SCALE, max = 1e4, shape = Range.Shape.EITHER_SIGN) double scaleV) {
     /** The placement that changes nothing. */
     public static final TexturePlacement NONE = new TexturePlacement(0, 0, 0, 1, 1);
 

@@ -7,6 +7,7 @@ import java.lang.annotation.Target;
 
 /**
  * Describes a record component in a level file. Reading checks it, writing uses the default, and the schema states it.
+ * {@link Range} states the numbers that it may hold.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
@@ -16,12 +17,6 @@ public @interface Written {
 
     /** True if the key must be present. */
     boolean required() default false;
-
-    /** Smallest number, also for each component of a vector, in the unit that the component's name states. */
-    double min() default -1e7;
-
-    /** Largest number; the default is the size of the world in metres. */
-    double max() default 1e7;
 
     /** The kind of a text. */
     TextKind text() default TextKind.NAME;

@@ -1,6 +1,8 @@
 package nephele.engine.named;
 
+import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.Problem;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.LevelFormatException;
@@ -21,6 +23,26 @@ public record Campaign(@Written(required = true, most = 1000, text = TextKind.AS
      * @throws LevelFormatException with all problems
      */
     static Campaign read(String file, byte[] utf8) throws LevelFormatException {
-        return FILE.read(file, utf8);
+        Campaign campaign = FILE.read(file, utf8);
+        List<Problem> twice = campaign.twice();
+        if (!twice.isEmpty()) {
+            throw new LevelFormatException(file, twice);
+        }
+        return campaign;
+    }
+
+    /** Returns an error for each level that is there already: the next one after it would be that after the first. */
+    private List<Problem> twice() {
+        List<Problem> twice = new ArrayList<>();
+        for (int i = 0; i < levels.size(); i++) {
+            int first = levels.indexOf(levels.get(i));
+            if (first < i) {
+                twice.add(Problem.error(
+                        "levels[" + i + "]",
+                        "'" + levels.get(i) + "' is already levels[" + first
+                                + "]: a level is played once, delete one"));
+            }
+        }
+        return twice;
     }
 }

@@ -22,6 +22,7 @@ import nephele.lab.prove.geometry.RotationProof;
 import nephele.lab.prove.geometry.SeparationProof;
 import nephele.lab.prove.geometry.SkinProof;
 import nephele.lab.prove.geometry.TerrainDetailProof;
+import nephele.lab.prove.input.InputsProof;
 import nephele.lab.prove.picture.MirrorsProof;
 import nephele.lab.prove.picture.PortalIdsProof;
 import nephele.lab.prove.picture.PortalLightProof;
@@ -58,6 +59,7 @@ public final class Proofs {
             SaveKillProof.LEVELS,
             SaveKillProof.SETTINGS,
             new MutantsProof(),
+            new InputsProof(),
             new PortalIdsProof(),
             new PortalLightProof(),
             new MirrorsProof(),

@@ -3,6 +3,7 @@ package nephele.editor.panel.model;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Material;
+import nephele.engine.level.Range;
 import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
@@ -16,13 +17,13 @@ public record BeaconLevel(
     /** An entity with a component of most kinds. */
     public record Beacon(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
-            @Written(absent = "2", min = 0.5, max = 8) double periodSeconds,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 position,
+            @Written(absent = "2") @Range(min = 0.5, max = 8) double periodSeconds,
             @Written boolean portalable,
-            @Written(min = 0, max = 1) Double gain,
+            @Written @Range(min = 0, max = 1) Double gain,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
-            @Written List<Vec3> flashes,
-            @Written Map<String, Double> weights) {}
+            @Written @Range List<Vec3> flashes,
+            @Written @Range Map<String, Double> weights) {}
 
     static Beacon beacon(String id, double period, String material) {
         return new Beacon(id, new Vec3(1, 5, 2), period, period > 2, null, material, List.of(), Map.of());

@@ -7,9 +7,11 @@ import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.MajorantWalk;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.CloudProfile;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,6 +64,21 @@ class NoiseCloudTest {
     void nothingAndEverythingAreExact(CloudProfile profile) {
         assertEquals(0, cover(layer(new Noise(2, FEATURE, 0, 0, profile, null, 0), 900), 900));
         assertEquals(1, cover(layer(new Noise(2, FEATURE, 1, 0.3, profile, null, 0), 900), 900));
+    }
+
+    /** The work along a ray is bounded whatever the ratio of a cloud's edges and of its features. */
+    @ParameterizedTest
+    @CsvSource({"100, 1e7, 40", "100, 1e7, 1e-3", "1e7, 100, 1e-3", "1e7, 1e7, 1e-3"})
+    void aRayThroughALongCloudMeetsAFewThousandCells(double across, double up, double feature) {
+        Noise noise = new Noise(2, feature, 0.5, 0.3, null, null, 0);
+        ExtinctionField field = field(new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(across, up, 100)), noise);
+        Ray along = up > across ? new Ray(1, -up, 1, 0, 1, 0) : new Ray(-across, 1, 1, 1, 0, 0);
+        MajorantWalk walk = field.walk(along, 0, 2 * Math.max(across, up));
+        int cells = 0;
+        while (cells < 20_000 && walk.next()) {
+            cells++;
+        }
+        assertTrue(cells <= 4098, cells + " cells");
     }
 
     @ParameterizedTest

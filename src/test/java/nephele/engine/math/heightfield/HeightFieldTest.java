@@ -194,7 +194,7 @@ class HeightFieldTest {
                 Arguments.of(8194, 2, 1.0, 0.0, "not 8194 × 2"),
                 Arguments.of(3, 3, 0.0, 0.0, "cells are 0.001 m to 1.0E7 m wide, not 0.0 m"),
                 Arguments.of(3, 3, Double.NaN, 0.0, "not NaN m"),
-                Arguments.of(3, 3, 1.0, Double.NaN, "begins at Vec3[x=NaN"),
+                Arguments.of(3, 3, 1.0, Double.NaN, "begins at x NaN m, y"),
                 Arguments.of(8193, 2, 2000.0, 0.0, "no farther than 1.0E7 m"));
     }
 

@@ -12,12 +12,11 @@ import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.term.ChoiceWord;
-import nephele.editor.term.FieldWords;
+import nephele.editor.term.Limits;
 import nephele.editor.text.Words;
-import nephele.engine.asset.AssetId;
 import nephele.engine.level.Exposure;
+import nephele.engine.level.NumberRange;
 import nephele.engine.level.Spatial;
-import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
@@ -96,7 +95,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
         } else if (!isEntry() && field.written().absent() != null) {
             return field.written().absent();
         }
-        double number = Math.max(declaration().min(), Math.min(declaration().max(), 1));
+        double number = field.range() == null ? 1 : field.range().nearest(1);
         return switch (kind) {
             case NUMBER -> number;
             case WHOLE -> whole(number);
@@ -181,47 +180,14 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
 
     /** Returns what is wrong with a value, and what would be right. */
     public Optional<Words> problem(Object value) {
-        if (value instanceof Number number) {
-            return rangeProblem(number.doubleValue());
-        } else if (value instanceof Exposure exposure) {
-            return exposure.isAuto() ? Optional.empty() : rangeProblem(exposure.fixedStops());
-        } else if (value instanceof Vec3 vector) {
-            return rangeProblem(vector.x()).or(() -> rangeProblem(vector.y())).or(() -> rangeProblem(vector.z()));
-        } else if (value instanceof String text) {
-            int least = declaration().text().shortest();
-            int most = declaration().text().longest();
-            boolean isFine = text.length() >= least && text.length() <= most;
-            boolean isFile = declaration().text() == TextKind.ASSET && AssetId.rejectionReason(text) == null;
-            if (!isFine) {
-                return Optional.of(PanelText.LENGTH.with(FieldWords.of(field), least, most));
-            }
-            return isFile || declaration().text() != TextKind.ASSET
-                    ? Optional.empty()
-                    : Optional.of(PanelText.NO_FILE_NAME.with(text));
-        } else if (value instanceof List<?> list && list.size() > declaration().most()) {
-            return Optional.of(
-                    PanelText.TOO_MANY.with(FieldWords.of(field), declaration().most()));
-        }
-        return Optional.empty();
-    }
-
-    private Optional<Words> rangeProblem(double value) {
-        double min = declaration().min();
-        double max = declaration().max();
-        boolean isFine = value >= min && value <= max;
-        return isFine
-                ? Optional.empty()
-                : Optional.of(PanelText.RANGE.with(
-                        FieldWords.of(field), NumberExpression.text(min), NumberExpression.text(max), field.unit()));
+        return Limits.problem(field, value);
     }
 
     /** Returns the range in words, such as {@code 0 … 1}; empty if it is only the size of the world. */
     public String range() {
-        boolean isNumber = isShifted() || kind == FieldKind.VECTOR;
-        boolean isBounded = declaration().min() > -1e7 || declaration().max() < 1e7;
-        return isNumber && isBounded
-                ? NumberExpression.text(declaration().min()) + " … "
-                        + NumberExpression.text(declaration().max())
-                : "";
+        NumberRange range = field.range();
+        return range == null || range.stretches().equals(NumberRange.WORLD.stretches())
+                ? ""
+                : range.text("%s … %s", ", ", NumberExpression::text);
     }
 }

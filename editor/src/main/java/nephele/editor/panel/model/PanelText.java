@@ -51,15 +51,6 @@ public enum PanelText implements Text {
     MENU_OF("Menu of %s", "Menu de %s", "Menu de %s"),
     CHOOSE_FILE("Choose a file for %s", "Escolher um arquivo para %s", "Escolher um ficheiro para %s"),
     CHOOSE_COLOUR("Choose %s", "Escolher %s", "Escolher %s"),
-    RANGE("%s must be from %s to %s %s", "%s deve ficar de %s a %s %s", "%s tem de ficar de %s a %s %s"),
-    LENGTH(
-            "%s must have %s to %s characters",
-            "%s deve ter de %s a %s caracteres", "%s tem de ter de %s a %s caracteres"),
-    TOO_MANY("%s has at most %s entries", "%s tem no máximo %s entradas", "%s tem no máximo %s entradas"),
-    NO_FILE_NAME(
-            "\"%s\" names no file; write a path of letters, digits, '.', '_', '-' and '/'",
-            "\"%s\" não é nome de arquivo; escreva um caminho com letras, dígitos, '.', '_', '-' e '/'",
-            "\"%s\" não é nome de ficheiro; escreve um caminho com letras, dígitos, '.', '_', '-' e '/'"),
     ID_TAKEN("the name %s is in use", "o nome %s já está em uso", "o nome %s já está em uso"),
     NO_NUMBER(
             "\"%s\" is no number; write one, or a sum such as 128/3",

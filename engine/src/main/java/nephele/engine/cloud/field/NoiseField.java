@@ -16,6 +16,9 @@ public final class NoiseField implements ExtinctionField {
 
     private static final double MOST_CELLS = 64;
 
+    /** Greatest number of cells across the longest edge: a column of 100 m by 10 000 km has no million of them. */
+    private static final double MOST_CELLS_ALONG = 4096;
+
     /** Shortest cell of a layer, whose rays may be as long as the world. */
     private static final double LAYER_CELL_METRES = 25;
 
@@ -47,11 +50,12 @@ public final class NoiseField implements ExtinctionField {
         double width = Math.min(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ());
         double shortest = Math.min(height, width);
         double cell = Math.max(featureMetres / CELLS_PER_FEATURE, shortest / MOST_CELLS);
+        double length = Math.max(bounds.maxX() - bounds.minX(), bounds.maxZ() - bounds.minZ());
         double across = width < Double.POSITIVE_INFINITY
-                ? Math.min(cell, width / FEWEST_CELLS)
+                ? Math.max(Math.min(cell, width / FEWEST_CELLS), length / MOST_CELLS_ALONG)
                 : Math.max(cell, LAYER_CELL_METRES);
-        lattice = new CellLattice(
-                origin.x(), origin.y(), origin.z(), across, Math.min(cell, height / FEWEST_CELLS), across);
+        double up = Math.max(Math.min(cell, height / FEWEST_CELLS), height / MOST_CELLS_ALONG);
+        lattice = new CellLattice(origin.x(), origin.y(), origin.z(), across, up, across);
     }
 
     public NoiseDensity density() {

@@ -17,9 +17,6 @@ import org.joml.Vector3d;
  */
 public record FogTransmittance(
         double extinctionPerMetre, Vec3 radiance, double baseAltitudeMetres, double scaleHeightMetres) {
-    /** The smallest scale height that is computed: thinner fog has a surface. */
-    private static final double LEAST_SCALE_METRES = 1e-3;
-
     /** The part of a scale height below which (1 − exp(−x)) / x is its series. */
     private static final double SERIES_BELOW = 1e-2;
 
@@ -32,9 +29,7 @@ public record FogTransmittance(
                         fog.extinctionPerMetre(),
                         fog.radiance(),
                         fog.baseAltitudeMetres(),
-                        fog.isEndless()
-                                ? Double.POSITIVE_INFINITY
-                                : Math.max(LEAST_SCALE_METRES, fog.scaleHeightMetres())));
+                        fog.isEndless() ? Double.POSITIVE_INFINITY : fog.scaleHeightMetres()));
     }
 
     /** Returns true if the fog of an environment has no end, so that nothing at an infinite distance is seen through it. */

@@ -24,10 +24,7 @@ record FileHeader(String noun, String format, int version) {
             report("version", "a " + noun + " file says \"version\": " + version, problems);
         } else if (number.value() != version) {
             String which = number.value() > version ? "newer than this program reads" : "not one that ever existed";
-            report(
-                    "version",
-                    "version " + NumberText.of(number.value()) + " is " + which + " (" + version + ")",
-                    problems);
+            report("version", "version " + number.text() + " is " + which + " (" + version + ")", problems);
         }
         return problems.count() == before;
     }

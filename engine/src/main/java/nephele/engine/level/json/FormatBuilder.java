@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.level.Exposure;
+import nephele.engine.level.NumberRange;
+import nephele.engine.level.Range;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
@@ -36,7 +38,7 @@ final class FormatBuilder {
             throw new IllegalStateException(
                     component.getDeclaringRecord() + "." + component.getName() + " does not say how it is written");
         }
-        ValueFormat format = format(component.getGenericType(), written);
+        ValueFormat format = format(component.getGenericType(), component);
         Object absent = written.absent().isEmpty() ? format.absent() : parsed(written.absent(), format);
         return new FieldFormat(
                 component.getName(), component.getAccessor(), format, written.required(), written.beside(), absent);
@@ -50,29 +52,42 @@ final class FormatBuilder {
         return value;
     }
 
-    private static ValueFormat format(Type type, Written written) {
+    /** @param type of the component, or of the entries that it holds */
+    private static ValueFormat format(Type type, RecordComponent component) {
         if (type instanceof ParameterizedType generic) {
             Type[] arguments = generic.getActualTypeArguments();
+            int most = component.getAnnotation(Written.class).most();
             return generic.getRawType() == List.class
-                    ? new CollectionFormats.Entries(format(arguments[0], written), written.most())
-                    : new CollectionFormats.Table(keys((Class<?>) arguments[0]), format(arguments[1], written));
+                    ? new CollectionFormats.Entries(format(arguments[0], component), most)
+                    : new CollectionFormats.Table(keys((Class<?>) arguments[0]), format(arguments[1], component));
         }
-        return single((Class<?>) type, written);
+        return single((Class<?>) type, component);
+    }
+
+    /** Returns the range of a component of numbers. */
+    private static NumberRange range(RecordComponent component) {
+        Range range = component.getAnnotation(Range.class);
+        if (range == null) {
+            throw new IllegalStateException(
+                    component.getDeclaringRecord() + "." + component.getName() + " does not say its range");
+        }
+        return NumberRange.of(range);
     }
 
     private static WordFormats.Choice keys(Class<?> type) {
         return type.isEnum() ? WordFormats.Choice.of(type) : null;
     }
 
-    private static ValueFormat single(Class<?> type, Written written) {
+    private static ValueFormat single(Class<?> type, RecordComponent component) {
+        Written written = component.getAnnotation(Written.class);
         if (type == Vec3.class) {
-            return new NumberFormats.Vector(written.min(), written.max());
+            return new NumberFormats.Vector(range(component));
         } else if (type == double.class || type == Double.class) {
-            return new NumberFormats.Real(written.min(), written.max(), type == double.class ? 0.0 : null);
+            return new NumberFormats.Real(range(component), type == double.class ? 0.0 : null);
         } else if (type == Exposure.class) {
-            return new NumberFormats.RealOrAuto(new NumberFormats.Real(written.min(), written.max(), null));
+            return new NumberFormats.RealOrAuto(new NumberFormats.Real(range(component), null));
         } else if (type == int.class || type == long.class) {
-            return new NumberFormats.Whole(written.min(), written.max(), type == int.class);
+            return new NumberFormats.Whole(range(component), type == int.class);
         } else if (type == boolean.class || type == Boolean.class) {
             return new WordFormats.Truth(type == boolean.class ? false : null);
         } else if (type == String.class) {

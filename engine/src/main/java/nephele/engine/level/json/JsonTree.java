@@ -26,6 +26,9 @@ public final class JsonTree {
     private static final int MAX_SHARED_NAMES = 1_000;
     private static final int MOST_SHOWN = 60;
 
+    /** Bound below which every whole number is a double. */
+    private static final double EXACT_INTEGERS = 1L << 53;
+
     private final JsonReader reader;
     private final Problems problems;
     private final Map<String, String> names = new HashMap<>();
@@ -167,7 +170,7 @@ public final class JsonTree {
             problems.error("the number " + shortened(text) + " is too large");
             value = 0;
         }
-        return new JsonValue.Number(value);
+        return new JsonValue.Number(value, Math.abs(value) >= EXACT_INTEGERS ? shortened(text) : null);
     }
 
     private JsonValue text(String text) {

@@ -2,6 +2,7 @@ package nephele.engine.level.json;
 
 import java.util.List;
 import nephele.engine.level.Exposure;
+import nephele.engine.level.NumberRange;
 import nephele.engine.math.Vec3;
 
 /** Formats of numbers and vectors, checked as doubles against a range. */
@@ -9,11 +10,11 @@ final class NumberFormats {
     private NumberFormats() {}
 
     /** A {@code number} of any primitive type; {@code fallback} is the value of an absent key. */
-    record Real(double min, double max, Double fallback) implements ValueFormat {
+    record Real(NumberRange range, Double fallback) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
             return json instanceof JsonValue.Number number
-                    ? inRange(number.value(), min, max, problems)
+                    ? inRange(number, range, problems)
                     : ValueFormat.mismatch("a number", json, problems);
         }
 
@@ -24,7 +25,7 @@ final class NumberFormats {
 
         @Override
         public JsonValue.Members schema(SchemaDefinitions definitions) {
-            return range("number", min, max);
+            return schemaOf("number", range);
         }
 
         @Override
@@ -64,16 +65,16 @@ final class NumberFormats {
     }
 
     /** An integer that fits its Java type; {@code narrow} converts it to an {@code Integer}. */
-    record Whole(double min, double max, boolean narrow) implements ValueFormat {
+    record Whole(NumberRange range, boolean narrow) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
             if (!(json instanceof JsonValue.Number number)) {
                 return ValueFormat.mismatch("a whole number", json, problems);
             }
             if (number.value() != Math.rint(number.value())) {
-                return problems.error("this must be a whole number, not " + NumberText.of(number.value()));
+                return problems.error("this must be a whole number, not " + number.text());
             }
-            Object checked = inRange(number.value(), min, max, problems);
+            Object checked = inRange(number, range, problems);
             return checked == null ? null : boxed((long) number.value());
         }
 
@@ -88,7 +89,7 @@ final class NumberFormats {
 
         @Override
         public JsonValue.Members schema(SchemaDefinitions definitions) {
-            return range("integer", min, max);
+            return schemaOf("integer", range);
         }
 
         @Override
@@ -98,7 +99,7 @@ final class NumberFormats {
     }
 
     /** {@code [x, y, z]}, with the same range for each component. */
-    record Vector(double min, double max) implements ValueFormat {
+    record Vector(NumberRange range) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
             if (!(json instanceof JsonValue.Array array)) {
@@ -111,17 +112,21 @@ final class NumberFormats {
             Double x = component(array, 0, problems);
             Double y = component(array, 1, problems);
             Double z = component(array, 2, problems);
-            return x == null || y == null || z == null ? null : new Vec3(x, y, z);
+            if (x == null || y == null || z == null) {
+                return null;
+            }
+            Vec3 vector = new Vec3(x, y, z);
+            return range.reaches(vector)
+                    ? vector
+                    : problems.error("this direction has no length: give one that points somewhere");
         }
 
         private Double component(JsonValue.Array array, int index, Problems problems) {
-            if (array.values().get(index) instanceof JsonValue.Number number
-                    && number.value() >= min
-                    && number.value() <= max) {
+            if (array.values().get(index) instanceof JsonValue.Number number && range.contains(number.value())) {
                 return number.value();
             }
             int mark = problems.enter(index);
-            Object value = new Real(min, max, null).read(array.values().get(index), problems);
+            Object value = new Real(range, null).read(array.values().get(index), problems);
             problems.leave(mark);
             return (Double) value;
         }
@@ -135,25 +140,45 @@ final class NumberFormats {
 
         @Override
         public JsonValue.Members schema(SchemaDefinitions definitions) {
-            return new JsonValue.Members()
+            JsonValue.Members schema = new JsonValue.Members()
                     .with("type", new JsonValue.Text("array"))
-                    .with("items", range("number", min, max))
+                    .with("items", schemaOf("number", range))
                     .with("minItems", new JsonValue.Number(3))
                     .with("maxItems", new JsonValue.Number(3));
+            double reach = range.leastReach();
+            return reach == 0
+                    ? schema
+                    : schema.with("contains", anyOf(limits(range.min(), -reach), limits(reach, range.max())));
         }
     }
 
-    private static Object inRange(double value, double min, double max, Problems problems) {
-        return value >= min && value <= max
-                ? (Object) value
-                : problems.error("must be from " + NumberText.of(min) + " to " + NumberText.of(max) + ", not "
-                        + NumberText.of(value));
+    private static Object inRange(JsonValue.Number number, NumberRange range, Problems problems) {
+        return range.contains(number.value())
+                ? (Object) number.value()
+                : problems.error(
+                        "must be " + range.text("from %s to %s", " or ", NumberText::of) + ", not " + number.text());
     }
 
-    private static JsonValue.Members range(String type, double min, double max) {
-        return new JsonValue.Members()
-                .with("type", new JsonValue.Text(type))
-                .with("minimum", new JsonValue.Number(min))
-                .with("maximum", new JsonValue.Number(max));
+    private static JsonValue.Members schemaOf(String type, NumberRange range) {
+        JsonValue.Members[] limits = range.stretches().stream()
+                .map(stretch -> limits(stretch.min(), stretch.max()))
+                .toArray(JsonValue.Members[]::new);
+        JsonValue.Members schema = new JsonValue.Members().with("type", new JsonValue.Text(type));
+        return limits.length > 1
+                ? schema.with("anyOf", new JsonValue.Array(List.of(limits)))
+                : schema.with("minimum", new JsonValue.Number(range.min()))
+                        .with("maximum", new JsonValue.Number(range.max()));
+    }
+
+    private static JsonValue.Members anyOf(JsonValue.Members... schemas) {
+        return new JsonValue.Members().with("anyOf", new JsonValue.Array(List.of(schemas)));
+    }
+
+    private static JsonValue.Members limits(double min, double max) {
+        return min == max
+                ? new JsonValue.Members().with("const", new JsonValue.Number(min))
+                : new JsonValue.Members()
+                        .with("minimum", new JsonValue.Number(min))
+                        .with("maximum", new JsonValue.Number(max));
     }
 }

@@ -4,6 +4,8 @@ import java.lang.reflect.RecordComponent;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.NumberRange;
+import nephele.engine.level.Range;
 import nephele.engine.level.Written;
 
 /**
@@ -21,8 +23,14 @@ public final class WrittenRecord {
             FieldFormat field = format.field(i);
             Written written = components[i].getAnnotation(Written.class);
             Object prototype = written.prototype().isEmpty() ? null : parsed(written.prototype(), field.format());
-            fields.add(
-                    new WrittenField(field.name(), components[i].getGenericType(), written, field.absent(), prototype));
+            Range range = components[i].getAnnotation(Range.class);
+            fields.add(new WrittenField(
+                    field.name(),
+                    components[i].getGenericType(),
+                    written,
+                    range == null ? null : NumberRange.of(range),
+                    field.absent(),
+                    prototype));
         }
     }
 

@@ -52,9 +52,6 @@ final class CloudRules {
     /** Puffs of a fill from which on random walks through them are slow. */
     private static final int MANY_PUFFS = 20_000;
 
-    /** A shape that changes faster than this flickers. */
-    private static final double FASTEST_EVOLUTION_SECONDS = 1;
-
     private CloudRules() {}
 
     private static void keyframes(Environment environment, Consumer<Problem> report) {
@@ -111,9 +108,6 @@ final class CloudRules {
                 refuse(path + ".swayMetres[1]", "a layer keeps its altitude: write 0 in the middle");
             }
             double evolution = motion.evolutionSeconds();
-            if (evolution > 0 && evolution < FASTEST_EVOLUTION_SECONDS) {
-                refuse(path + ".evolutionSeconds", "must be 0 for a shape that stays, or at least 1");
-            }
             if (evolution > 0
                     && !(cloud.density() instanceof Noise)
                     && cloud.technique() != CloudTechnique.PROCEDURAL) {

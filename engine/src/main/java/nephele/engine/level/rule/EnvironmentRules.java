@@ -7,10 +7,24 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
 import nephele.engine.math.Vec3;
 
 /** Rules for skies and lightning that cannot be shown. */
 final class EnvironmentRules {
+    /** A sun shines from a direction, its own or that of the hour. */
+    static final LevelRule SUN = (level, assets, report) -> {
+        Sun sun = level.environment().sun();
+        if (sun != null
+                && sun.directionTowardsSun() == null
+                && !(level.environment().sky() instanceof Sky.Atmosphere)) {
+            report.accept(Problem.error(
+                    "environment.sun.directionTowardsSun",
+                    "is missing: write a direction, such as [1, 2, 1]; only under a sky of the kind atmosphere the"
+                            + " time of day gives one"));
+        }
+    };
+
     /** A skybox names as many files as its layout needs, in its order. */
     static final LevelRule SKY_FILES = (level, assets, report) -> {
         if (level.environment().sky() instanceof Sky.Skybox skybox) {

@@ -12,9 +12,8 @@ public final class LevelRules {
     public static final List<LevelRule> STRUCTURE = List.of(
             IdRules.UNIQUE,
             IdRules.MATERIALS,
-            DirectionRules.NOT_ZERO,
+            EnvironmentRules.SUN,
             SolidRules.BOUNDED,
-            TextureRules.SCALES,
             CameraRules.VIEW,
             LightRules.CONES,
             LightRules.SHADOWS,

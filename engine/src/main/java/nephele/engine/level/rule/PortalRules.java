@@ -59,8 +59,7 @@ final class PortalRules {
     /** Reports portals that lie on neither a solid nor a model. */
     static void tellFree(Level level, PlacedModels models, Consumer<Problem> report) {
         LevelRule.each("portals", level.portals(), (path, portal) -> {
-            boolean isOnSurface = DirectionRules.isZero(portal.normal())
-                    || level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
+            boolean isOnSurface = level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
                     || level.terrains().stream().anyMatch(terrain -> mayLieOn(portal.centre(), terrain))
                     || models.all().stream().anyMatch(model -> liesOn(portal, model.triangles()));
             if (!isOnSurface) {

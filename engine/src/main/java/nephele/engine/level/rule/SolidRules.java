@@ -62,12 +62,8 @@ final class SolidRules {
     }
 
     private static void bounded(String path, Solid solid, Consumer<Problem> report) {
-        boolean toldAlready = solid instanceof Solid.Planes planes
-                && planes.planes().stream().anyMatch(plane -> DirectionRules.isZero(plane.normal()));
         try {
-            if (!toldAlready) {
-                Brush.of(solid);
-            }
+            Brush.of(solid);
         } catch (IllegalArgumentException problem) {
             report.accept(Problem.error(path, problem.getMessage()).about(Topic.NO_VOLUME));
         }

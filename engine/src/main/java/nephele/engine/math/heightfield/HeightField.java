@@ -135,7 +135,8 @@ public final class HeightField {
                 Math.max(Math.abs(origin.z()), Math.abs(origin.z() + depth)));
         if (!(Math.max(farthest, Math.abs(origin.y())) <= FARTHEST_METRES)) {
             throw new IllegalArgumentException("a height field reaches no farther than " + FARTHEST_METRES
-                    + " m from the world's origin; this one begins at " + origin);
+                    + " m from the world's origin; this one begins at x " + origin.x() + " m, y " + origin.y()
+                    + " m, z " + origin.z() + " m");
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.Range;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.LevelFormatException;
@@ -30,11 +31,12 @@ public record Replay(
         @Written(required = true) String level,
         @Written String levelName,
         @Written(text = TextKind.SHA256) String levelSha256,
-        @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
+        @Written(absent = "120")
+                @Range(min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
                 int ticksPerSecond,
         @Written List<Assist> assists,
-        @Written(
-                        absent = "360",
+        @Written(absent = "360")
+                @Range(
                         min = SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND,
                         max = SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND)
                 int uprightDegreesPerSecond,
@@ -45,12 +47,12 @@ public record Replay(
 
     /** A run of equal inputs of successive ticks. Turns are per tick. */
     public record Run(
-            @Written(required = true, min = 1) int ticks,
-            @Written(min = -100, max = 100) int forwardPercent,
-            @Written(min = -100, max = 100) int rightPercent,
-            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+            @Written(required = true) @Range(min = 1) int ticks,
+            @Written @Range(min = -100, max = 100) int forwardPercent,
+            @Written @Range(min = -100, max = 100) int rightPercent,
+            @Written @Range(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
                     int turnLeftMillidegrees,
-            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+            @Written @Range(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
                     int turnUpMillidegrees,
             @Written(most = 16) List<Action> hold) {
         static Run of(PlayerInput input, int ticks) {

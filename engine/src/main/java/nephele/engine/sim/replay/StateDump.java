@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyState;
+import nephele.engine.level.Range;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.RecordFile;
 import nephele.engine.math.Vec3;
@@ -17,16 +18,16 @@ import nephele.engine.sim.state.SimState;
 
 /** A state in a form for people and scripts: the output of {@code simulate --dump}. */
 public record StateDump(
-        @Written(required = true) long tick,
+        @Written(required = true) @Range long tick,
         @Written(required = true) String hash,
-        @Written(required = true) Vec3 feet,
-        @Written(required = true) Vec3 velocity,
-        @Written(required = true) double yawDegrees,
-        @Written(required = true) double pitchDegrees,
-        @Written(required = true) double eyeMetres,
+        @Written(required = true) @Range Vec3 feet,
+        @Written(required = true) @Range Vec3 velocity,
+        @Written(required = true) @Range double yawDegrees,
+        @Written(required = true) @Range double pitchDegrees,
+        @Written(required = true) @Range double eyeMetres,
         @Written(required = true) PlayerDimensions.Stance stance,
-        @Written Vec3 ground,
-        @Written(required = true) int faults,
+        @Written @Range Vec3 ground,
+        @Written(required = true) @Range int faults,
         @Written(most = 100_000) List<DumpedBody> bodies,
         @Written(most = 1000) List<DumpedPortal> portals,
         @Written DumpedHolding holding) {
@@ -34,10 +35,10 @@ public record StateDump(
 
     /** The motion of a body; the orientation is the vector part of a quaternion with non-negative scalar part. */
     public record DumpedBody(
-            @Written(required = true) Vec3 centre,
-            @Written(required = true) Vec3 orientation,
-            @Written(required = true) Vec3 velocity,
-            @Written(required = true) Vec3 spin,
+            @Written(required = true) @Range Vec3 centre,
+            @Written(required = true) @Range Vec3 orientation,
+            @Written(required = true) @Range Vec3 velocity,
+            @Written(required = true) @Range Vec3 spin,
             @Written boolean asleep) {
         static DumpedBody of(Bodies bodies, int body) {
             BodyState state = bodies.state(body);
@@ -51,10 +52,10 @@ public record StateDump(
     /** The place of a portal, and the index of its partner, −1 for none. */
     public record DumpedPortal(
             @Written(required = true) String id,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true) Vec3 normal,
-            @Written(required = true) Vec3 up,
-            @Written(required = true) int leadsTo) {
+            @Written(required = true) @Range Vec3 centre,
+            @Written(required = true) @Range Vec3 normal,
+            @Written(required = true) @Range Vec3 up,
+            @Written(required = true) @Range int leadsTo) {
         static DumpedPortal of(Portals portals, int index) {
             Portal portal = portals.portal(index);
             return new DumpedPortal(
@@ -68,7 +69,9 @@ public record StateDump(
 
     /** The held body, and the ids of the portals on the line to it. */
     public record DumpedHolding(
-            @Written(required = true) int body, @Written(most = 1000) List<String> through, @Written int ticksUnseen) {
+            @Written(required = true) @Range int body,
+            @Written(most = 1000) List<String> through,
+            @Written @Range int ticksUnseen) {
         static DumpedHolding of(HeldBody held, Portals portals) {
             List<String> through = IntStream.range(0, held.word().length())
                     .mapToObj(i -> portals.portal(held.word().entry(i)).id())

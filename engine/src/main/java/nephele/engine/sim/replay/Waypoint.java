@@ -1,6 +1,7 @@
 package nephele.engine.sim.replay;
 
 import java.util.List;
+import nephele.engine.level.Range;
 import nephele.engine.level.Spatial;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
@@ -15,8 +16,8 @@ import nephele.engine.sim.state.TickEvent;
  * @param opened the shots that placed a portal in this tick
  */
 public record Waypoint(
-        @Written(required = true, min = 1, max = Integer.MAX_VALUE) int tick,
-        @Written(required = true, spatial = Spatial.POINT) Vec3 feet,
+        @Written(required = true) @Range(min = 1, max = Integer.MAX_VALUE) int tick,
+        @Written(required = true, spatial = Spatial.POINT) @Range Vec3 feet,
         @Written(most = 2) List<GunPortals.Colour> opened) {
     /** Number of ticks between two places, a quarter of a second at the usual rate. */
     private static final int INTERVAL_TICKS = 30;

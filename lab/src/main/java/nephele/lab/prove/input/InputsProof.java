@@ -1,0 +1,137 @@
+package nephele.lab.prove.input;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.function.LongPredicate;
+import java.util.stream.LongStream;
+import nephele.engine.render.gl.GlContext;
+import nephele.lab.prove.input.InputTrial.Ended;
+import nephele.lab.prove.input.InputTrial.Outcome;
+import nephele.lab.prove.process.TemporaryFolder;
+import nephele.lab.prove.proof.Claim;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+
+/** Gives levels odd numbers and uses them; run it with {@code -Xmx512m}, so that one that needs more fails. */
+public final class InputsProof implements Proof {
+    private static final double MOST_CPU_SECONDS = 10;
+
+    /** The same for air that differs from that of every level: its tables are computed. */
+    private static final double MOST_CPU_SECONDS_OF_NEW_AIR = 40;
+
+    private static final Set<String> AIR = Set.of("groundAlbedo", "mieScale", "mieG", "ozoneScale");
+
+    /** Time after which an input is told to hang, while it still does. */
+    private static final double HANGING_CPU_SECONDS = 60;
+
+    /** One unit in how many is drawn, if it is accepted. */
+    private static final int DRAWN = 4;
+
+    private final InputLevels levels = new InputLevels();
+    private final OperatingSystemMXBean process = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "inputs",
+                "A level with a number at zero, least, greatest, subnormal or just outside its range, alone and in"
+                    + " pairs, is refused with its place, or it is saved and read back equal, explained, simulated"
+                    + " and, one in four, drawn without a pixel that is no number; each takes at most 10 s of CPU, one"
+                    + " of new air 40 s.",
+                "levels",
+                100_000,
+                500);
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) throws Exception {
+        return run(LongStream.range(from, from + count).toArray(), InputsProof::isDrawn, progress);
+    }
+
+    /** Runs some units and draws some of them. */
+    ProofResult run(long[] units, LongPredicate drawn, Progress progress) throws Exception {
+        Path folder = Files.createTempDirectory("nephele-inputs");
+        List<String> failures = new ArrayList<>();
+        Map<Outcome, Integer> outcomes = new EnumMap<>(Outcome.class);
+        double longest = 0;
+        String slowest = "";
+        try (GlContext gl = GlContext.offscreen()) {
+            InputLevels.writePictures(folder);
+            InputTrial trial = new InputTrial(folder);
+            for (int done = 0; done < units.length; done++) {
+                long unit = units[done];
+                InputLevels.OddInput input = levels.of(unit);
+                String name = "level " + unit + ", " + input.told();
+                double before = cpuSeconds();
+                Thread watch = watch(name, before, progress);
+                Ended ended = trial.run(input, drawn.test(unit) ? gl : null);
+                watch.interrupt();
+                double seconds = cpuSeconds() - before;
+                outcomes.merge(ended.outcome(), 1, Integer::sum);
+                ended.fault().ifPresent(fault -> add(name + ": " + fault, failures, progress));
+                if (seconds > mostCpuSeconds(input)) {
+                    add(name + ": takes " + seconds + " CPU-s", failures, progress);
+                }
+                if (seconds > longest) {
+                    longest = seconds;
+                    slowest = name;
+                }
+                progress.unitsDone(done + 1);
+            }
+        } finally {
+            TemporaryFolder.delete(folder);
+        }
+        return ProofResult.of(
+                units.length,
+                failures,
+                Figure.sum("refused", outcomes.getOrDefault(Outcome.REFUSED, 0), ""),
+                Figure.sum("accepted", outcomes.getOrDefault(Outcome.ACCEPTED, 0), ""),
+                Figure.sum("accepted and drawn", outcomes.getOrDefault(Outcome.DRAWN, 0), ""),
+                Figure.greatest("longest", longest, "CPU-s, " + slowest));
+    }
+
+    private double cpuSeconds() {
+        return process.getProcessCpuTime() / 1e9;
+    }
+
+    /** Tells of an input that never ends, until it is interrupted: the proof then has to be stopped by hand. */
+    private Thread watch(String name, double before, Progress progress) {
+        Thread watch = new Thread(() -> {
+            try {
+                do {
+                    Thread.sleep(1000);
+                } while (cpuSeconds() - before < HANGING_CPU_SECONDS);
+                progress.failed(name + ": hangs");
+            } catch (InterruptedException ended) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        watch.setDaemon(true);
+        watch.start();
+        return watch;
+    }
+
+    private static double mostCpuSeconds(InputLevels.OddInput input) {
+        boolean hasNewAir = input.numbers().keySet().stream()
+                .anyMatch(place -> AIR.contains(place.component().field().name()));
+        return hasNewAir ? MOST_CPU_SECONDS_OF_NEW_AIR : MOST_CPU_SECONDS;
+    }
+
+    private static boolean isDrawn(long unit) {
+        return new SplittableRandom(unit).split().nextInt(DRAWN) == 0;
+    }
+
+    private static void add(String failure, List<String> failures, Progress progress) {
+        failures.add(failure);
+        progress.failed(failure);
+    }
+}
