@@ -28,6 +28,8 @@ public record Environment(
         @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
         @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes,
         @Written Lightning lightning) {
+    /** The last time of the environment's clock: 32 years, at which a double still tells a microsecond. */
+    public static final double MOST_SECONDS = 1e9;
 
     /**
      * Homogeneous fog of unlimited extent: it adds radiance · (1 − exp(−extinction · distance)) and attenuates what is
@@ -43,7 +45,7 @@ public record Environment(
      * @param timeSeconds simulated time
      */
     public record WeatherKeyframe(
-            @Written(required = true, min = 0, max = 1e9) double timeSeconds,
+            @Written(required = true, min = 0, max = MOST_SECONDS) double timeSeconds,
             @Written(required = true, prototype = "\"few\"") Weather weather) {}
 
     /**
