@@ -1,14 +1,11 @@
 #include "output.glsl"
 
 uniform sampler2DArray faces;
+uniform float whiteRadiance;
 
 in vec2 st;
 flat in float face;
 
 void main() {
-    vec3 radiance = texture(faces, vec3(st, face)).rgb;
-#ifdef WHITE_RADIANCE
-    radiance *= float(WHITE_RADIANCE);
-#endif
-    writeRadiance(radiance);
+    writeRadiance(whiteRadiance * texture(faces, vec3(st, face)).rgb);
 }
