@@ -201,6 +201,34 @@ class CloudTimelineTest {
         assertEquals(0, first.share());
     }
 
+    /** Between two samples 4 s apart, the clouds of another weather were still seen at the time of a keyframe. */
+    @Test
+    void atAKeyframeOfTheWeatherNoOthersCloudsAreSeen() {
+        Environment changing = new Environment(
+                new Sun(SUN, ONE, true),
+                null,
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of(),
+                null,
+                7,
+                List.of(
+                        new Environment.WeatherKeyframe(1, Weather.FEW),
+                        new Environment.WeatherKeyframe(2.3, Weather.CLEAR)));
+        try (CloudTimeline timeline = timeline(changing, COARSE_LIGHT)) {
+            double[] clear = seen(timeline.at(changing, 2.3, Vec3.ZERO), Vec3.ZERO);
+            double[] cloudy = seen(timeline.at(changing, 1, Vec3.ZERO), Vec3.ZERO);
+            double least = 1;
+            for (int i = 1; i < clear.length; i += 2) {
+                assertEquals(1, clear[i], "transmittance " + i);
+                least = Math.min(least, cloudy[i]);
+            }
+            assertTrue(least < 0.5, "clouds before: " + least);
+        }
+    }
+
     @Test
     void aDeckAboveDarkensTheCloudBelow() {
         Cloud heaps = layer("heaps", 1000, Vec3.ZERO, 0);
