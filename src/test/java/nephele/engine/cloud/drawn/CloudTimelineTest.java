@@ -249,6 +249,31 @@ class CloudTimelineTest {
         }
     }
 
+    /** A deck that has drifted over a cloud darkens it; where the deck began, and where it never was, the sun shines. */
+    @Test
+    void theShadeOfACloudDriftsWithIt() {
+        double seconds = 400;
+        var wind = new Vec3(100, 0, 0);
+        Cloud heaps = layer("heaps", 1000, Vec3.ZERO, 0);
+        // The sun is seen from the heaps through what is 2250 m farther along x at the deck's height.
+        Vec3 over = new Vec3(2250, 4250, 0);
+        var deck = new Cloud(
+                "deck",
+                new Cloud.Extent.Volume(over.addScaled(-seconds, wind), new Vec3(30_000, 500, 30_000)),
+                CloudTechnique.AUTO,
+                new Cloud.Density.Ellipsoid(),
+                0.06,
+                1,
+                0.85,
+                new Cloud.Motion(wind, 0));
+        try (CloudTimeline shaded = timeline(with(heaps, deck), COARSE_LIGHT)) {
+            double bright = light(shaded.at(with(heaps, deck), 0, Vec3.ZERO));
+            double dark = light(shaded.at(with(heaps, deck), seconds, Vec3.ZERO));
+            assertEquals(light(atOrigin), bright, 0.2 * bright);
+            assertTrue(dark < 0.6 * bright, dark + " of " + bright);
+        }
+    }
+
     private static double light(CloudInterval clouds) {
         double[] seen = seen(clouds, Vec3.ZERO);
         double sum = 0;
