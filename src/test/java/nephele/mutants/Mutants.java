@@ -15,7 +15,8 @@ final class Mutants {
                     SimulationMutants.ALL,
                     LevelMutants.ALL,
                     ModelMutants.ALL,
-                    SurfaceLightMutants.ALL)
+                    SurfaceLightMutants.ALL,
+                    WeatherMutants.ALL)
             .flatMap(List::stream)
             .toList();
 

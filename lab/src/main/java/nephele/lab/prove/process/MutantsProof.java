@@ -26,7 +26,7 @@ public final class MutantsProof implements Proof {
                 "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
                         + " simulation, level and model code makes a test fail.",
                 "mutants",
-                69,
+                78,
                 13);
     }
 
