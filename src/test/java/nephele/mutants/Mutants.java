@@ -17,7 +17,8 @@ final class Mutants {
                     ModelMutants.ALL,
                     SurfaceLightMutants.ALL,
                     SkyMutants.ALL,
-                    GroundMutants.ALL)
+                    GroundMutants.ALL,
+                    WeatherMutants.ALL)
             .flatMap(List::stream)
             .toList();
 

@@ -132,7 +132,8 @@ class DrawingCommandsGlTest {
                 "bench LEVEL --frames 0|2|--frames",
                 "play LEVEL --from 1,2,3|2|x,y,z,yawDeg,pitchDeg",
                 "play LEVEL --ticks-per-second 60|2|--record",
-                "play LEVEL --record r.json --ticks-per-second 5|2|ticks per second",
+                "play LEVEL --record r.json --ticks-per-second 5|2|--ticks-per-second is a whole number from 10 to"
+                        + " 1000",
                 "play LEVEL --replay nowhere.json|1|nowhere.json"
             })
     void whatIsWrongIsNamed(String line, int exitCode, String named) throws IOException {

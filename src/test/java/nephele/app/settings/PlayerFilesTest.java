@@ -65,6 +65,18 @@ class PlayerFilesTest {
         }
     }
 
+    /** A cap of 5e-324 frames a second would be a game that never draws its second frame. */
+    @Test
+    void aRateIsNoneOrOneThatAGameCanHave() {
+        for (GameSetting<Double> rate : List.of(Settings.FRAME_CAP, Settings.AUTO_FRAME_RATE)) {
+            for (String hostile : List.of("5e-324", "1e-300", "0.5", "9.99", "1e300", "-5e-324")) {
+                assertTrue(rate.values().read(JsonParser.parseString(hostile)).isEmpty(), hostile);
+            }
+            assertEquals(0.0, rate.values().read(JsonParser.parseString("0")).orElseThrow());
+            assertEquals(10, rate.values().read(JsonParser.parseString("10")).orElseThrow());
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("settings")
     void aStepOfTheMenuIsAValueAndAllAreReached(GameSetting<?> setting) {

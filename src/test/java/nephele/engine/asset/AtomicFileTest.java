@@ -2,12 +2,19 @@ package nephele.engine.asset;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.charset.MalformedInputException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -79,5 +86,21 @@ class AtomicFileTest {
         var refused = assertThrows(IOException.class, () -> AtomicFile.read(pipe, 10));
         assertEquals("it is not a file", AtomicFile.reason(refused));
         assertEquals(11, AtomicFile.read(Path.of("/dev/zero"), 10).length);
+    }
+
+    /** A reason is in plain words, whatever fails. */
+    @Test
+    void aReasonNamesNoExceptionOfJava() {
+        for (IOException problem : List.of(
+                new FileAlreadyExistsException("x"),
+                new NotDirectoryException("x"),
+                new DirectoryNotEmptyException("x"),
+                new FileSystemException("x"),
+                new MalformedInputException(1),
+                new ClosedChannelException(),
+                new IOException())) {
+            String reason = AtomicFile.reason(problem);
+            assertFalse(reason.contains("Exception") || reason.contains("Input length"), reason);
+        }
     }
 }

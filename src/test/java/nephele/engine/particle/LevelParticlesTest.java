@@ -155,6 +155,48 @@ class LevelParticlesTest {
         }
     }
 
+    /** The window of indices holds every particle that has been born and has not ended, and no other. */
+    @ParameterizedTest
+    @EnumSource(
+            value = Kind.class,
+            names = {"EXPLOSION", "QUADS"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void theWindowOfIndicesLeavesNoLivingParticleOut(Kind kind) {
+        Emitter emitter = TestEmitters.of(kind, 40);
+        ParticleLaw law = ParticleLaw.of(emitter);
+        EmitterParticles particles = new EmitterParticles(emitter, null);
+        for (double seconds = 0; seconds < 12; seconds += 0.013) {
+            ParticleArrays found = new ParticleArrays(1000);
+            particles.addTo(found, 0, seconds);
+            int expected = 0;
+            for (long index = 0; index <= 40 * seconds; index++) {
+                double age = seconds - particles.birthSeconds(index);
+                expected += age >= 0 && law.at(index, age, seconds, new ParticleState()) ? 1 : 0;
+            }
+            assertEquals(expected, found.count(), kind + " at " + seconds);
+        }
+    }
+
+    /** Whatever a time and a rate multiply to: no endless loop, no NaN, no more particles than there can be. */
+    @ParameterizedTest
+    @EnumSource(Kind.class)
+    void everyFiniteTimeHasFiniteParticles(Kind kind) {
+        for (double rate : new double[] {Double.MIN_VALUE, 1e-300, 1, 60, 2000}) {
+            Emitter emitter = TestEmitters.of(kind, rate);
+            LevelParticles particles = TestEmitters.particles(List.of(emitter));
+            for (double seconds : new double[] {
+                Double.MIN_VALUE, 1e-300, 1, 1e9, 0x1p63 / rate, 1e15, 1e18, 1e300, Double.MAX_VALUE, -Double.MAX_VALUE
+            }) {
+                if (Double.isFinite(seconds)) {
+                    assertTrue(particles.at(seconds).count() <= emitter.mostAtOnce() + 1, kind + " at " + seconds);
+                    for (float number : TestEmitters.numbers(particles, seconds)) {
+                        assertTrue(Float.isFinite(number), kind + " at " + seconds);
+                    }
+                }
+            }
+        }
+    }
+
     /** A drop over the roof ends on it; beside it, drops reach the floor; a roof above the box stops nothing. */
     @Test
     void rainAndSnowDoNotFallThroughRoofs() {

@@ -22,8 +22,13 @@ class RainfallTest {
     private static final double NOW = 30;
 
     private static Level level(Vec3 exit, Vec3 normal) {
+        return level(exit, normal, 0);
+    }
+
+    /** @param floor height of the floor outside, in or under which the portal lies at a hundredth of a metre */
+    private static Level level(Vec3 exit, Vec3 normal, double floor) {
         return new TestLevel()
-                .box(null, new Vec3(0, -0.5, 0), new Vec3(20, 1, 20))
+                .box(null, new Vec3(0, floor - 0.5, 0), new Vec3(20, 1, 20))
                 .box(null, ROOM.plus(new Vec3(0, -0.5, 0)), new Vec3(20, 1, 20))
                 .box(null, ROOM.plus(new Vec3(0, 4.5, 0)), new Vec3(20, 1, 20))
                 .box(null, ROOM.plus(new Vec3(-5.5, 2, 0)), new Vec3(1, 4, 20))
@@ -106,5 +111,27 @@ class RainfallTest {
         }
         assertTrue(low > 5, low + " fall away from the wall");
         assertTrue(splashes > 5, splashes + " splashes");
+    }
+
+    private static int inRoom(Level level, Vec3 centre) {
+        Emitter emitter = new Emitter("rain", Emitter.Kind.RAIN, centre, RAIN_SIZE, 900, 3, -9, 0, 0, false);
+        LevelParticles rain = new LevelParticles(List.of(emitter), StaticShapes.of(level));
+        rain.follow(Portals.of(level));
+        return inRoom(rain.at(NOW));
+    }
+
+    /** A portal that is flush with a surface is met before it, by 0.3 m either way: of the floor, and of the box's end. */
+    @Test
+    void rainMeetsAPortalWithinTheFlushOfTheFloorAndOfItsBox() {
+        Vec3 ceiling = ROOM.plus(new Vec3(0, 3.99, 0));
+        Vec3 down = new Vec3(0, -1, 0);
+        int through = inRoom(level(ceiling, down), RAIN_CENTRE);
+        assertTrue(through > 80, through + " at the floor");
+        assertEquals(through, inRoom(level(ceiling, down, 0.25), RAIN_CENTRE), "a little below the floor");
+        assertEquals(0, inRoom(level(ceiling, down, 0.4), RAIN_CENTRE), "under the floor");
+        Vec3 above = new Vec3(0, 4.25, 0);
+        assertTrue(inRoom(level(ceiling, down), above) > 80, "a box that ends a little above the portal");
+        assertEquals(0, inRoom(level(ceiling, down), new Vec3(0, 4.4, 0)), "a box that ends above the portal");
+        assertEquals(0, inRoom(level(ceiling, down), new Vec3(0, -4.4, 0)), "a box below the portal");
     }
 }

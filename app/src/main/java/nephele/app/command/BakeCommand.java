@@ -54,6 +54,7 @@ final class BakeCommand implements Command {
             paramLabel = "N",
             defaultValue = "512",
             description = "Pixels along a side of a picture (default: 512).")
+    @OptionRange.Whole(least = 1, most = MOST_SIDE)
     private int side;
 
     @Option(
@@ -62,6 +63,7 @@ final class BakeCommand implements Command {
             description =
                     "Samples a pixel (default: 4, with clouds 64). An interrupted bake goes on when the same command"
                             + " is typed again.")
+    @OptionRange.Whole(least = 1, most = MOST_SAMPLES)
     private Integer samples;
 
     @Option(
@@ -90,12 +92,6 @@ final class BakeCommand implements Command {
         }
         if (sky != null && !sky.matches("[A-Za-z0-9._-]{1,100}")) {
             throw CommandFailure.usage("--sky is a name of letters, digits, '.', '_' and '-', not '" + sky + "'");
-        }
-        if (side < 1 || side > MOST_SIDE) {
-            throw CommandFailure.usage("--face-size is a whole number from 1 to " + MOST_SIDE + ", not " + side);
-        }
-        if (samples != null && (samples < 1 || samples > MOST_SAMPLES)) {
-            throw CommandFailure.usage("--spp is a whole number from 1 to " + MOST_SAMPLES + ", not " + samples);
         }
     }
 

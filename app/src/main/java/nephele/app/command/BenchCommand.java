@@ -46,6 +46,7 @@ final class BenchCommand implements Command {
             names = "--frames",
             paramLabel = "N",
             description = "Frames of one round (default: the length of the camera's path).")
+    @OptionRange.Whole(least = 1, most = 10_000)
     private Integer frames;
 
     @Option(names = "--camera", paramLabel = "ID", description = "A camera of the level (default: the first).")
@@ -56,9 +57,6 @@ final class BenchCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) {
-        if (frames != null && frames < 1) {
-            throw CommandFailure.usage("--frames must be at least 1");
-        }
         if ((level == null) != calibrate) {
             throw CommandFailure.usage("name a level, or say --calibrate");
         }

@@ -85,9 +85,11 @@ public final class CommandLineFront {
                 commandLine.usage(terminal.out(), Ansi.OFF);
                 return ExitCode.DONE;
             }
+            OptionRange.check(commandLine, parsed);
             return command.run(common.verbose ? terminal.with(Terminal.Detail.VERBOSE) : terminal);
         } catch (ParameterException wrongUsage) {
-            terminal.err().println("nephele " + entry.name() + ": " + wrongUsage.getMessage() + proposal(wrongUsage));
+            terminal.err()
+                    .println("nephele " + entry.name() + ": " + OptionRange.message(wrongUsage) + proposal(wrongUsage));
             terminal.err().println("`nephele " + entry.name() + " --help` lists what it takes.");
             return ExitCode.USAGE;
         } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {

@@ -57,6 +57,7 @@ final class PlayCommand implements Command {
             names = "--ticks-per-second",
             paramLabel = "N",
             description = "The simulation's rate with --record (default: 120).")
+    @OptionRange.Whole(least = SimSettings.LEAST_TICKS_PER_SECOND, most = SimSettings.MOST_TICKS_PER_SECOND)
     private Integer ticksPerSecond;
 
     @Option(
@@ -72,16 +73,18 @@ final class PlayCommand implements Command {
     @Option(
             names = "--upright-rate",
             paramLabel = "DEG_PER_SECOND|instant",
+            converter = UprightRate.Converter.class,
             description = {
                 "How fast the view turns upright after a portal has left it leaning: 10 or more, or instant",
                 "(default: 360). Stored with --record; a replay brings its own."
             })
-    private String uprightRate;
+    private UprightRate uprightRate;
 
     @Option(names = "--replay", paramLabel = "FILE", description = "Show a replay, at the rate that the file says.")
     private String replay;
 
     @Option(names = "--take-over", paramLabel = "TICK", description = "With --replay: play from this tick on.")
+    @OptionRange.Whole(least = 0, most = Long.MAX_VALUE)
     private Long takeOver;
 
     @Option(
@@ -182,7 +185,8 @@ final class PlayCommand implements Command {
             ReplayOrigin.require(name.open(), replay, read, terminal.err());
         }
         if (takeOver != null && (takeOver < 0 || takeOver > read.ticks())) {
-            throw CommandFailure.usage("--take-over is a tick of the replay, 0 to " + read.ticks());
+            throw CommandFailure.usage(
+                    "--take-over is a tick of the replay, 0 to " + read.ticks() + ", not " + takeOver);
         }
         return new PlayRequest.Shown(read, takeOver == null ? PlayRequest.Shown.NEVER : takeOver);
     }
@@ -205,11 +209,8 @@ final class PlayCommand implements Command {
             return null;
         }
         int rate = ticksPerSecond == null ? SimSettings.DEFAULT.ticksPerSecond() : ticksPerSecond;
-        try {
-            return new SimSettings(rate, AssistNames.parse(assists), UprightRate.parse(uprightRate));
-        } catch (IllegalArgumentException outOfRange) {
-            throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
-        }
+        var upright = uprightRate == null ? UprightRate.USUAL : uprightRate;
+        return new SimSettings(rate, AssistNames.parse(assists), upright.degreesPerSecond());
     }
 
     /** Parses two techniques of clouds, such as `particles,volume`. */

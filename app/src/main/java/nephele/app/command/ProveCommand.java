@@ -25,6 +25,7 @@ final class ProveCommand implements Command {
     private static final List<Proof> ALL =
             Stream.concat(Proofs.ALL.stream(), EditorProofs.ALL.stream()).toList();
 
+    private static final long MOST_UNITS = 1_000_000_000_000L;
     private static final Path STATE_FOLDER = Path.of("build", "prove");
     private static final Path TABLE = Path.of("docs", "proofs.md");
 
@@ -37,6 +38,7 @@ final class ProveCommand implements Command {
             description =
                     "Run only up to this many units; the figures are shown, but written to docs/proofs.md only with"
                             + " --record.")
+    @OptionRange.Whole(least = 1, most = MOST_UNITS)
     private Long count;
 
     @Option(names = "--record", description = "With --count: write the figures all the same; the row says of how many.")
@@ -46,6 +48,7 @@ final class ProveCommand implements Command {
             names = "--from",
             paramLabel = "N",
             description = "With --count: run these units from number N on alone, to repeat a failure; nothing is kept.")
+    @OptionRange.Whole(least = 0, most = MOST_UNITS)
     private Long from;
 
     @Option(names = "--again", description = "Start over instead of going on where the last run stopped.")
@@ -61,12 +64,8 @@ final class ProveCommand implements Command {
                     .println(proof.claim().name() + ": " + proof.claim().sentence()));
             return ExitCode.DONE;
         }
-        if (count != null && count < 1) {
-            throw CommandFailure.usage("--count must be at least 1");
-        }
-        if (from != null && (from < 0 || name == null || count == null || record || again)) {
-            throw CommandFailure.usage(
-                    "--from is 0 or more, needs NAME and --count, and goes without --record and --again");
+        if (from != null && (name == null || count == null || record || again)) {
+            throw CommandFailure.usage("--from needs NAME and --count, and goes without --record and --again");
         }
         boolean allHold = true;
         for (var proof : chosen()) {

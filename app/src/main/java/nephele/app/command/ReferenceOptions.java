@@ -43,9 +43,11 @@ final class ReferenceOptions {
     private boolean reference;
 
     @Option(names = "--spp", paramLabel = "N", description = "Samples a pixel of --reference (default: 64).")
+    @OptionRange.Whole(least = 1, most = MOST_SAMPLES)
     private Integer samples;
 
     @Option(names = "--seed", paramLabel = "N", description = "Seed of --reference (default: 1).")
+    @OptionRange.Whole(least = Long.MIN_VALUE, most = Long.MAX_VALUE)
     private Long seed;
 
     @Option(
@@ -75,9 +77,6 @@ final class ReferenceOptions {
         }
         if (isMerge() && reference) {
             throw CommandFailure.usage("--merge puts together what is traced; leave --reference out");
-        }
-        if (samples != null && (samples < 1 || samples > MOST_SAMPLES)) {
-            throw CommandFailure.usage("--spp is a whole number from 1 to " + MOST_SAMPLES + ", not " + samples);
         }
         if ((isMerge() || shard != null) && !isPfm(out)) {
             throw CommandFailure.usage("--shard and --merge need an --out that ends in .pfm, not " + out);

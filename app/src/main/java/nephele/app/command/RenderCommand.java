@@ -58,6 +58,7 @@ final class RenderCommand implements Command {
             paramLabel = "S",
             defaultValue = "0",
             description = "The environment's clock in seconds (default: 0).")
+    @OptionRange.Decimal(least = 0, most = Environment.MOST_SECONDS, unit = "seconds")
     private double timeSeconds;
 
     @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
@@ -71,6 +72,7 @@ final class RenderCommand implements Command {
             paramLabel = "N",
             defaultValue = "1",
             description = "Draw N frames at the same time and save the last (default: 1).")
+    @OptionRange.Whole(least = 1, most = 10_000)
     private int frames;
 
     @Override
@@ -154,12 +156,6 @@ final class RenderCommand implements Command {
     }
 
     private void checkUsage() {
-        if (frames < 1) {
-            throw CommandFailure.usage("--frames must be at least 1");
-        }
-        if (!Double.isFinite(timeSeconds) || timeSeconds < 0) {
-            throw CommandFailure.usage("--time must be a number of seconds from 0");
-        }
         if (!isPfm() && !lowerCaseName().endsWith(".png")) {
             throw CommandFailure.usage("--out must end in .png or .pfm: " + out);
         }
@@ -230,6 +226,7 @@ final class RenderCommand implements Command {
                 names = "--fov",
                 paramLabel = "DEG",
                 description = "Horizontal field of view with --eye (default: the player's).")
+        @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
         private Double fovDegrees;
 
         Viewpoints.OfFrame in(OpenedLevel opened, double aspect) {
@@ -238,9 +235,6 @@ final class RenderCommand implements Command {
             }
             if (eye == null && fovDegrees != null) {
                 throw CommandFailure.usage("--fov needs --eye and --target");
-            }
-            if (fovDegrees != null && !(fovDegrees >= 1 && fovDegrees <= 170)) {
-                throw CommandFailure.usage("--fov is an angle from 1 to 170 degrees");
             }
             if (eye != null) {
                 if (camera != null) {

@@ -12,6 +12,7 @@ import nephele.app.view.SceneStart;
 import nephele.app.view.SceneViewer;
 import nephele.app.window.GameWindow;
 import nephele.app.window.SystemDisplay;
+import nephele.engine.level.Environment;
 import nephele.engine.render.Capture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.fixed.LightTerm;
@@ -67,6 +68,7 @@ final class SceneCommand implements Command {
             paramLabel = "S",
             defaultValue = "0",
             description = "The scene's clock in seconds (default: 0).")
+    @OptionRange.Decimal(least = -Environment.MOST_SECONDS, most = Environment.MOST_SECONDS, unit = "seconds")
     private double timeSeconds;
 
     @Mixin
@@ -123,9 +125,6 @@ final class SceneCommand implements Command {
     private void checkUsage() {
         if (out != null && !out.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw CommandFailure.usage("--out must end in .png: " + out);
-        }
-        if (!Double.isFinite(timeSeconds)) {
-            throw CommandFailure.usage("--time must be a number of seconds");
         }
     }
 

@@ -14,7 +14,6 @@ import nephele.engine.sim.replay.TickHashes;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
-import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Option;
@@ -37,6 +36,7 @@ final class SimulateCommand implements Command {
             paramLabel = "N",
             defaultValue = "1",
             description = "Print the hash every N ticks and at the last tick (default: 1).")
+    @OptionRange.Whole(least = 1, most = Long.MAX_VALUE)
     private long every;
 
     @Option(names = "--dump", paramLabel = "FILE.json", description = "Write the last state.")
@@ -44,9 +44,6 @@ final class SimulateCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) {
-        if (every < 1) {
-            throw CommandFailure.usage("--every must be at least 1");
-        }
         var name = new LevelName(level);
         var opened = name.open();
         var inputs = replay == null ? name.recordedWalk() : LevelName.replay(replay);

@@ -67,12 +67,14 @@ final class TradeCommand implements Command {
     private Size size;
 
     @Option(names = "--spp", paramLabel = "N", description = "The oracle's rays a pixel (default: 64; 8 with --quick).")
+    @OptionRange.Whole(least = 1, most = MOST_SAMPLES)
     private Integer samples;
 
     @Option(
             names = "--rounds",
             paramLabel = "N",
             description = "Rounds of timing, every setting twice in each (default: 15; 5 with --quick).")
+    @OptionRange.Whole(least = 1, most = MOST_ROUNDS)
     private Integer rounds;
 
     @Option(names = "--quick", description = "Small pictures and few rounds: a look, no figures to quote.")
@@ -138,18 +140,10 @@ final class TradeCommand implements Command {
                 trades(),
                 level != null ? level : usualLevel(),
                 camera,
-                new TradeSite.Extent(
-                        pictures.width(), pictures.height(), chosen("--spp", samples, quick ? 8 : 64, MOST_SAMPLES)),
-                chosen("--rounds", rounds, quick ? 5 : 15, MOST_ROUNDS),
+                new TradeSite.Extent(pictures.width(), pictures.height(), samples != null ? samples : quick ? 8 : 64),
+                rounds != null ? rounds : quick ? 5 : 15,
                 quick ? 0.03 : 0.15,
                 out);
-    }
-
-    private static int chosen(String option, Integer said, int usual, int most) {
-        if (said != null && (said < 1 || said > most)) {
-            throw CommandFailure.usage(option + " is a whole number from 1 to " + most + ", not " + said);
-        }
-        return said == null ? usual : said;
     }
 
     private static String usualLevel() {

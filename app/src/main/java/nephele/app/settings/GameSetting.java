@@ -51,6 +51,11 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
         return new GameSetting<>(key, new Numbers(least, most, step), absent);
     }
 
+    /** A rate a second between bounds, or 0 for none; a rate close to 0 would stop what waits for it. */
+    static GameSetting<Double> rate(String key, double least, double most, double step) {
+        return new GameSetting<>(key, new Rates(new Numbers(least, most, step)), 0.0);
+    }
+
     /** Names of keys; steps of the menu do not change them. */
     static GameSetting<List<String>> keys(String key, List<String> absent) {
         return new GameSetting<>(key, new Keys(), absent);
@@ -143,6 +148,28 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
         @Override
         public String expected() {
             return "a list of at most " + KeyBindings.MOST_KEYS + " names of keys, such as \"W\" or \"Mouse 1\"";
+        }
+    }
+
+    private record Rates(Numbers numbers) implements Values<Double> {
+        @Override
+        public Optional<Double> read(JsonElement json) {
+            return numbers.read(json).or(() -> new Numbers(0, 0, 1).read(json));
+        }
+
+        @Override
+        public JsonElement write(Double value) {
+            return numbers.write(value);
+        }
+
+        @Override
+        public Double stepped(Double value, int direction) {
+            return value + direction * numbers.step < numbers.least ? 0 : numbers.stepped(value, direction);
+        }
+
+        @Override
+        public String expected() {
+            return "0 or " + numbers.expected();
         }
     }
 

@@ -52,6 +52,9 @@ public final class Settings {
         ALL
     }
 
+    /** The least number of frames a second that a player can ask for. */
+    private static final double LEAST_RATE = 10;
+
     public static final GameSetting<Language> LANGUAGE = GameSetting.word("language", Language.EN);
 
     /** The value of {@link #RESOLUTION} that states no size. */
@@ -87,13 +90,13 @@ public final class Settings {
     public static final GameSetting<Switch> VERTICAL_SYNC = GameSetting.word("verticalSync", Switch.ON);
 
     /** Frames a second; 0 for no cap. */
-    public static final GameSetting<Double> FRAME_CAP = GameSetting.number("frameCap", 0, 360, 30, 0);
+    public static final GameSetting<Double> FRAME_CAP = GameSetting.rate("frameCap", LEAST_RATE, 360, 30);
 
     /** Post-process antialiasing, in addition to the preset's multisampling. */
     public static final GameSetting<Switch> EDGE_FILTER = GameSetting.word("edgeFilter", Switch.OFF);
 
     /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */
-    public static final GameSetting<Double> AUTO_FRAME_RATE = GameSetting.number("autoFrameRate", 0, 240, 15, 0);
+    public static final GameSetting<Double> AUTO_FRAME_RATE = GameSetting.rate("autoFrameRate", LEAST_RATE, 240, 15);
 
     public static final GameSetting<Assists> ASSISTS = GameSetting.word("assists", Assists.USUAL);
     public static final GameSetting<Upright> UPRIGHT = GameSetting.word("uprightSpeed", Upright.NORMAL);

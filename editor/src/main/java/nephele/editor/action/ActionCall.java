@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
+import nephele.engine.level.json.NumberText;
 import nephele.engine.math.Vec3;
 
 /**
@@ -21,7 +22,14 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
             "%s must be three numbers x,y,z, not '%s'",
             "%s deve ter três números x,y,z, não '%s'", "%s deve ter três números x,y,z, não '%s'");
     private static final Words NO_NUMBER = Words.of(
-            "%s must be a number, not '%s'", "%s deve ser um número, não '%s'", "%s deve ser um número, não '%s'");
+            "%s must be a number from %s to %s, not '%s'",
+            "%s deve ser um número de %s a %s, não '%s'", "%s deve ser um número de %s a %s, não '%s'");
+    private static final Words NO_WHOLE_NUMBER = Words.of(
+            "%s must be a whole number from %s to %s, not '%s'",
+            "%s deve ser um número inteiro de %s a %s, não '%s'", "%s deve ser um número inteiro de %s a %s, não '%s'");
+
+    /** The greatest coordinate, distance or factor, as in a level. */
+    static final double MOST = 1e7;
 
     /** Returns an argument as it was written; empty if it is not given. */
     public Optional<String> text(String name) {
@@ -37,9 +45,21 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
         return value;
     }
 
-    /** Returns a number, or {@code absent} if the argument is not given. */
-    public double number(String name, double absent) throws ActionFailure {
-        return arguments.containsKey(name) ? parsed(name, arguments.get(name)) : absent;
+    /** Returns a number of a range, or {@code absent} if the argument is not given. */
+    public double number(String name, double least, double most, double absent) throws ActionFailure {
+        return arguments.containsKey(name) ? parsed(name, arguments.get(name), least, most) : absent;
+    }
+
+    /** Returns a whole number of a range, or {@code absent} if the argument is not given. */
+    public int whole(String name, int least, int most, int absent) throws ActionFailure {
+        if (!arguments.containsKey(name)) {
+            return absent;
+        }
+        double value = value(arguments.get(name));
+        if (value >= least && value <= most && value == Math.rint(value)) {
+            return (int) value;
+        }
+        throw new ActionFailure(NO_WHOLE_NUMBER.with(name, least, most, arguments.get(name)));
     }
 
     /** Returns a vector that a script must give as {@code x,y,z}. */
@@ -48,7 +68,10 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
         if (parts.length != 3) {
             throw new ActionFailure(NO_VECTOR.with(name, needed(name)));
         }
-        return new Vec3(parsed(name, parts[0]), parsed(name, parts[1]), parsed(name, parts[2]));
+        return new Vec3(
+                parsed(name, parts[0], -MOST, MOST),
+                parsed(name, parts[1], -MOST, MOST),
+                parsed(name, parts[2], -MOST, MOST));
     }
 
     /** Returns a vector, or {@code absent} if the argument is not given. */
@@ -61,15 +84,20 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
         return Arrays.stream(needed(name).split(",")).map(String::trim).toList();
     }
 
-    private static double parsed(String name, String text) throws ActionFailure {
-        try {
-            double value = Double.parseDouble(text.trim());
-            if (Double.isFinite(value)) {
-                return value;
-            }
-        } catch (NumberFormatException noNumber) {
-            // Told below, as infinity is.
+    private static double parsed(String name, String text, double least, double most) throws ActionFailure {
+        double value = value(text);
+        if (value >= least && value <= most) {
+            return value;
         }
-        throw new ActionFailure(NO_NUMBER.with(name, text));
+        throw new ActionFailure(NO_NUMBER.with(name, NumberText.of(least), NumberText.of(most), text));
+    }
+
+    /** Returns the value of a number; NaN if a text is none. */
+    private static double value(String text) {
+        try {
+            return Double.parseDouble(text.trim());
+        } catch (NumberFormatException noNumber) {
+            return Double.NaN;
+        }
     }
 }

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.brush.BrushBoolean;
+import nephele.editor.brush.BrushCheck;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushHollow;
 import nephele.editor.brush.BrushShapes;
@@ -112,8 +113,12 @@ final class BrushActions {
     }
 
     private static ShapeOptions shape(ActionCall call) throws ActionFailure {
-        double wall = call.number("wall", call.session().grid().stepMetres());
-        int steps = (int) call.number("steps", 8);
+        double wall = call.number(
+                "wall",
+                BrushCheck.LEAST_THICKNESS_METRES,
+                ActionCall.MOST,
+                call.session().grid().stepMetres());
+        int steps = call.whole("steps", 1, ShapeOptions.MOST_STEPS, 8);
         String typed = call.text("shape").orElse("box");
         return switch (typed) {
             case "box" -> new ShapeOptions.Box();
@@ -155,7 +160,11 @@ final class BrushActions {
 
     private static void hollow(ActionCall call) throws ActionFailure {
         Document document = call.session().document();
-        double wall = call.number("wall", call.session().grid().stepMetres());
+        double wall = call.number(
+                "wall",
+                BrushCheck.LEAST_THICKNESS_METRES,
+                ActionCall.MOST,
+                call.session().grid().stepMetres());
         List<Solid> gone = solids(call.session());
         List<Solid> made = new ArrayList<>();
         for (Solid solid : gone) {

@@ -27,6 +27,9 @@ import nephele.engine.math.Vec3;
 
 /** Adding entities of any kind, moving, turning and scaling them, and setting their components. */
 final class EntityActions {
+    /** Ten turns. */
+    private static final double MOST_DEGREES = 3600;
+
     private static final Words ADD = Words.of("Add", "Adicionar", "Adicionar");
     private static final Words MOVE = Words.of("Move", "Mover", "Mover");
     private static final Words TURN = Words.of("Turn", "Girar", "Rodar");
@@ -133,7 +136,7 @@ final class EntityActions {
 
     private static void turn(ActionCall call) throws ActionFailure {
         Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
-        double degrees = call.number("degrees", 90);
+        double degrees = call.number("degrees", -MOST_DEGREES, MOST_DEGREES, 90);
         Vec3 pivot = pivot(call);
         step(
                 call,

@@ -121,7 +121,7 @@ final class ExchangeActions {
         }
         EditorSession session = call.session();
         BackupList list = new BackupList(session, Instant.now(), ZoneId.systemDefault());
-        int number = (int) call.number(isRestore ? "restore" : "open", 1);
+        int number = call.whole(isRestore ? "restore" : "open", 0, Integer.MAX_VALUE, 1);
         if (number < 1 || number > list.rows().size()) {
             Path file = session.file().path().orElseThrow().getFileName();
             throw new ActionFailure(

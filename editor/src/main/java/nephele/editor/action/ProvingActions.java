@@ -29,6 +29,9 @@ import nephele.engine.level.CloudTechnique;
 
 /** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
 public final class ProvingActions {
+    /** Samples a pixel of the path-traced picture. */
+    private static final int MOST_SAMPLES = 1 << 16;
+
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
                     "check",
@@ -167,7 +170,7 @@ public final class ProvingActions {
         var corner = call.session().proving().corner();
         boolean shown = shown(call, corner.isShown());
         if (call.text("spp").isPresent()) {
-            corner.show(shown, (int) Math.max(1, call.number("spp", 1)));
+            corner.show(shown, call.whole("spp", 1, MOST_SAMPLES, 1));
         } else {
             corner.show(shown);
         }
@@ -201,7 +204,7 @@ public final class ProvingActions {
         TechniquePair before = comparison.techniques();
         comparison.techniques(
                 new TechniquePair(technique(call, "a", before.left()), technique(call, "b", before.right())));
-        comparison.wipe(new Wipe(call.number("wipe", comparison.wipe().share())));
+        comparison.wipe(new Wipe(call.number("wipe", 0, 1, comparison.wipe().share())));
         comparison.show();
         String failure = comparison.pictures().map(ComparedPictures::failure).orElse(null);
         if (failure != null) {

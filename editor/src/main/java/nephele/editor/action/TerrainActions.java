@@ -153,8 +153,8 @@ final class TerrainActions {
         Terrain terrain = terrain(call);
         TerrainBrush brush = new TerrainBrush(
                 effect(call, chosen.effect()),
-                call.number("radius", chosen.radiusMetres()),
-                call.number("strength", chosen.strength()),
+                call.number("radius", TerrainBrush.LEAST_METRES, TerrainBrush.MOST_METRES, chosen.radiusMetres()),
+                call.number("strength", 0, 1, chosen.strength()),
                 layer(call, LayerChoice.names(terrain), chosen.layer()));
         Vec3 from = call.vector("from");
         Vec3 to = call.vector("to", from);

@@ -28,6 +28,9 @@ import nephele.engine.level.appearance.SolidFaces;
 
 /** Placing the pictures on the selected faces, or on all faces of the selected solids. */
 final class TextureActions {
+    private static final double LEAST_REPEATS = 1e-3;
+    private static final double MOST_REPEATS = 1e3;
+
     private static final Words PLACE = Words.of("Place Texture", "Posicionar textura", "Posicionar textura");
     private static final Words PICK = Words.of("Take Its Material", "Pegar o material", "Obter o material");
     private static final Words TAKEN = Words.of("Material: %s", "Material: %s", "Material: %s");
@@ -43,7 +46,10 @@ final class TextureActions {
                             List.of("Ctrl+Alt+F"),
                             call -> place(
                                     call,
-                                    face -> TextureFit.fit(face, call.number("across", 1), call.number("down", 1))))
+                                    face -> TextureFit.fit(
+                                            face,
+                                            call.number("across", LEAST_REPEATS, MOST_REPEATS, 1),
+                                            call.number("down", LEAST_REPEATS, MOST_REPEATS, 1))))
                     .taking("across", "down")
                     .when(TextureActions::hasFaces),
             aligned("left", Words.of("left", "à esquerda", "à esquerda"), TextureAlignment.LEFT),

@@ -80,7 +80,10 @@ final class ViewActions {
                             List.of(),
                             call -> call.session()
                                     .grid(new Grid(call.number(
-                                            "metres", call.session().grid().stepMetres()))))
+                                            "metres",
+                                            Grid.FINEST_METRES,
+                                            Grid.COARSEST_METRES,
+                                            call.session().grid().stepMetres()))))
                     .taking("metres"),
             EditorAction.of(
                     "guide-lines",
@@ -164,8 +167,8 @@ final class ViewActions {
             return;
         }
         Vec3 eye = call.vector("at");
-        double yaw = call.number("yaw", 0);
-        double pitch = call.number("pitch", 0);
+        double yaw = call.number("yaw", -ActionCall.MOST, ActionCall.MOST, 0);
+        double pitch = call.number("pitch", -90, 90, 0);
         call.session()
                 .panes(panes -> panes.each(view -> new PaneView(
                         view.kind(),

@@ -12,7 +12,6 @@ import nephele.engine.math.Vec3;
 
 /** The solids that a drag from corner to corner draws. */
 public final class BrushShapes {
-    private static final int MOST_STEPS = 1000;
     private static final int MOST_SIDES = 62;
 
     private final Aabb box;
@@ -87,7 +86,7 @@ public final class BrushShapes {
     }
 
     private BrushEdit<List<Solid>> stairs(BoxFace rising, int steps) {
-        if (steps < 1 || steps > MOST_STEPS) {
+        if (steps < 1 || steps > ShapeOptions.MOST_STEPS) {
             return BrushEdit.refused(BrushText.BAD_OPTIONS);
         }
         List<Solid> treads = new ArrayList<>();

@@ -4,6 +4,9 @@ import nephele.engine.level.BoxFace;
 
 /** The shapes that can be drawn by dragging a box, with their numbers. */
 public sealed interface ShapeOptions {
+    /** The most steps of stairs. */
+    int MOST_STEPS = 1000;
+
     /** The box itself. */
     record Box() implements ShapeOptions {}
 
@@ -18,7 +21,7 @@ public sealed interface ShapeOptions {
      * Boxes of growing height side by side.
      *
      * @param rising the high side; {@code null} for +x or +z, whichever is longer
-     * @param steps 1 to 1000
+     * @param steps 1 to {@link #MOST_STEPS}
      */
     record Stairs(BoxFace rising, int steps) implements ShapeOptions {}
 

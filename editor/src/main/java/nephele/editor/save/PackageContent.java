@@ -10,10 +10,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
@@ -40,9 +42,11 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
         Map<String, byte[]> entries;
         try (var file = new ZipFile(zip.toFile())) {
             entries = new Reading(zip).entries(file);
-        } catch (IOException | IllegalArgumentException noZip) {
-            String reason = noZip.getMessage() == null ? "it is no zip file" : noZip.getMessage();
-            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason), noZip);
+        } catch (ZipException | IllegalArgumentException noZip) {
+            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, "it is no whole zip file"), noZip);
+        } catch (IOException unreadable) {
+            String reason = AtomicFile.reason(unreadable);
+            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason), unreadable);
         }
         var levels = entries.keySet().stream()
                 .filter(name -> !name.contains("/") && name.endsWith(".json"))

@@ -2,11 +2,14 @@ package nephele.engine.asset;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -106,7 +109,19 @@ public final class AtomicFile {
         if (problem instanceof NoSuchFileException) {
             return "there is no such file or folder";
         }
+        if (problem instanceof FileAlreadyExistsException) {
+            return "a file of this name is there already";
+        }
+        if (problem instanceof NotDirectoryException) {
+            return "it is no folder";
+        }
+        if (problem instanceof DirectoryNotEmptyException) {
+            return "the folder is not empty";
+        }
+        if (problem instanceof CharacterCodingException) {
+            return "it is no UTF-8 text";
+        }
         String detail = problem instanceof FileSystemException system ? system.getReason() : problem.getMessage();
-        return detail == null || detail.isBlank() ? problem.getClass().getSimpleName() : detail;
+        return detail == null || detail.isBlank() ? "the system does not say why" : detail;
     }
 }

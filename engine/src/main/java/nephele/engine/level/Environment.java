@@ -28,6 +28,8 @@ public record Environment(
         @Written @Range(min = -9.007199254740991e15, max = 9.007199254740991e15) long weatherSeed,
         @Written(most = 1000) List<WeatherKeyframe> weatherKeyframes,
         @Written Lightning lightning) {
+    /** The last time of the environment's clock: 32 years, at which a double still tells a microsecond. */
+    public static final double MOST_SECONDS = 1e9;
 
     /**
      * Fog: it adds radiance · (1 − exp(−optical depth)) and attenuates what is behind, not the light that surfaces
@@ -60,7 +62,7 @@ public record Environment(
      * @param timeSeconds simulated time
      */
     public record WeatherKeyframe(
-            @Written(required = true) @Range(min = 0, max = 1e9) double timeSeconds,
+            @Written(required = true) @Range(min = 0, max = MOST_SECONDS) double timeSeconds,
             @Written(required = true, prototype = "\"few\"") Weather weather) {}
 
     /**

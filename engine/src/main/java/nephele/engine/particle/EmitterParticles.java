@@ -14,6 +14,12 @@ final class EmitterParticles {
     /** The time within which all particles of an explosion are born. */
     private static final double BURST_SECONDS = 0.04;
 
+    /**
+     * The emitter's clock begins anew after this time, which no game lasts: the numbers of its particles stay whole in
+     * double precision, and a window of them ends, whatever the time and the rate.
+     */
+    static final double CLOCK_SECONDS = 0x1p32;
+
     private static final int BIRTH = 40;
 
     private final Emitter emitter;
@@ -49,7 +55,7 @@ final class EmitterParticles {
 
     /** Adds the particles that are alive, by index. */
     void addTo(ParticleArrays out, int number, double seconds) {
-        double clock = seconds - emitter.startSeconds();
+        double clock = (seconds - emitter.startSeconds()) % CLOCK_SECONDS;
         if (clock < 0 || emitter.ratePerSecond() == 0) {
             return;
         }
@@ -66,11 +72,16 @@ final class EmitterParticles {
         long first = Math.max(0, (long) Math.ceil((clock - longest) * rate - 1));
         long last = (long) Math.floor(clock * rate);
         for (long index = first; index <= last; index++) {
-            double age = clock - (index + Chance.unit(Chance.dice(emitter.seed(), index), BIRTH)) / rate;
+            double age = clock - birthSeconds(index);
             if (age >= 0 && age < longest && isSeen(index, age, clock)) {
                 out.add(number, state);
             }
         }
+    }
+
+    /** Returns the time after the start at which a particle that is not part of an explosion is born. */
+    double birthSeconds(long index) {
+        return (index + Chance.unit(Chance.dice(emitter.seed(), index), BIRTH)) / emitter.ratePerSecond();
     }
 
     private boolean isSeen(long index, double age, double clock) {

@@ -21,11 +21,12 @@ import org.joml.Vector3dc;
 final class BillboardShape implements TracedShape {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SIDE = new Vec3(1, 0, 0);
-    /** {@code BULGE} of {@code billboard.vert}. */
+    /** As in {@code billboard.vert}, like the two after it. */
     private static final double BULGE = 0.75;
 
-    /** {@code THROUGH} and {@code BETWEEN_LEAVES} of {@code billboard.vert}. */
-    private static final SurfacePoint.Leaves LEAVES = new SurfacePoint.Leaves(0.4, 0.75);
+    private static final double THROUGH = 0.4;
+    private static final double BETWEEN_LEAVES = 0.75;
+    private static final SurfacePoint.Leaves LEAVES = new SurfacePoint.Leaves(THROUGH, BETWEEN_LEAVES);
 
     private final PlantedBillboards.Group group;
     private final int index;

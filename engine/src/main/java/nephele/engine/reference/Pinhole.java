@@ -25,4 +25,16 @@ public record Pinhole(Vec3 eye, Basis basis, double halfWidth, double halfHeight
         d.fma((2 * right - 1) * halfWidth, basis.right().toVector());
         return d.fma((2 * up - 1) * halfHeight, basis.up().toVector());
     }
+
+    /** Returns the camera in words, with all digits: two that differ have different words. */
+    @Override
+    public String toString() {
+        return "at " + words(eye) + " towards " + words(basis.back().negated()) + ", right " + words(basis.right())
+                + ", up " + words(basis.up()) + ", half " + halfWidth + " x " + halfHeight + ", depth " + nearMetres
+                + " to " + farMetres;
+    }
+
+    private static String words(Vec3 v) {
+        return v.x() + "," + v.y() + "," + v.z();
+    }
 }

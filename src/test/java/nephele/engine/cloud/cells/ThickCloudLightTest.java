@@ -1,7 +1,10 @@
 package nephele.engine.cloud.cells;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.util.Arrays;
 import java.util.List;
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.field.EllipsoidField;
@@ -11,6 +14,7 @@ import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -65,5 +69,27 @@ class ThickCloudLightTest {
                 DensityCells.of(new UniformField(box.box(), depth / height), box, DensityCells.Sampling.PLAIN);
         CellBox cells = box.coarser(2);
         assertEquals(share, new ThickCloudLight(cells, new CellDepths(density, cells), WHITE).share());
+    }
+
+    /** What another cloud shades keeps the light of slabs, of which the other one is a part. */
+    @Test
+    void behindAnotherCloudTheLightOfSlabsStays() {
+        CellBox box = CellBox.of(Aabb.around(Vec3.ZERO, new Vec3(200, 200, 200)), 24);
+        DensityCells density = DensityCells.of(new UniformField(box.box(), 0.4), box, DensityCells.Sampling.PLAIN);
+        CellBox cells = box.coarser(2);
+        var thick = new ThickCloudLight(cells, new CellDepths(density, cells), WHITE);
+        float[] slab = new float[LightCells.VALUES * cells.count()];
+        Arrays.fill(slab, 0.25f);
+        float[] sunlit = slab.clone();
+        thick.mixInto(sunlit, null, SUN);
+        assertFalse(Arrays.equals(slab, sunlit));
+        float[] shades = new float[cells.count()];
+        float[] unshaded = slab.clone();
+        thick.mixInto(unshaded, shades, SUN);
+        assertArrayEquals(sunlit, unshaded);
+        Arrays.fill(shades, 1e4f);
+        float[] shaded = slab.clone();
+        thick.mixInto(shaded, shades, SUN);
+        assertArrayEquals(slab, shaded);
     }
 }

@@ -201,6 +201,34 @@ class CloudTimelineTest {
         assertEquals(0, first.share());
     }
 
+    /** Between two samples 4 s apart, the clouds of another weather were still seen at the time of a keyframe. */
+    @Test
+    void atAKeyframeOfTheWeatherNoOthersCloudsAreSeen() {
+        Environment changing = new Environment(
+                new Sun(SUN, ONE, true),
+                null,
+                null,
+                Exposure.NEUTRAL,
+                ToneCurve.CLIP,
+                null,
+                List.of(),
+                null,
+                7,
+                List.of(
+                        new Environment.WeatherKeyframe(1, Weather.FEW),
+                        new Environment.WeatherKeyframe(2.3, Weather.CLEAR)));
+        try (CloudTimeline timeline = timeline(changing, COARSE_LIGHT)) {
+            double[] clear = seen(timeline.at(changing, 2.3, Vec3.ZERO), Vec3.ZERO);
+            double[] cloudy = seen(timeline.at(changing, 1, Vec3.ZERO), Vec3.ZERO);
+            double least = 1;
+            for (int i = 1; i < clear.length; i += 2) {
+                assertEquals(1, clear[i], "transmittance " + i);
+                least = Math.min(least, cloudy[i]);
+            }
+            assertTrue(least < 0.5, "clouds before: " + least);
+        }
+    }
+
     @Test
     void aDeckAboveDarkensTheCloudBelow() {
         Cloud heaps = layer("heaps", 1000, Vec3.ZERO, 0);
@@ -218,6 +246,31 @@ class CloudTimelineTest {
             // The deck has τ 30 and g 0.85: it lets about a third through.
             assertTrue(dark < 0.6 * bright, dark + " of " + bright);
             assertTrue(dark > 0.05 * bright, dark + " of " + bright);
+        }
+    }
+
+    /** A deck that has drifted over a cloud darkens it; where the deck began, and where it never was, the sun shines. */
+    @Test
+    void theShadeOfACloudDriftsWithIt() {
+        double seconds = 400;
+        var wind = new Vec3(100, 0, 0);
+        Cloud heaps = layer("heaps", 1000, Vec3.ZERO, 0);
+        // The sun is seen from the heaps through what is 2250 m farther along x at the deck's height.
+        Vec3 over = new Vec3(2250, 4250, 0);
+        var deck = new Cloud(
+                "deck",
+                new Cloud.Extent.Volume(over.addScaled(-seconds, wind), new Vec3(30_000, 500, 30_000)),
+                CloudTechnique.AUTO,
+                new Cloud.Density.Ellipsoid(),
+                0.06,
+                1,
+                0.85,
+                new Cloud.Motion(wind, 0));
+        try (CloudTimeline shaded = timeline(with(heaps, deck), COARSE_LIGHT)) {
+            double bright = light(shaded.at(with(heaps, deck), 0, Vec3.ZERO));
+            double dark = light(shaded.at(with(heaps, deck), seconds, Vec3.ZERO));
+            assertEquals(light(atOrigin), bright, 0.2 * bright);
+            assertTrue(dark < 0.6 * bright, dark + " of " + bright);
         }
     }
 

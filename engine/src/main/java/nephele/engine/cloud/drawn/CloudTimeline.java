@@ -32,7 +32,7 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * The clouds of a level over time. They are sampled at multiples of a step, in boxes that follow a focus; between two
+ * The clouds of a level over time. They are sampled at {@link SampleInstants}, in boxes that follow a focus; between two
  * samples they are interpolated. What a frame sees is a function of time and focus alone: the next samples are made by a
  * thread of their own, and waited for if they are late.
  */
@@ -62,13 +62,13 @@ public final class CloudTimeline implements AutoCloseable {
     /** {@code null} without shafts. */
     private final ShaftClouds shafts;
 
-    private final double stepSeconds;
+    private final SampleInstants instants;
     private final ForkJoinPool worker = new ForkJoinPool(1);
     private final Map<Key, Future<Sample>> samples = new LinkedHashMap<>(16, 0.75f, true);
     private List<List<Column>> columns;
 
     /** What a sample depends on. @param columns the middles of each cloud's boxes, then those of the shafts' shade */
-    private record Key(long step, Vec3 towardsSun, List<List<Column>> columns) {}
+    private record Key(double instant, Vec3 towardsSun, List<List<Column>> columns) {}
 
     /**
      * How clouds are sampled.
@@ -116,7 +116,7 @@ public final class CloudTimeline implements AutoCloseable {
         }
         sources = List.copyOf(all);
         shafts = ShaftClouds.of(authored, sources).orElse(null);
-        stepSeconds = stepSeconds();
+        instants = SampleInstants.of(stepSeconds(), loaded.course());
     }
 
     /** Returns an environment without what leaves clouds and the light in them as they are. */
@@ -178,19 +178,19 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     private CloudInterval atCauses(Environment now, double seconds, Vec3 focus) {
-        long step = stepSeconds == Double.POSITIVE_INFINITY ? 0 : (long) Math.floor(seconds / stepSeconds);
-        double share = stepSeconds == Double.POSITIVE_INFINITY ? 0 : seconds / stepSeconds - step;
-        follow(now, step, share, seconds, focus);
-        Sample from = sample(key(now, seconds, step, columns));
-        Sample to = share == 0 ? from : sample(key(now, seconds, step + 1, columns));
-        if (stepSeconds < Double.POSITIVE_INFINITY) {
-            prefetch(key(now, seconds, share == 0 ? step + 1 : step + 2, columns));
+        SampleInstants.Span span = instants.around(seconds);
+        follow(now, span, seconds, focus);
+        Sample from = sample(key(now, seconds, span.from(), columns));
+        Sample to = span.share() == 0 ? from : sample(key(now, seconds, span.to(), columns));
+        double next = span.share() == 0 ? span.to() : instants.after(span.to());
+        if (next > span.from()) {
+            prefetch(key(now, seconds, next, columns));
         }
-        return new CloudInterval(from, to, share, seconds);
+        return new CloudInterval(from, to, span.share(), seconds);
     }
 
     /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
-    private void follow(Environment now, long step, double share, double seconds, Vec3 focus) {
+    private void follow(Environment now, SampleInstants.Span span, double seconds, Vec3 focus) {
         List<Vec3> places = focuses(now, seconds, focus);
         if (columns == null) {
             columns = boxes(
@@ -208,8 +208,8 @@ public final class CloudTimeline implements AutoCloseable {
                                         columns.get(i),
                                         places.get(i).x(),
                                         places.get(i).z()));
-        boolean isReady =
-                prefetch(key(now, seconds, step, moved)) & (share == 0 || prefetch(key(now, seconds, step + 1, moved)));
+        boolean isReady = prefetch(key(now, seconds, span.from(), moved))
+                & (span.share() == 0 || prefetch(key(now, seconds, span.to(), moved)));
         if (isReady || !serve) {
             columns = moved;
         }
@@ -236,13 +236,13 @@ public final class CloudTimeline implements AutoCloseable {
                 .toList();
     }
 
-    private Key key(Environment now, double seconds, long step, List<List<Column>> at) {
-        return new Key(step, sunAt(now, seconds, step), at);
+    private Key key(Environment now, double seconds, double instant, List<List<Column>> at) {
+        return new Key(instant, sunAt(now, seconds, instant), at);
     }
 
-    private Vec3 sunAt(Environment now, double seconds, long step) {
+    private Vec3 sunAt(Environment now, double seconds, double instant) {
         boolean follows = Daylight.moves(authored) && now.equals(Daylight.at(authored, seconds));
-        return towardsSun(follows ? Daylight.at(authored, step * stepSeconds) : now);
+        return towardsSun(follows ? Daylight.at(authored, instant) : now);
     }
 
     /** Begins a sample unless it is there; returns true if it is finished. */
@@ -276,7 +276,7 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     private Sample make(Key key) {
-        double seconds = stepSeconds == Double.POSITIVE_INFINITY ? 0 : key.step * stepSeconds;
+        double seconds = key.instant;
         List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
                 .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))
                 .toList();

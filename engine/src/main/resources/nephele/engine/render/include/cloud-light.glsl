@@ -13,11 +13,11 @@ uniform vec4 diffuseAxis; // xyz: along which diffuse light flows besides along 
                           // unit irradiance of the beam
 
 const float FOUR_PI = 12.5663706;
-const float BRIGHTEST = 0.397887358; // mean diffuse radiance deep under a side that is lit at a right angle
-const float OBLIQUITY = 0.666666667; // distance from a side along its normal, divided by that along a ray, on the mean
-const float OPAQUE = 0.01;
-const float SEPARATIONS = 64.0;
-const float DEPTHS = 64.0;
+const float BRIGHTEST = 0.397887358; // = CloudLight.BRIGHTEST; mean diffuse radiance deep under a side that is lit at a right angle
+const float OBLIQUITY = 0.666666667; // = CloudLight.OBLIQUITY; distance from a side along its normal, divided by that along a ray, on the mean
+const float OPAQUE = 0.01; // = CellMarch.OPAQUE
+const float SEPARATIONS = 64.0; // = SmallAngleScattering.SEPARATIONS
+const float DEPTHS = 64.0; // = SmallAngleScattering.DEPTHS
 
 struct CloudRay {
     float transmittance;

@@ -2,8 +2,8 @@
 
 uniform samplerBuffer dynamicInstances;
 
-const int INSTANCE_TEXELS = 8;
-const float PARTS_STRIDE = 64.0;
+const int INSTANCE_TEXELS = 8; // = DynamicInstances.FLOATS / 4
+const float PARTS_STRIDE = 64.0; // = DynamicMesh.PARTS_STRIDE
 
 vec4 instanceTexel(int instance, int texel) {
     return texelFetch(dynamicInstances, INSTANCE_TEXELS * instance + texel);

@@ -26,7 +26,7 @@ public final class MutantsProof implements Proof {
                 "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
                         + " simulation, level, model, cloud, sky, particle, terrain and plant code makes a test fail.",
                 "mutants",
-                108,
+                117,
                 13);
     }
 

@@ -31,6 +31,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.FrameUniforms;
 import org.joml.Vector3d;
 
@@ -44,7 +45,8 @@ public final class SkyboxPass implements Pass {
     private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
 
     private final GlContext gl;
-    private final GlProgram<?> program;
+    private final GlProgram<Scalar> program;
+    private final float whiteRadiance;
     private final Cube cube;
 
     private record MadeFrom(Same level, Sky sky, Output output) {}
@@ -69,11 +71,8 @@ public final class SkyboxPass implements Pass {
                 Cube.class,
                 new MadeFrom(context.shared().openedLevel(), sky, context.output()),
                 () -> Cube.of(context, sky));
-        Defines all = Defines.of(context);
-        if (sky.whiteRadiance() != 1) {
-            all.with("WHITE_RADIANCE", sky.whiteRadiance());
-        }
-        var defines = all.values();
+        whiteRadiance = (float) sky.whiteRadiance();
+        var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
@@ -81,7 +80,7 @@ public final class SkyboxPass implements Pass {
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("faces", TextureUnit.COLOURS);
-                    return uniforms;
+                    return uniforms.scalar("whiteRadiance");
                 });
     }
 
@@ -123,6 +122,7 @@ public final class SkyboxPass implements Pass {
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
         program.use();
+        program.uniforms().set(whiteRadiance);
         cube.faces.bind(TextureUnit.COLOURS);
         cube.mesh.draw(0, 36);
     }

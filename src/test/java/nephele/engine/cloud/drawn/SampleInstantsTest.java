@@ -1,0 +1,102 @@
+package nephele.engine.cloud.drawn;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import nephele.engine.cloud.drawn.SampleInstants.Span;
+import nephele.engine.level.Environment.WeatherKeyframe;
+import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.WeatherCourse;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** At the time of a weather keyframe its weather alone is there, for any spacing of keyframes. */
+class SampleInstantsTest {
+    private static final double SPACINGS = 18;
+
+    /** Keyframes 1e-9 s to 1e9 s apart, as far as doubles tell them apart. */
+    private static WeatherCourse course(long seed) {
+        Random random = new Random(seed);
+        List<WeatherKeyframe> keyframes = new ArrayList<>();
+        double time = random.nextBoolean() ? 0 : random.nextDouble();
+        Weather[] weathers = Weather.values();
+        for (int i = 0; i < 30 && time <= 1e9; i++) {
+            keyframes.add(new WeatherKeyframe(time, weathers[i % weathers.length]));
+            time = Math.max(Math.nextUp(time), time + Math.pow(10, SPACINGS * random.nextDouble() - 9));
+        }
+        return new WeatherCourse(keyframes);
+    }
+
+    @Test
+    void atAKeyframeItsWeatherIsAlone() {
+        for (int seed = 0; seed < 300; seed++) {
+            WeatherCourse course = course(seed);
+            SampleInstants instants = SampleInstants.of(4, course);
+            for (WeatherKeyframe keyframe : course.keyframes()) {
+                double seconds = keyframe.timeSeconds();
+                for (Weather weather : Weather.values()) {
+                    assertEquals(
+                            weather == keyframe.weather() ? 1 : 0, course.share(weather, seconds), "at " + seconds);
+                }
+                if (course.changes()) {
+                    assertEquals(seconds, instants.around(seconds).from());
+                    assertEquals(0, instants.around(seconds).share(), "at " + seconds);
+                }
+            }
+        }
+    }
+
+    @Test
+    void everyTimeLiesBetweenNeighbouringInstants() {
+        Random random = new Random(1);
+        for (int seed = 0; seed < 300; seed++) {
+            WeatherCourse course = course(seed);
+            SampleInstants instants = SampleInstants.of(0.1 + 9 * random.nextDouble(), course);
+            for (int i = 0; i < 100; i++) {
+                double seconds = Math.pow(10, 20 * random.nextDouble() - 10);
+                Span span = instants.around(seconds);
+                assertTrue(span.from() <= seconds && seconds < span.to(), span + " at " + seconds);
+                assertTrue(span.share() >= 0 && span.share() < 1, span + " at " + seconds);
+                assertEquals(span.to(), instants.after(span.from()), "at " + seconds);
+                assertTrue(
+                        course.keyframes().stream()
+                                .noneMatch(key -> course.changes()
+                                        && key.timeSeconds() > span.from()
+                                        && key.timeSeconds() < span.to()),
+                        span + " at " + seconds);
+                double sum = 0;
+                for (Weather weather : Weather.values()) {
+                    sum += course.share(weather, seconds);
+                }
+                assertEquals(1, sum, 1e-12);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {4, 0.3, 1 / 3.0, 1e7})
+    void withoutKeyframesTheyAreTheMultiplesOfTheStep(double step) {
+        SampleInstants instants = SampleInstants.of(step, new WeatherCourse(List.of()));
+        for (int k = 0; k < 5000; k++) {
+            assertEquals(k * step, instants.around(k * step).from());
+            assertEquals((k + 1) * step, instants.around(k * step).to());
+            assertEquals(0.25, instants.around((k + 0.25) * step).share(), 1e-9);
+        }
+    }
+
+    @Test
+    void whatNeverChangesAndWhatNoDoubleTellsApartStandsStill() {
+        WeatherCourse one = new WeatherCourse(List.of(new WeatherKeyframe(5, Weather.FEW)));
+        assertEquals(
+                new Span(0, 0, 0),
+                SampleInstants.of(Double.POSITIVE_INFINITY, one).around(1e9));
+        for (double seconds : new double[] {Double.MIN_VALUE, 1e300, Double.MAX_VALUE}) {
+            Span span = SampleInstants.of(4, one).around(seconds);
+            assertTrue(span.share() >= 0 && span.share() < 1, span + " at " + seconds);
+        }
+    }
+}
