@@ -7,6 +7,11 @@ import nephele.editor.text.Words;
 
 /** The services that an action requests: a window answers with dialogues, a script without a user. */
 public interface Desk {
+    /** Returns false in a script, where nobody can be asked and nothing is shown. */
+    default boolean hasUser() {
+        return true;
+    }
+
     /** Asks for a level file to open; empty if the user cancels. */
     Optional<Path> fileToOpen();
 

@@ -4,8 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
+import nephele.editor.brush.BrushEdit;
+import nephele.editor.brush.LockableTransform;
+import nephele.editor.brush.SolidTransform;
+import nephele.editor.brush.TextureLock;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -24,6 +30,7 @@ import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -42,30 +49,42 @@ final class EntityActions {
             "what is selected has no value '%s' that a text can give",
             "o que está selecionado não tem um valor '%s' que um texto possa dar",
             "o que está selecionado não tem um valor '%s' que um texto possa dar");
+    private static final Words NO_AXIS = Words.of(
+            "axis must not be 0,0,0: give a direction, such as 0,1,0",
+            "axis não pode ser 0,0,0: dê uma direção, como 0,1,0",
+            "axis não pode ser 0,0,0: dá uma direção, como 0,1,0");
+    private static final Words FLAT = Words.of(
+            "by must not have a 0: a factor of 1 keeps a size",
+            "by não pode ter um 0: o fator 1 mantém o tamanho",
+            "by não pode ter um 0: o fator 1 mantém o tamanho");
     private static final Words NOT_PERMITTED =
             Words.of("'%s' is not permitted for %s", "'%s' não é permitido em %s", "'%s' não é permitido em %s");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("add", ADD, Menu.EDIT, List.of("Shift+A"), EntityActions::add)
-                    .taking("kind", "at", "id"),
+                    .taking("kind", "at", "id")
+                    .changing(Subject.LEVEL),
             EditorAction.of("move", MOVE, Menu.EDIT, List.of(), EntityActions::move)
                     .taking("by")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("turn", TURN, Menu.EDIT, List.of("Ctrl+R"), EntityActions::turn)
                     .taking("axis", "degrees", "pivot")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("scale", SCALE, Menu.EDIT, List.of(), EntityActions::scale)
                     .taking("by", "pivot")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("set", SET, Menu.EDIT, List.of(), EntityActions::set)
                     .taking("value", "to")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection));
 
     private EntityActions() {}
 
     private static void add(ActionCall call) throws ActionFailure {
-        if (call.text("kind").isEmpty()) {
-            call.desk().show("add");
+        if (!call.isGiven("kind", "add")) {
             return;
         }
         String typed = call.needed("kind");
@@ -134,24 +153,45 @@ final class EntityActions {
     }
 
     private static void turn(ActionCall call) throws ActionFailure {
-        Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
+        Vec3 axis = axis(call);
         double degrees = call.number("degrees", 90);
         Vec3 pivot = pivot(call);
-        step(
-                call,
-                TURN,
-                (level, refs) -> EntityTransform.turned(
-                        level,
-                        refs,
-                        pivot,
-                        axis,
-                        degrees,
-                        call.session().options().textureLock()));
+        TextureLock lock = call.session().options().textureLock();
+        LockableTransform solids =
+                LockableTransform.of(lock, call.session().document().level().materials());
+        requireEach(call, solid -> solids.rotated(solid, pivot, axis, degrees));
+        step(call, TURN, (level, refs) -> EntityTransform.turned(level, refs, pivot, axis, degrees, lock));
+    }
+
+    /** Returns the axis to turn about, of a length that can be squared. */
+    private static Vec3 axis(ActionCall call) throws ActionFailure {
+        Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
+        double greatest = Math.max(Math.abs(axis.x()), Math.max(Math.abs(axis.y()), Math.abs(axis.z())));
+        if (greatest == 0) {
+            throw new ActionFailure(NO_AXIS);
+        }
+        return greatest > 1e-100 && greatest < 1e100
+                ? axis
+                : new Vec3(axis.x() / greatest, axis.y() / greatest, axis.z() / greatest);
+    }
+
+    /** Refuses an edit that one of the selected solids does not take, which would stay behind without a word. */
+    private static void requireEach(ActionCall call, Function<Solid, BrushEdit<?>> edit) throws ActionFailure {
+        Document document = call.session().document();
+        for (EntityRef ref : EditActions.unlocked(call)) {
+            if (document.entities().find(document.level(), ref).orElseThrow() instanceof Solid solid) {
+                BrushActions.done(edit.apply(solid));
+            }
+        }
     }
 
     private static void scale(ActionCall call) throws ActionFailure {
         Vec3 factors = call.vector("by");
+        if (factors.x() == 0 || factors.y() == 0 || factors.z() == 0) {
+            throw new ActionFailure(FLAT);
+        }
         Vec3 pivot = pivot(call);
+        requireEach(call, solid -> SolidTransform.scaled(solid, pivot, factors));
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
@@ -164,7 +204,7 @@ final class EntityActions {
     private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
             throws ActionFailure {
         Document document = call.session().document();
-        List<EntityRef> refs = document.selection().entities();
+        List<EntityRef> refs = EditActions.unlocked(call);
         Level after = change.apply(document.level(), refs);
         for (EntityRef ref : refs) {
             Optional<Words> problem = document.entities().find(after, ref).flatMap(EntityActions::problem);

@@ -6,6 +6,7 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.BackupList;
 import nephele.editor.file.DroppedFile;
@@ -49,21 +50,21 @@ final class ExchangeActions {
                     List.of(),
                     ExchangeActions::backups)
             .taking("restore", "open")
+            .changing(Subject.LEVEL)
             .when(session -> session.file().path().isPresent());
 
     static final EditorAction RECOVER = EditorAction.of(
-            "recover",
-            Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
-            Menu.FILE,
-            List.of(),
-            call -> call.desk().show("recover"));
+                    "recover",
+                    Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
+                    Menu.FILE,
+                    List.of(),
+                    call -> call.desk().show("recover"))
+            .changing(Subject.WINDOW);
 
     private ExchangeActions() {}
 
     private static void export(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(FileActions.path(call))
-                : call.desk().fileToExport();
+        Optional<Path> asked = call.file(call.desk()::fileToExport);
         if (asked.isEmpty()) {
             return;
         }
@@ -79,9 +80,7 @@ final class ExchangeActions {
     }
 
     private static void drop(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(FileActions.path(call))
-                : call.desk().fileToAdd();
+        Optional<Path> asked = call.file(call.desk()::fileToAdd);
         if (asked.isEmpty()) {
             return;
         }
@@ -115,8 +114,7 @@ final class ExchangeActions {
 
     private static void backups(ActionCall call) throws ActionFailure {
         boolean isRestore = call.text("restore").isPresent();
-        if (!isRestore && call.text("open").isEmpty()) {
-            call.desk().show("backups");
+        if (!isRestore && !call.isGiven("open", "backups")) {
             return;
         }
         EditorSession session = call.session();

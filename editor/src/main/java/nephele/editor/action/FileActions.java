@@ -3,13 +3,13 @@ package nephele.editor.action;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.file.FileText;
 import nephele.editor.file.LevelOpening;
 import nephele.editor.save.DocumentFile;
@@ -25,9 +25,6 @@ import nephele.engine.asset.AtomicFile;
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
     private static final Words SAVED = Words.of("Saved %s", "%s foi salvo", "%s foi guardado");
-    private static final Words NO_FILE = Words.of(
-            "'%s' is no file name: choose another",
-            "'%s' não é um nome de arquivo: escolha outro", "'%s' não é um nome de ficheiro: escolhe outro");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
@@ -40,11 +37,12 @@ final class FileActions {
                             FileActions::open)
                     .taking("file"),
             EditorAction.of(
-                    "open-recent",
-                    Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
-                    Menu.FILE,
-                    List.of("Ctrl+Shift+O"),
-                    call -> call.desk().show("open-recent")),
+                            "open-recent",
+                            Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
+                            Menu.FILE,
+                            List.of("Ctrl+Shift+O"),
+                            call -> call.desk().show("open-recent"))
+                    .changing(Subject.WINDOW),
             EditorAction.of(
                             "save",
                             Words.of("Save", "Salvar", "Guardar"),
@@ -91,9 +89,7 @@ final class FileActions {
         if (!mayLeave(call)) {
             return;
         }
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToOpen();
+        Optional<Path> asked = call.file(call.desk()::fileToOpen);
         if (asked.isEmpty()) {
             return;
         }
@@ -101,15 +97,6 @@ final class FileActions {
             LevelOpening.open(call.session(), asked.get().toString());
         } catch (FileRefusal refusal) {
             throw new ActionFailure(refusal.told());
-        }
-    }
-
-    static Path path(ActionCall call) throws ActionFailure {
-        String typed = call.needed("file");
-        try {
-            return Path.of(typed);
-        } catch (InvalidPathException noPath) {
-            throw new ActionFailure(NO_FILE.with(typed));
         }
     }
 
@@ -135,9 +122,7 @@ final class FileActions {
     }
 
     private static void saveAs(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToSave();
+        Optional<Path> asked = call.file(call.desk()::fileToSave);
         if (asked.isPresent()) {
             EditorSession session = call.session();
             finish(
@@ -168,9 +153,7 @@ final class FileActions {
     }
 
     private static void screenshot(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToSave();
+        Optional<Path> asked = call.file(call.desk()::fileToSave);
         if (asked.isEmpty()) {
             return;
         }

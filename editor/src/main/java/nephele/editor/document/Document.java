@@ -70,7 +70,7 @@ public final class Document {
         tell(before);
     }
 
-    /** Makes a step, unless the level stays the same object. */
+    /** Makes a step, unless the level stays as it is. */
     public void edit(Words label, UnaryOperator<Level> change) {
         edit(label, null, snapshot -> snapshot.with(change.apply(snapshot.level())));
     }
@@ -84,7 +84,7 @@ public final class Document {
         cancelDrag();
         Snapshot before = history.current();
         Snapshot after = existing(change.apply(before));
-        if (after.level() != before.level()) {
+        if (!after.level().equals(before.level())) {
             history.add(label, mergeKey, after);
         } else if (!after.selection().equals(before.selection())) {
             history.select(after.selection());
@@ -128,7 +128,7 @@ public final class Document {
         }
         Snapshot before = preview;
         preview = null;
-        if (before.level() != history.current().level()) {
+        if (!before.level().equals(history.current().level())) {
             history.add(label, mergeKey, before);
         } else {
             history.select(before.selection());

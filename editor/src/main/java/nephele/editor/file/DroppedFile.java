@@ -9,7 +9,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
@@ -102,6 +104,12 @@ public final class DroppedFile {
             PictureDecoder.decode(file.getFileName().toString(), content);
         } catch (AssetException noPicture) {
             throw refused(noPicture);
+        }
+        if (target.face().isPresent()) {
+            EntityRef solid = target.face().get().solid();
+            if (Notes.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
+                throw new FileRefusal(Notes.LOCKED.with(solid.text()));
+            }
         }
         String id = folder.idOf(file, content, "textures");
         new AssetUse(session, id).picture(target.face());

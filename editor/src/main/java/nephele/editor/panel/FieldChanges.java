@@ -3,7 +3,7 @@ package nephele.editor.panel;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.document.Snapshot;
+import nephele.editor.document.Notes;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
@@ -78,7 +78,20 @@ final class FieldChanges {
         return true;
     }
 
+    /** Returns true, and tells it, if something inspected is locked. */
+    private boolean isLocked() {
+        List<EntityRef> refs = refs();
+        List<EntityRef> unlocked = Notes.unlocked(session.document().level(), refs);
+        Optional<EntityRef> locked =
+                refs.stream().filter(ref -> !unlocked.contains(ref)).findFirst();
+        locked.ifPresent(ref -> report.accept(Notes.LOCKED.with(ref.shortName())));
+        return locked.isPresent();
+    }
+
     private boolean isRefused(InspectorField field, UnaryOperator<Object> change) {
+        if (isLocked()) {
+            return true;
+        }
         Level level = session.document().level();
         Optional<Words> problem = field.values().stream()
                 .flatMap(value -> model.problem(level, refs(), field, change.apply(value)).stream())
@@ -89,14 +102,7 @@ final class FieldChanges {
 
     private void rename(InspectorField field, Object id) {
         EntityRef before = refs().get(0);
-        EntityRef after = new EntityRef(before.section(), (String) id);
-        session.document()
-                .edit(
-                        label(field),
-                        null,
-                        now -> new Snapshot(
-                                (Level) model.set(now.level(), List.of(before), field, id),
-                                now.selection().renamed(before, after)));
+        session.document().edit(label(field), null, now -> now.renamed(before, (String) id));
     }
 
     /** Shows a change until {@link #endDrag}. */
@@ -179,6 +185,9 @@ final class FieldChanges {
     }
 
     private void edit(InspectorField field, String mergeKey, UnaryOperator<Record> change) {
+        if (isLocked()) {
+            return;
+        }
         session.document().edit(label(field), mergeKey, now -> now.with((Level) change.apply(now.level())));
     }
 

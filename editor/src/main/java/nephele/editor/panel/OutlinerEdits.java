@@ -32,8 +32,11 @@ record OutlinerEdits(EditorSession session) {
         }
     }
 
-    void delete(List<EntityRef> refs) {
-        if (!refs.isEmpty()) {
+    void delete(List<EntityRef> selected) {
+        List<EntityRef> refs = Notes.unlocked(document().level(), selected);
+        if (refs.isEmpty() && !selected.isEmpty()) {
+            session.status(Notes.LOCKED.with(selected.get(0).shortName()));
+        } else if (!refs.isEmpty()) {
             document().edit(PanelText.DELETE_MANY.with(named(refs)), null, now -> now.without(refs));
         }
     }

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
 import nephele.editor.mark.Mark;
 import nephele.editor.pick.EntityBounds;
@@ -91,7 +92,7 @@ public final class SelectTool implements Tool {
             context.document()
                     .drag(before -> before.with(EntityTransform.moved(
                             before.level(),
-                            before.selection().entities(),
+                            Notes.unlocked(before.level(), before.selection().entities()),
                             snapped,
                             context.options().textureLock())));
         });
