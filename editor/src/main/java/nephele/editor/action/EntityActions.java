@@ -8,6 +8,8 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
+import nephele.editor.added.Completion;
+import nephele.editor.added.NewRecord;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
@@ -22,7 +24,6 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.RecordWalk;
@@ -96,14 +97,14 @@ final class EntityActions {
             if (kind.isPresent()) {
                 String wish = call.text("id").orElse(kind.get().name());
                 String id = document.entities().freshId(document.level(), section.path(), wish);
-                add(document, section.path(), id, Prototypes.make(kind.get(), id, at));
+                add(document, section.path(), id, NewRecord.at(kind.get(), id, at));
                 return;
             }
         }
         for (SingleSection section : structure.singles()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (section.isOptional() && kind.isPresent()) {
-                add(document, section.path(), "", Prototypes.make(kind.get(), "", at));
+                add(document, section.path(), "", NewRecord.at(kind.get(), "", at));
                 return;
             }
         }
@@ -124,7 +125,8 @@ final class EntityActions {
                 ADD,
                 null,
                 before -> new Snapshot(
-                        (Level) document.entities().added(before.level(), section, entity),
+                        Completion.of(
+                                before.level(), (Level) document.entities().added(before.level(), section, entity)),
                         Selection.of(new EntityRef(section, id))));
     }
 

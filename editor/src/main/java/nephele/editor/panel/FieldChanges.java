@@ -7,12 +7,14 @@ import nephele.editor.document.Notes;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
+import nephele.editor.panel.model.PanelText;
 import nephele.editor.panel.model.RecordPath;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
+import nephele.editor.term.FieldWords;
 import nephele.editor.terrain.LayerOrder;
 import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.text.Words;
@@ -133,12 +135,31 @@ final class FieldChanges {
         edit(field, null, level -> model.withKind(level, refs(), field, kind));
     }
 
-    /** Adds an entry unless the list or table is full. */
-    void add(InspectorField field, Object key) {
-        Level after = (Level) model.added(session.document().level(), refs(), field, key);
+    /** Sets a value where there is none. */
+    void setFresh(InspectorField field) {
+        Level after = (Level) model.fresh(session.document().level(), refs(), field);
         if (!isRefused(field.path(), field, after)) {
             edit(field, null, level -> after);
         }
+    }
+
+    /** Returns the keys that a table does not have yet, as far as they are known. */
+    List<Object> missingKeys(InspectorField table) {
+        return model.missingKeys(session.document().level(), refs(), table);
+    }
+
+    /** Adds an entry unless the list or table is full. */
+    void add(InspectorField field, Object key) {
+        Level after = (Level) model.added(session.document().level(), refs(), field, key);
+        if (after.equals(session.document().level())) {
+            report.accept(PanelText.TOO_MANY.with(FieldWords.of(field.type().field()), listLength(field)));
+        } else if (!isRefused(field.path(), field, after)) {
+            edit(field, null, level -> after);
+        }
+    }
+
+    private static int listLength(InspectorField list) {
+        return list.value() instanceof List<?> entries ? entries.size() : 0;
     }
 
     /** Returns true, and tells why, if the value at a path of a level would be wrong. */

@@ -84,8 +84,8 @@ public record Billboards(
 
     /** The least and the greatest height. */
     public record HeightLimits(
-            @Written(required = true, spatial = Spatial.LENGTH) double low,
-            @Written(required = true, spatial = Spatial.LENGTH) double high) {}
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "-1000") double low,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "1000") double high) {}
 
     /** Makes opaque billboards of one size that stand still at places. */
     public static Billboards at(String id, String sprite, Facing facing, double width, double height, List<Vec3> at) {

@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
  */
 public record ModelPlacement(
         @Written(required = true, text = TextKind.ID) String id,
-        @Written(required = true, text = TextKind.ASSET) String file,
+        @Written(required = true, text = TextKind.ASSET, prototype = "\"models/vase.obj\"") String file,
         @Written(text = TextKind.ID, refersTo = "models") String parent,
         @Written(most = 1000) List<TransformStep> transform,
         @Written(text = TextKind.ID, refersTo = "materials") String material,
@@ -61,10 +61,12 @@ public record ModelPlacement(
         record Translate(@Written(required = true) Vec3 by) implements TransformStep {}
 
         /** {@code "kind": "rotate"}. */
-        record Rotate(@Written(required = true) Vec3 axis, @Written(required = true) double angleDegrees)
+        record Rotate(
+                @Written(required = true, prototype = "[0, 1, 0]") Vec3 axis,
+                @Written(required = true, prototype = "90") double angleDegrees)
                 implements TransformStep {}
 
         /** {@code "kind": "scale"}. */
-        record Scale(@Written(required = true) Vec3 by) implements TransformStep {}
+        record Scale(@Written(required = true, prototype = "[1, 1, 1]") Vec3 by) implements TransformStep {}
     }
 }

@@ -25,8 +25,9 @@ public sealed interface Sky {
      * @param whiteRadiance linear radiance that white in the files stands for
      */
     record Skybox(
-            @Written(absent = "\"faces\"") SkyboxLayout layout,
-            @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files,
+            @Written(absent = "\"faces\"", prototype = "\"cross\"") SkyboxLayout layout,
+            @Written(required = true, text = TextKind.ASSET, most = 6, prototype = "[\"textures/sky-bay-cross.png\"]")
+                    List<String> files,
             @Written(absent = "1", min = 0, max = 1e9) double whiteRadiance)
             implements Sky {
 
