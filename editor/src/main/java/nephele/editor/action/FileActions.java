@@ -21,6 +21,7 @@ import nephele.editor.session.FileRefusal;
 import nephele.editor.session.NewDocument;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Level;
 
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
@@ -109,13 +110,16 @@ final class FileActions {
         } else {
             Path path = session.file().path().get();
             DocumentSaver saver = session.filing().saver();
-            SaveResult result = saver.save(session.file(), session.document().level());
+            Level level = session.document().level();
+            SaveResult result = session.hasMoved()
+                    ? saver.save(session.file(), level, session.assets())
+                    : saver.save(session.file(), level);
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
                 if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
                     return;
                 }
-                result = saver.saveAs(path, session.document().level());
+                result = saver.saveAs(path, session.document().level(), session.assets());
             }
             finish(call, result);
         }
@@ -129,7 +133,7 @@ final class FileActions {
                     call,
                     session.filing()
                             .saver()
-                            .saveAs(asked.get(), session.document().level()));
+                            .saveAs(asked.get(), session.document().level(), session.assets()));
         }
     }
 
