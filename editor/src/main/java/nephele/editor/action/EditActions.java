@@ -1,9 +1,12 @@
 package nephele.editor.action;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Clip;
+import nephele.editor.document.Deletion;
 import nephele.editor.document.Document;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
@@ -39,6 +42,25 @@ final class EditActions {
             "selecione antes uma entidade que tenha id",
             "seleciona primeiro uma entidade que tenha id");
 
+    private static final Words USED = Words.of(
+            "used by %s: write replace=ID for what these use instead, or replace=none for the default",
+            "usado por %s: escreva replace=ID com o que estes usam em vez disso, ou replace=none para o padrão",
+            "usado por %s: escreve replace=ID com o que estes usam em vez disso, ou replace=none para o predefinido");
+    private static final Words DELETE_USED = Words.of(
+            "Used by %s. Delete it all the same? These then use the default or, where they need one, the first that is"
+                    + " left.",
+            "Usado por %s. Excluir mesmo assim? Estes passam a usar o padrão ou, se precisam de um, o primeiro que"
+                    + " resta.",
+            "Usado por %s. Eliminar mesmo assim? Estes passam a usar o predefinido ou, se precisam de um, o primeiro"
+                    + " que resta.");
+    private static final Words NO_SUBSTITUTE = Words.of(
+            "there is no '%s' that could stand for what is deleted",
+            "não há um '%s' que possa ficar no lugar do excluído",
+            "não há um '%s' que possa ficar no lugar do eliminado");
+    private static final String REPLACE = "replace";
+    private static final String NONE = "none";
+    private static final int MOST_NAMED = 3;
+
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("undo", UNDO, Menu.EDIT, List.of("Ctrl+Z"), call -> undo(call.session()))
                     .changing(Subject.LEVEL)
@@ -50,6 +72,7 @@ final class EditActions {
                     .changing(Subject.LEVEL)
                     .when(session -> session.document().history().canRedo()),
             EditorAction.of("cut", CUT, Menu.EDIT, List.of("Ctrl+X"), EditActions::cut)
+                    .taking(REPLACE)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("copy", COPY, Menu.EDIT, List.of("Ctrl+C"), EditActions::copy)
@@ -62,6 +85,7 @@ final class EditActions {
                     .taking("by")
                     .when(EditActions::hasSelection),
             EditorAction.of("delete", DELETE, Menu.EDIT, List.of("Delete"), EditActions::delete)
+                    .taking(REPLACE)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("rename", RENAME, Menu.EDIT, List.of("F2"), EditActions::rename)
@@ -152,8 +176,28 @@ final class EditActions {
 
     private static void delete(ActionCall call, Words label) throws ActionFailure {
         Document document = call.session().document();
-        List<EntityRef> refs = unlocked(call);
-        document.edit(label, null, before -> before.without(refs));
+        Deletion deletion = new Deletion(document.now(), unlocked(call));
+        List<EntityRef> users = deletion.users();
+        Optional<String> substitute = call.text(REPLACE).filter(id -> !id.equals(NONE));
+        if (substitute.isPresent() && !deletion.substitutes().contains(substitute.get())) {
+            throw new ActionFailure(NO_SUBSTITUTE.with(substitute.get()));
+        }
+        if (!users.isEmpty() && call.text(REPLACE).isEmpty()) {
+            if (!call.desk().hasUser()) {
+                throw new ActionFailure(USED.with(named(users)));
+            }
+            if (!call.desk().isAgreed(DELETE_USED.with(named(users)))) {
+                return;
+            }
+        }
+        Snapshot after = deletion.after(substitute);
+        document.edit(label, null, before -> after);
+    }
+
+    /** Returns the first few names, and how many there are more. */
+    private static String named(List<EntityRef> refs) {
+        String first = refs.stream().limit(MOST_NAMED).map(EntityRef::text).collect(Collectors.joining(", "));
+        return refs.size() > MOST_NAMED ? first + " … (" + refs.size() + ")" : first;
     }
 
     private static void rename(ActionCall call) throws ActionFailure {

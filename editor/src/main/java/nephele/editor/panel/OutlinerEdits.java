@@ -32,15 +32,6 @@ record OutlinerEdits(EditorSession session) {
         }
     }
 
-    void delete(List<EntityRef> selected) {
-        List<EntityRef> refs = Notes.unlocked(document().level(), selected);
-        if (refs.isEmpty() && !selected.isEmpty()) {
-            session.status(Notes.LOCKED.with(selected.get(0).shortName()));
-        } else if (!refs.isEmpty()) {
-            document().edit(PanelText.DELETE_MANY.with(named(refs)), null, now -> now.without(refs));
-        }
-    }
-
     void rename(EntityRef ref, String id) {
         EntityRef renamed = new EntityRef(ref.section(), id);
         if (id.isEmpty() || id.equals(ref.id())) {
