@@ -3,6 +3,7 @@ package nephele.editor.action;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.text.Words;
 
 /** The services that an action requests: a window answers with dialogues, a script without a user. */
@@ -31,6 +32,11 @@ public interface Desk {
     /** Tells of a problem and offers a remedy; false if the user declines. A script has nobody to tell. */
     default boolean isRemedied(Words problem, Words remedy) {
         return false;
+    }
+
+    /** Asks what to do with a scene that is added to an open level; empty if the user cancels. A script inserts it. */
+    default Optional<SceneUse> sceneUse(Path scene) {
+        return Optional.of(SceneUse.INSERT);
     }
 
     /** Asks a question with yes and no; a script's answer is yes. */

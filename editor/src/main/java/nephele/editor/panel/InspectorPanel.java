@@ -43,7 +43,8 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
         scroll.getVerticalScrollBar().setUnitIncrement(16);
         add(heading);
         add(scroll);
-        add(message);
+        // A long message is cut rather than that it widens the panel; its tool tip has the whole.
+        add(message, "wmin 0");
         add(comparison);
         message.setVisible(false);
         registration = session.listen(change -> {
@@ -56,6 +57,7 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
 
     private void report(Words words) {
         message.setText(words.in(session.language()));
+        message.setToolTipText(message.getText());
         message.setVisible(!words.equals(Words.NONE));
     }
 
