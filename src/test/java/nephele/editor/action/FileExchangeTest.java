@@ -168,6 +168,26 @@ class FileExchangeTest {
     }
 
     @Test
+    void aSceneJoinsTheOpenLevelUnlessItIsToReplaceIt() throws Exception {
+        session.filing(session.filing().with((scene, level, complaints) -> LevelFile.save(level, DraftLevel.after(5))));
+        Path scene = elsewhere.resolve("room.xml");
+        Files.writeString(scene, "<scene/>");
+        Level before = session.document().level();
+        run(drop(scene) + " at=0,9,0");
+        assertEquals(file, session.file().path().orElseThrow(), "the level stays open");
+        assertEquals(
+                before.solids().size() + DraftLevel.after(5).solids().size(),
+                session.document().level().solids().size());
+        assertEquals(List.of("room.json"), filesBeside());
+        run("undo");
+        assertEquals(before, session.document().level());
+        assertTrue(refused(drop(scene) + " scene=both").contains("insert or replace"));
+        use(FiledSession.untitled(folder));
+        run("brush box min=0,0,0 max=1,1,1");
+        assertTrue(refused(drop(scene)).contains("Save the level first"));
+    }
+
+    @Test
     void aSceneIsImportedBesideTheLevelAndOpened() throws Exception {
         session.filing(session.filing().with((scene, level, complaints) -> {
             LevelFile.save(level, DraftLevel.after(5));
@@ -175,7 +195,7 @@ class FileExchangeTest {
         }));
         Path scene = elsewhere.resolve("room.xml");
         Files.writeString(scene, "<scene/>");
-        run(drop(scene));
+        run(drop(scene) + " scene=replace");
         assertEquals(DraftLevel.after(5), session.document().level());
         assertEquals(file.resolveSibling("room-2.json"), session.file().path().orElseThrow(), "room.json is there");
         assertTrue(session.status().english().endsWith(":3: a light was left out"));

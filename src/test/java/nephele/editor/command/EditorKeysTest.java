@@ -9,9 +9,13 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import nephele.editor.action.Actions;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptedSession;
 import nephele.editor.command.EditorKeys.KeyConflict;
 import nephele.editor.text.Words;
+import nephele.editor.toolbox.Tools;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -81,6 +85,42 @@ class EditorKeysTest {
         int altGr = InputEvent.ALT_DOWN_MASK | InputEvent.ALT_GRAPH_DOWN_MASK;
         assertEquals(Optional.of("finer"), keys.find(pressed(altGr, KeyEvent.VK_8, '[')));
         assertEquals(Optional.of("larger"), keys.find(pressed(InputEvent.SHIFT_DOWN_MASK, KeyEvent.VK_EQUALS, '+')));
+    }
+
+    /** Modifiers tell signs apart as they do letters, whether or not the layout needs Shift to write one. */
+    @Test
+    void modifiersTellSignsApart() {
+        List<EditorCommand> all = new EditorCommands(
+                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                .all();
+        EditorKeys keys = new EditorKeys(all, Map.of());
+        int alt = InputEvent.ALT_DOWN_MASK;
+        int altShift = alt | InputEvent.SHIFT_DOWN_MASK;
+        assertEquals(Optional.of("grid-finer"), keys.find(pressed(0, KeyEvent.VK_OPEN_BRACKET, '[')));
+        assertEquals(Optional.of("grid-coarser"), keys.find(pressed(0, KeyEvent.VK_CLOSE_BRACKET, ']')));
+        assertEquals(Optional.of("terrain-smaller"), keys.find(pressed(alt, KeyEvent.VK_OPEN_BRACKET, '[')));
+        assertEquals(Optional.of("terrain-larger"), keys.find(pressed(alt, KeyEvent.VK_CLOSE_BRACKET, ']')));
+        assertEquals(Optional.of("terrain-weaker"), keys.find(pressed(altShift, KeyEvent.VK_OPEN_BRACKET, '{')));
+        assertEquals(Optional.of("terrain-stronger"), keys.find(pressed(altShift, KeyEvent.VK_CLOSE_BRACKET, '}')));
+        KeyEvent captured = pressed(alt, KeyEvent.VK_OPEN_BRACKET, '[');
+        assertEquals("Alt+[", KeyText.pressed(captured).orElseThrow().text());
+    }
+
+    /** What the table of keys says is what each key does. */
+    @Test
+    void everyDefaultKeyStartsItsCommand() {
+        List<EditorCommand> all = new EditorCommands(
+                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                .all();
+        EditorKeys keys = new EditorKeys(all, Map.of());
+        for (EditorCommand command : all) {
+            for (KeyText key : keys.of(command.id())) {
+                char sign = key.key().length() == 1 ? key.key().charAt(0) : KeyEvent.CHAR_UNDEFINED;
+                KeyEvent event = pressed(
+                        key.stroke().getModifiers() & ~0x3f, key.stroke().getKeyCode(), sign);
+                assertEquals(Optional.of(command.id()), keys.find(event), key.text());
+            }
+        }
     }
 
     @Test

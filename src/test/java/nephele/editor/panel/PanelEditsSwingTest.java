@@ -70,7 +70,7 @@ class PanelEditsSwingTest {
         EditorSession session = session();
         List<Object> seen = new ArrayList<>();
         onEventThread(() -> {
-            var outliner = new OutlinerPanel(session, ref -> {});
+            var outliner = new OutlinerPanel(session, ref -> {}, refs -> {});
             var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
             JTable table = all(outliner, JTable.class).get(0);
             outliner.search("type:material lamp");

@@ -70,7 +70,15 @@ class EditorPanelSwingTest {
     }
 
     private EditorAction action(String id, Menu menu, Words title, String key) {
-        return new EditorAction(id, title, menu, List.of(key), List.of(), any -> true, call -> ran.add(id));
+        return new EditorAction(
+                id,
+                title,
+                menu,
+                List.of(key),
+                List.of(),
+                any -> true,
+                call -> ran.add(id),
+                EditorAction.Subject.SESSION);
     }
 
     private List<EditorAction> actions() {

@@ -1,9 +1,12 @@
 package nephele.editor.action;
 
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.level.json.NumberText;
@@ -21,6 +24,13 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
     private static final Words NO_VECTOR = Words.of(
             "%s must be three numbers x,y,z, not '%s'",
             "%s deve ter três números x,y,z, não '%s'", "%s deve ter três números x,y,z, não '%s'");
+    private static final Words NO_FLAG = Words.of(
+            "%s must be true or false, not '%s'",
+            "%s deve ser true ou false, não '%s'", "%s deve ser true ou false, não '%s'");
+    private static final Words NO_FILE = Words.of(
+            "'%s' is no file name: choose another",
+            "'%s' não é um nome de arquivo: escolha outro", "'%s' não é um nome de ficheiro: escolhe outro");
+    private static final String FILE = "file";
     private static final Words NO_NUMBER = Words.of(
             "%s must be a number from %s to %s, not '%s'",
             "%s deve ser um número de %s a %s, não '%s'", "%s deve ser um número de %s a %s, não '%s'");
@@ -60,6 +70,48 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
             return (int) value;
         }
         throw new ActionFailure(NO_WHOLE_NUMBER.with(name, least, most, arguments.get(name)));
+    }
+
+    /**
+     * Returns true if an argument is given; else opens the part of the window that asks for it.
+     *
+     * @throws ActionFailure in a script, which has nobody to ask
+     */
+    boolean isGiven(String name, String part) throws ActionFailure {
+        if (arguments.containsKey(name)) {
+            return true;
+        }
+        if (!desk.hasUser()) {
+            needed(name);
+        }
+        desk.show(part);
+        return false;
+    }
+
+    /**
+     * Returns the file that is given or that the user chooses; empty if the user cancels.
+     *
+     * @throws ActionFailure if it is no name of a file, and in a script that gives none
+     */
+    Optional<Path> file(Supplier<Optional<Path>> chooser) throws ActionFailure {
+        if (desk.hasUser() && !arguments.containsKey(FILE)) {
+            return chooser.get();
+        }
+        String typed = needed(FILE);
+        try {
+            return Optional.of(Path.of(typed));
+        } catch (InvalidPathException noPath) {
+            throw new ActionFailure(NO_FILE.with(typed));
+        }
+    }
+
+    /** Returns true or false as it is written, or {@code absent} if the argument is not given. */
+    public boolean flag(String name, boolean absent) throws ActionFailure {
+        String typed = arguments.getOrDefault(name, String.valueOf(absent));
+        if (!typed.equals("true") && !typed.equals("false")) {
+            throw new ActionFailure(NO_FLAG.with(name, typed));
+        }
+        return typed.equals("true");
     }
 
     /** Returns a vector that a script must give as {@code x,y,z}. */

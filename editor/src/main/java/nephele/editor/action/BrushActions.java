@@ -2,11 +2,14 @@ package nephele.editor.action;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.brush.BrushBoolean;
 import nephele.editor.brush.BrushCheck;
 import nephele.editor.brush.BrushEdit;
@@ -41,6 +44,18 @@ final class BrushActions {
             "Merged; the brush is convex, so it fills the gaps that were between them",
             "Unidos; o bloco é convexo, por isso preenche os vãos que havia entre eles",
             "Unidos; o bloco é convexo, por isso preenche os vãos que havia entre eles");
+    private static final Words NOT_FREE = Words.of(
+            "too few of the selected solids are neither locked nor hidden: unlock and show them first",
+            "há poucos sólidos selecionados que não estão bloqueados nem ocultos: desbloqueie e mostre-os antes",
+            "há poucos sólidos selecionados que não estão bloqueados nem ocultos: desbloqueia-os e mostra-os primeiro");
+    private static final Words NOTHING_CUT = Words.of(
+            "there is nothing to cut: what is selected reaches into no solid",
+            "não há o que cortar: o selecionado não entra em nenhum sólido",
+            "não há o que cortar: o selecionado não entra em nenhum sólido");
+    private static final Words LEFT_ALONE = Words.of(
+            "Locked and hidden solids were left alone",
+            "Sólidos bloqueados e ocultos ficaram como estavam",
+            "Os sólidos bloqueados e ocultos ficaram como estavam");
     private static final Words NO_SHAPE = Words.of(
             "there is no shape '%s': box, wedge, stairs, arch, cylinder, room",
             "não há a forma '%s': box, wedge, stairs, arch, cylinder, room",
@@ -48,14 +63,18 @@ final class BrushActions {
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("brush", DRAW, Menu.BRUSH, List.of(), BrushActions::draw)
-                    .taking("shape", "min", "max", "id", "wall", "steps", "material"),
+                    .taking("shape", "min", "max", "id", "wall", "steps", "material")
+                    .changing(Subject.LEVEL),
             EditorAction.of("hollow", HOLLOW, Menu.BRUSH, List.of("Ctrl+Alt+H"), BrushActions::hollow)
                     .taking("wall")
+                    .changing(Subject.LEVEL)
                     .when(BrushActions::hasSolids),
             EditorAction.of("subtract", SUBTRACT, Menu.BRUSH, List.of("Ctrl+Minus"), BrushActions::subtract)
+                    .changing(Subject.LEVEL)
                     .when(BrushActions::hasSolids),
             EditorAction.of("merge", MERGE, Menu.BRUSH, List.of("Ctrl+M"), BrushActions::merge)
-                    .when(session -> solids(session).size() > 1));
+                    .changing(Subject.LEVEL)
+                    .when(BrushActions::hasSolids));
 
     private BrushActions() {}
 
@@ -64,14 +83,25 @@ final class BrushActions {
                 .anyMatch(ref -> ref.section().equals(Picker.SOLIDS));
     }
 
+    /** Returns the selected solids that are neither locked nor hidden. */
     private static List<Solid> solids(EditorSession session) {
         List<Solid> solids = new ArrayList<>();
-        for (EntityRef ref : session.document().selection().entities()) {
+        Level level = session.document().level();
+        for (EntityRef ref : Notes.free(level, session.document().selection().entities())) {
             session.document()
                     .entities()
                     .find(session.document().level(), ref)
                     .filter(Solid.class::isInstance)
                     .ifPresent(entity -> solids.add((Solid) entity));
+        }
+        return solids;
+    }
+
+    /** Returns the selected solids that may be cut, at least one. */
+    private static List<Solid> freeSolids(ActionCall call) throws ActionFailure {
+        List<Solid> solids = solids(call.session());
+        if (solids.isEmpty()) {
+            throw new ActionFailure(NOT_FREE);
         }
         return solids;
     }
@@ -102,14 +132,14 @@ final class BrushActions {
                 ? RoomSides.named(drawn, box, side -> freshIds(document, wish + "-" + side)
                         .get())
                 : drawn;
-        document.edit(
-                DRAW,
-                null,
-                before -> with(
-                        document,
-                        before.with(MaterialLibrary.STANDARD.including(before.level(), material)),
-                        List.of(),
-                        made));
+        document.edit(DRAW, null, before -> {
+            Level with = MaterialLibrary.STANDARD.including(before.level(), material);
+            List<Solid> all = new ArrayList<>(with.solids());
+            all.addAll(made);
+            return new Snapshot(
+                    with.with(with.materials(), List.copyOf(all)),
+                    Selection.of(made.stream().map(BrushActions::ref).toList()));
+        });
     }
 
     private static ShapeOptions shape(ActionCall call) throws ActionFailure {
@@ -131,7 +161,7 @@ final class BrushActions {
         };
     }
 
-    private static <T> T done(BrushEdit<T> edit) throws ActionFailure {
+    static <T> T done(BrushEdit<T> edit) throws ActionFailure {
         Optional<BrushText> refusal = edit.refusal();
         if (refusal.isPresent()) {
             throw new ActionFailure(refusal.get().words());
@@ -139,19 +169,16 @@ final class BrushActions {
         return edit.result().orElseThrow();
     }
 
-    /** Returns the snapshot with solids replaced by others, which are selected. */
-    private static Snapshot with(Document document, Snapshot before, List<Solid> gone, List<Solid> made) {
-        List<Solid> solids = new ArrayList<>(before.level().solids());
-        int at = gone.isEmpty() ? solids.size() : solids.indexOf(gone.get(0));
-        solids.removeAll(gone);
-        solids.addAll(Math.min(at, solids.size()), made);
-        Level level = before.level().with(before.level().materials(), List.copyOf(solids));
-        List<EntityRef> names = made.stream().map(BrushActions::ref).toList();
-        List<EntityRef> removed = gone.stream()
-                .map(BrushActions::ref)
-                .filter(ref -> !names.contains(ref))
-                .toList();
-        return new Snapshot(Notes.without(level, removed), Selection.of(names));
+    /** Makes a step that replaces solids by their pieces, which are then selected. */
+    private static void replace(ActionCall call, Words label, Map<Solid, List<Solid>> pieces) {
+        Map<EntityRef, List<Record>> records = new LinkedHashMap<>();
+        List<EntityRef> made = new ArrayList<>();
+        pieces.forEach((solid, parts) -> {
+            records.put(ref(solid), parts.stream().map(Record.class::cast).toList());
+            parts.forEach(part -> made.add(ref(part)));
+        });
+        call.session().document().edit(label, null, before -> before.replaced(records)
+                .with(Selection.of(made)));
     }
 
     private static EntityRef ref(Solid solid) {
@@ -165,31 +192,39 @@ final class BrushActions {
                 BrushCheck.LEAST_THICKNESS_METRES,
                 ActionCall.MOST,
                 call.session().grid().stepMetres());
-        List<Solid> gone = solids(call.session());
-        List<Solid> made = new ArrayList<>();
-        for (Solid solid : gone) {
-            made.addAll(done(BrushHollow.hollowed(solid, wall, freshIds(document, solid.id()))));
+        Map<Solid, List<Solid>> walls = new LinkedHashMap<>();
+        for (Solid solid : freeSolids(call)) {
+            walls.put(solid, done(BrushHollow.hollowed(solid, wall, freshIds(document, solid.id()))));
         }
-        document.edit(HOLLOW, null, before -> with(document, before, gone, made));
+        replace(call, HOLLOW, walls);
     }
 
-    /** Subtracts what is selected from every solid that it touches, and removes it. */
+    /** Subtracts what is selected from every free solid that it reaches into, and removes it. */
     private static void subtract(ActionCall call) throws ActionFailure {
         Document document = call.session().document();
-        List<Solid> cutters = solids(call.session());
-        List<Solid> gone = new ArrayList<>(cutters);
-        List<Solid> made = new ArrayList<>();
+        List<Solid> cutters = freeSolids(call);
+        Map<Solid, List<Solid>> pieces = new LinkedHashMap<>();
         Supplier<String> ids = freshIds(document, "cut");
+        List<EntityRef> all =
+                document.level().solids().stream().map(BrushActions::ref).toList();
+        Set<EntityRef> free = Set.copyOf(Notes.free(document.level(), all));
+        boolean isAnyLeftAlone = false;
         for (Solid solid : document.level().solids()) {
-            if (!cutters.contains(solid)) {
-                List<Solid> left = remaining(solid, cutters, ids);
-                if (!left.equals(List.of(solid))) {
-                    gone.add(solid);
-                    made.addAll(left);
-                }
+            List<Solid> left = cutters.contains(solid) ? List.of(solid) : remaining(solid, cutters, ids);
+            boolean isCut = !left.equals(List.of(solid));
+            if (isCut && free.contains(ref(solid))) {
+                pieces.put(solid, left);
             }
+            isAnyLeftAlone |= isCut && !free.contains(ref(solid));
         }
-        document.edit(SUBTRACT, null, before -> with(document, before, gone, made));
+        if (pieces.isEmpty() && !isAnyLeftAlone) {
+            throw new ActionFailure(NOTHING_CUT);
+        }
+        if (isAnyLeftAlone) {
+            call.session().status(LEFT_ALONE);
+        }
+        cutters.forEach(cutter -> pieces.put(cutter, List.of()));
+        replace(call, SUBTRACT, pieces);
     }
 
     private static List<Solid> remaining(Solid solid, List<Solid> cutters, Supplier<String> ids) throws ActionFailure {
@@ -207,10 +242,14 @@ final class BrushActions {
     }
 
     private static void merge(ActionCall call) throws ActionFailure {
-        Document document = call.session().document();
         List<Solid> gone = solids(call.session());
+        if (gone.size() < 2) {
+            throw new ActionFailure(NOT_FREE);
+        }
         Solid merged = done(BrushBoolean.merged(gone));
-        document.edit(MERGE, null, before -> with(document, before, gone, List.of(merged)));
+        Map<Solid, List<Solid>> pieces = new LinkedHashMap<>();
+        gone.forEach(solid -> pieces.put(solid, pieces.isEmpty() ? List.of(merged) : List.of()));
+        replace(call, MERGE, pieces);
         if (!BrushBoolean.isUnionConvex(gone)) {
             call.session().status(NOTCH);
         }

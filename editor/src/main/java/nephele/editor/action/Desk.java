@@ -3,10 +3,16 @@ package nephele.editor.action;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.text.Words;
 
 /** The services that an action requests: a window answers with dialogues, a script without a user. */
 public interface Desk {
+    /** Returns false in a script, where nobody can be asked and nothing is shown. */
+    default boolean hasUser() {
+        return true;
+    }
+
     /** Asks for a level file to open; empty if the user cancels. */
     Optional<Path> fileToOpen();
 
@@ -26,6 +32,11 @@ public interface Desk {
     /** Tells of a problem and offers a remedy; false if the user declines. A script has nobody to tell. */
     default boolean isRemedied(Words problem, Words remedy) {
         return false;
+    }
+
+    /** Asks what to do with a scene that is added to an open level; empty if the user cancels. A script inserts it. */
+    default Optional<SceneUse> sceneUse(Path scene) {
+        return Optional.of(SceneUse.INSERT);
     }
 
     /** Asks a question with yes and no; a script's answer is yes. */

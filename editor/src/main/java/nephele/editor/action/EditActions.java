@@ -1,10 +1,14 @@
 package nephele.editor.action;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Clip;
+import nephele.editor.document.Deletion;
 import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -29,31 +33,63 @@ final class EditActions {
     private static final Words TAKEN = Words.of(
             "'%s' is the id of another entity: choose another",
             "'%s' é o id de outra entidade: escolha outro", "'%s' é o id de outra entidade: escolhe outro");
+    private static final Words ONLY_ONE = Words.of(
+            "a level has only one %s, which can't be copied: take it out of the selection",
+            "uma fase só tem um %s, que não pode ser copiado: tire-o da seleção",
+            "um nível só tem um %s, que não pode ser copiado: tira-o da seleção");
     private static final Words ONE = Words.of(
             "select one entity that has an id first",
             "selecione antes uma entidade que tenha id",
             "seleciona primeiro uma entidade que tenha id");
 
+    private static final Words USED = Words.of(
+            "used by %s: write replace=ID for what these use instead, or replace=none for the default",
+            "usado por %s: escreva replace=ID com o que estes usam em vez disso, ou replace=none para o padrão",
+            "usado por %s: escreve replace=ID com o que estes usam em vez disso, ou replace=none para o predefinido");
+    private static final Words DELETE_USED = Words.of(
+            "Used by %s. Delete it all the same? These then use the default or, where they need one, the first that is"
+                    + " left.",
+            "Usado por %s. Excluir mesmo assim? Estes passam a usar o padrão ou, se precisam de um, o primeiro que"
+                    + " resta.",
+            "Usado por %s. Eliminar mesmo assim? Estes passam a usar o predefinido ou, se precisam de um, o primeiro"
+                    + " que resta.");
+    private static final Words NO_SUBSTITUTE = Words.of(
+            "there is no '%s' that could stand for what is deleted",
+            "não há um '%s' que possa ficar no lugar do excluído",
+            "não há um '%s' que possa ficar no lugar do eliminado");
+    private static final String REPLACE = "replace";
+    private static final String NONE = "none";
+    private static final int MOST_NAMED = 3;
+
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("undo", UNDO, Menu.EDIT, List.of("Ctrl+Z"), call -> undo(call.session()))
+                    .changing(Subject.LEVEL)
                     .when(session -> session.drag().isShowing()
                             || session.document().history().canUndo()),
             EditorAction.of("redo", REDO, Menu.EDIT, List.of("Ctrl+Shift+Z", "Ctrl+Y"), call -> call.session()
                             .document()
                             .redo())
+                    .changing(Subject.LEVEL)
                     .when(session -> session.document().history().canRedo()),
             EditorAction.of("cut", CUT, Menu.EDIT, List.of("Ctrl+X"), EditActions::cut)
+                    .taking(REPLACE)
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("copy", COPY, Menu.EDIT, List.of("Ctrl+C"), EditActions::copy)
                     .when(EditActions::hasSelection),
             EditorAction.of("paste", PASTE, Menu.EDIT, List.of("Ctrl+V"), EditActions::paste)
+                    .changing(Subject.LEVEL)
                     .taking("by"),
             EditorAction.of("duplicate", DUPLICATE, Menu.EDIT, List.of("Ctrl+D"), EditActions::duplicate)
+                    .changing(Subject.LEVEL)
                     .taking("by")
                     .when(EditActions::hasSelection),
             EditorAction.of("delete", DELETE, Menu.EDIT, List.of("Delete"), EditActions::delete)
+                    .taking(REPLACE)
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("rename", RENAME, Menu.EDIT, List.of("F2"), EditActions::rename)
+                    .changing(Subject.LEVEL)
                     .taking("id")
                     .when(EditActions::hasSelection));
 
@@ -66,18 +102,43 @@ final class EditActions {
         }
     }
 
+    /**
+     * Returns what is selected and not locked.
+     *
+     * @throws ActionFailure if everything selected is locked
+     */
+    static List<EntityRef> unlocked(ActionCall call) throws ActionFailure {
+        Document document = call.session().document();
+        List<EntityRef> selected = document.selection().entities();
+        List<EntityRef> unlocked = Notes.unlocked(document.level(), selected);
+        if (unlocked.isEmpty() && !selected.isEmpty()) {
+            throw new ActionFailure(Notes.LOCKED.with(selected.get(0).text()));
+        }
+        return unlocked;
+    }
+
     static boolean hasSelection(EditorSession session) {
         return !session.document().selection().entities().isEmpty();
     }
 
-    private static void copy(ActionCall call) {
-        Document document = call.session().document();
-        String text = Clip.text(document.level(), document.selection().entities(), document.entities());
+    private static void copy(ActionCall call) throws ActionFailure {
+        String text = copied(call);
         call.session().clipboard(text);
         call.desk().copy(text);
     }
 
-    private static void cut(ActionCall call) {
+    private static String copied(ActionCall call) throws ActionFailure {
+        Document document = call.session().document();
+        for (EntityRef ref : document.selection().entities()) {
+            if (ref.id().isEmpty()) {
+                throw new ActionFailure(ONLY_ONE.with(ref.shortName()));
+            }
+        }
+        return Clip.text(document.level(), document.selection().entities(), document.entities());
+    }
+
+    private static void cut(ActionCall call) throws ActionFailure {
+        unlocked(call);
         copy(call);
         delete(call, CUT);
     }
@@ -104,25 +165,43 @@ final class EditActions {
     }
 
     private static void duplicate(ActionCall call) throws ActionFailure {
-        Document document = call.session().document();
         double step = call.session().grid().stepMetres();
-        String text = Clip.text(document.level(), document.selection().entities(), document.entities());
+        String text = copied(call);
         paste(call, text, DUPLICATE, call.vector("by", new Vec3(step, 0, step)));
     }
 
-    private static void delete(ActionCall call) {
+    private static void delete(ActionCall call) throws ActionFailure {
         delete(call, DELETE);
     }
 
-    private static void delete(ActionCall call, Words label) {
+    private static void delete(ActionCall call, Words label) throws ActionFailure {
         Document document = call.session().document();
-        List<EntityRef> refs = new ArrayList<>(document.selection().entities());
-        document.edit(label, null, before -> before.without(refs));
+        Deletion deletion = new Deletion(document.now(), unlocked(call));
+        List<EntityRef> users = deletion.users();
+        Optional<String> substitute = call.text(REPLACE).filter(id -> !id.equals(NONE));
+        if (substitute.isPresent() && !deletion.substitutes().contains(substitute.get())) {
+            throw new ActionFailure(NO_SUBSTITUTE.with(substitute.get()));
+        }
+        if (!users.isEmpty() && call.text(REPLACE).isEmpty()) {
+            if (!call.desk().hasUser()) {
+                throw new ActionFailure(USED.with(named(users)));
+            }
+            if (!call.desk().isAgreed(DELETE_USED.with(named(users)))) {
+                return;
+            }
+        }
+        Snapshot after = deletion.after(substitute);
+        document.edit(label, null, before -> after);
+    }
+
+    /** Returns the first few names, and how many there are more. */
+    private static String named(List<EntityRef> refs) {
+        String first = refs.stream().limit(MOST_NAMED).map(EntityRef::text).collect(Collectors.joining(", "));
+        return refs.size() > MOST_NAMED ? first + " … (" + refs.size() + ")" : first;
     }
 
     private static void rename(ActionCall call) throws ActionFailure {
-        if (call.text("id").isEmpty()) {
-            call.desk().show("rename");
+        if (!call.isGiven("id", "rename")) {
             return;
         }
         Document document = call.session().document();

@@ -13,6 +13,7 @@ import nephele.editor.text.Words;
  * @param id its name in scripts and in the settings' key bindings
  * @param keys default keys as {@code KeyText} reads them, such as {@code Ctrl+Shift+D}
  * @param parameters keys that a script line may give, each with its meaning, such as {@code by=x,y,z}
+ * @param subject what it is there to change; a script holds it to that
  */
 public record EditorAction(
         String id,
@@ -21,7 +22,18 @@ public record EditorAction(
         List<String> keys,
         List<String> parameters,
         Predicate<EditorSession> isEnabled,
-        Effect effect) {
+        Effect effect,
+        Subject subject) {
+    /** What an action changes. */
+    public enum Subject {
+        /** The level: a line of a script that leaves it as it was has failed. */
+        LEVEL,
+        /** What is selected, seen or chosen, and files: one that is added may be in the level already. */
+        SESSION,
+        /** A part of the window, or the game in its window: a script has neither. */
+        WINDOW
+    }
+
     /** The menus, in the order of the menu bar. */
     public enum Menu {
         FILE(Words.of("File", "Arquivo", "Ficheiro")),
@@ -90,23 +102,28 @@ public record EditorAction(
         return goesOn || !session.drag().cancel() || isEnabled.test(session);
     }
 
-    /** Returns an action without parameters that is always possible. */
+    /** Returns an action of the session without parameters that is always possible. */
     static EditorAction of(String id, Words title, Menu menu, List<String> keys, Effect effect) {
-        return new EditorAction(id, title, menu, keys, List.of(), session -> true, effect);
+        return new EditorAction(id, title, menu, keys, List.of(), session -> true, effect, Subject.SESSION);
     }
 
     /** Returns this action, possible only if a condition holds. */
     EditorAction when(Predicate<EditorSession> condition) {
-        return new EditorAction(id, title, menu, keys, parameters, condition, effect);
+        return new EditorAction(id, title, menu, keys, parameters, condition, effect, subject);
     }
 
     /** Returns this action with default keys. */
     EditorAction keyed(String... defaults) {
-        return new EditorAction(id, title, menu, List.of(defaults), parameters, isEnabled, effect);
+        return new EditorAction(id, title, menu, List.of(defaults), parameters, isEnabled, effect, subject);
     }
 
     /** Returns this action with parameters. */
     EditorAction taking(String... names) {
-        return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, effect);
+        return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, effect, subject);
+    }
+
+    /** Returns this action, which changes something else than the session. */
+    EditorAction changing(Subject other) {
+        return new EditorAction(id, title, menu, keys, parameters, isEnabled, effect, other);
     }
 }

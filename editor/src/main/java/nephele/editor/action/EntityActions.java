@@ -3,8 +3,16 @@ package nephele.editor.action;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
+import nephele.editor.added.Completion;
+import nephele.editor.added.NewRecord;
+import nephele.editor.brush.BrushEdit;
+import nephele.editor.brush.LockableTransform;
+import nephele.editor.brush.SolidTransform;
+import nephele.editor.brush.TextureLock;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -15,13 +23,13 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
 import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -43,30 +51,42 @@ final class EntityActions {
             "what is selected has no value '%s' that a text can give",
             "o que está selecionado não tem um valor '%s' que um texto possa dar",
             "o que está selecionado não tem um valor '%s' que um texto possa dar");
+    private static final Words NO_AXIS = Words.of(
+            "axis must not be 0,0,0: give a direction, such as 0,1,0",
+            "axis não pode ser 0,0,0: dê uma direção, como 0,1,0",
+            "axis não pode ser 0,0,0: dá uma direção, como 0,1,0");
+    private static final Words FLAT = Words.of(
+            "by must not have a 0: a factor of 1 keeps a size",
+            "by não pode ter um 0: o fator 1 mantém o tamanho",
+            "by não pode ter um 0: o fator 1 mantém o tamanho");
     private static final Words NOT_PERMITTED =
             Words.of("'%s' is not permitted for %s", "'%s' não é permitido em %s", "'%s' não é permitido em %s");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of("add", ADD, Menu.EDIT, List.of("Shift+A"), EntityActions::add)
-                    .taking("kind", "at", "id"),
+                    .taking("kind", "at", "id")
+                    .changing(Subject.LEVEL),
             EditorAction.of("move", MOVE, Menu.EDIT, List.of(), EntityActions::move)
                     .taking("by")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("turn", TURN, Menu.EDIT, List.of("Ctrl+R"), EntityActions::turn)
                     .taking("axis", "degrees", "pivot")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("scale", SCALE, Menu.EDIT, List.of(), EntityActions::scale)
                     .taking("by", "pivot")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("set", SET, Menu.EDIT, List.of(), EntityActions::set)
                     .taking("value", "to")
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection));
 
     private EntityActions() {}
 
     private static void add(ActionCall call) throws ActionFailure {
-        if (call.text("kind").isEmpty()) {
-            call.desk().show("add");
+        if (!call.isGiven("kind", "add")) {
             return;
         }
         String typed = call.needed("kind");
@@ -78,14 +98,14 @@ final class EntityActions {
             if (kind.isPresent()) {
                 String wish = call.text("id").orElse(kind.get().name());
                 String id = document.entities().freshId(document.level(), section.path(), wish);
-                add(document, section.path(), id, Prototypes.make(kind.get(), id, at));
+                add(document, section.path(), id, NewRecord.at(kind.get(), id, at));
                 return;
             }
         }
         for (SingleSection section : structure.singles()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (section.isOptional() && kind.isPresent()) {
-                add(document, section.path(), "", Prototypes.make(kind.get(), "", at));
+                add(document, section.path(), "", NewRecord.at(kind.get(), "", at));
                 return;
             }
         }
@@ -106,7 +126,8 @@ final class EntityActions {
                 ADD,
                 null,
                 before -> new Snapshot(
-                        (Level) document.entities().added(before.level(), section, entity),
+                        Completion.of(
+                                before.level(), (Level) document.entities().added(before.level(), section, entity)),
                         Selection.of(new EntityRef(section, id))));
     }
 
@@ -135,24 +156,45 @@ final class EntityActions {
     }
 
     private static void turn(ActionCall call) throws ActionFailure {
-        Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
+        Vec3 axis = axis(call);
         double degrees = call.number("degrees", -MOST_DEGREES, MOST_DEGREES, 90);
         Vec3 pivot = pivot(call);
-        step(
-                call,
-                TURN,
-                (level, refs) -> EntityTransform.turned(
-                        level,
-                        refs,
-                        pivot,
-                        axis,
-                        degrees,
-                        call.session().options().textureLock()));
+        TextureLock lock = call.session().options().textureLock();
+        LockableTransform solids =
+                LockableTransform.of(lock, call.session().document().level().materials());
+        requireEach(call, solid -> solids.rotated(solid, pivot, axis, degrees));
+        step(call, TURN, (level, refs) -> EntityTransform.turned(level, refs, pivot, axis, degrees, lock));
+    }
+
+    /** Returns the axis to turn about, of a length that can be squared. */
+    private static Vec3 axis(ActionCall call) throws ActionFailure {
+        Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
+        double greatest = Math.max(Math.abs(axis.x()), Math.max(Math.abs(axis.y()), Math.abs(axis.z())));
+        if (greatest == 0) {
+            throw new ActionFailure(NO_AXIS);
+        }
+        return greatest > 1e-100 && greatest < 1e100
+                ? axis
+                : new Vec3(axis.x() / greatest, axis.y() / greatest, axis.z() / greatest);
+    }
+
+    /** Refuses an edit that one of the selected solids does not take, which would stay behind without a word. */
+    private static void requireEach(ActionCall call, Function<Solid, BrushEdit<?>> edit) throws ActionFailure {
+        Document document = call.session().document();
+        for (EntityRef ref : EditActions.unlocked(call)) {
+            if (document.entities().find(document.level(), ref).orElseThrow() instanceof Solid solid) {
+                BrushActions.done(edit.apply(solid));
+            }
+        }
     }
 
     private static void scale(ActionCall call) throws ActionFailure {
         Vec3 factors = call.vector("by");
+        if (factors.x() == 0 || factors.y() == 0 || factors.z() == 0) {
+            throw new ActionFailure(FLAT);
+        }
         Vec3 pivot = pivot(call);
+        requireEach(call, solid -> SolidTransform.scaled(solid, pivot, factors));
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
@@ -162,9 +204,11 @@ final class EntityActions {
     }
 
     /** Makes a change of what is selected a step. */
-    private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change) {
+    private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
+            throws ActionFailure {
         Document document = call.session().document();
-        document.edit(label, level -> change.apply(level, document.selection().entities()));
+        List<EntityRef> refs = EditActions.unlocked(call);
+        document.edit(label, level -> change.apply(level, refs));
     }
 
     private static void set(ActionCall call) throws ActionFailure {

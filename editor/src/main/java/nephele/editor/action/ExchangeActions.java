@@ -6,9 +6,12 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.BackupList;
 import nephele.editor.file.DroppedFile;
+import nephele.editor.file.DroppedFile.Kind;
+import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.file.FileText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.LevelPackage;
@@ -26,6 +29,10 @@ final class ExchangeActions {
             "não há a face '%s': escreva sólido/lado, como wall/+y",
             "não há a face '%s': escreve sólido/lado, como wall/+y");
 
+    private static final Words NO_USE = Words.of(
+            "scene must be insert or replace, not '%s'",
+            "scene deve ser insert ou replace, não '%s'", "scene deve ser insert ou replace, não '%s'");
+
     static final EditorAction EXPORT = EditorAction.of(
                     "export",
                     Words.of("Export with Assets…", "Exportar com os arquivos…", "Exportar com os ficheiros…"),
@@ -40,7 +47,7 @@ final class ExchangeActions {
                     Menu.FILE,
                     List.of(),
                     ExchangeActions::drop)
-            .taking("file", "at", "face");
+            .taking("file", "at", "face", "scene");
 
     static final EditorAction BACKUPS = EditorAction.of(
                     "backups",
@@ -49,21 +56,21 @@ final class ExchangeActions {
                     List.of(),
                     ExchangeActions::backups)
             .taking("restore", "open")
+            .changing(Subject.LEVEL)
             .when(session -> session.file().path().isPresent());
 
     static final EditorAction RECOVER = EditorAction.of(
-            "recover",
-            Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
-            Menu.FILE,
-            List.of(),
-            call -> call.desk().show("recover"));
+                    "recover",
+                    Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
+                    Menu.FILE,
+                    List.of(),
+                    call -> call.desk().show("recover"))
+            .changing(Subject.WINDOW);
 
     private ExchangeActions() {}
 
     private static void export(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(FileActions.path(call))
-                : call.desk().fileToExport();
+        Optional<Path> asked = call.file(call.desk()::fileToExport);
         if (asked.isEmpty()) {
             return;
         }
@@ -79,20 +86,36 @@ final class ExchangeActions {
     }
 
     private static void drop(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(FileActions.path(call))
-                : call.desk().fileToAdd();
+        Optional<Path> asked = call.file(call.desk()::fileToAdd);
         if (asked.isEmpty()) {
             return;
         }
         try {
-            if (!DroppedFile.Kind.of(asked.get()).replacesLevel() || FileActions.mayLeave(call)) {
+            Kind kind = Kind.of(asked.get());
+            Optional<SceneUse> use = kind == Kind.SCENE ? sceneUse(call, asked.get()) : Optional.of(SceneUse.INSERT);
+            boolean isReplaced = kind.replacesLevel() || use.equals(Optional.of(SceneUse.REPLACE));
+            if (use.isPresent() && (!isReplaced || FileActions.mayLeave(call))) {
                 DroppedFile.Target target = new DroppedFile.Target(call.vector("at", Vec3.ZERO), face(call));
-                new DroppedFile(call.session(), asked.get()).dropOn(target);
+                new DroppedFile(call.session(), asked.get()).dropOn(target, use.get());
             }
         } catch (FileRefusal refusal) {
             throw new ActionFailure(refusal.told());
         }
+    }
+
+    private static Optional<SceneUse> sceneUse(ActionCall call, Path scene) throws ActionFailure {
+        Optional<String> typed = call.text("scene");
+        if (typed.isEmpty()) {
+            return DroppedFile.isUntouched(call.session())
+                    ? Optional.of(SceneUse.REPLACE)
+                    : call.desk().sceneUse(scene);
+        }
+        return Optional.of(
+                switch (typed.get()) {
+                    case "insert" -> SceneUse.INSERT;
+                    case "replace" -> SceneUse.REPLACE;
+                    default -> throw new ActionFailure(NO_USE.with(typed.get()));
+                });
     }
 
     /** Returns the face that is named, or the one that is selected. */
@@ -115,8 +138,7 @@ final class ExchangeActions {
 
     private static void backups(ActionCall call) throws ActionFailure {
         boolean isRestore = call.text("restore").isPresent();
-        if (!isRestore && call.text("open").isEmpty()) {
-            call.desk().show("backups");
+        if (!isRestore && !call.isGiven("open", "backups")) {
             return;
         }
         EditorSession session = call.session();

@@ -3,13 +3,13 @@ package nephele.editor.action;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.file.FileText;
 import nephele.editor.file.LevelOpening;
 import nephele.editor.save.DocumentFile;
@@ -21,13 +21,11 @@ import nephele.editor.session.FileRefusal;
 import nephele.editor.session.NewDocument;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Level;
 
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
     private static final Words SAVED = Words.of("Saved %s", "%s foi salvo", "%s foi guardado");
-    private static final Words NO_FILE = Words.of(
-            "'%s' is no file name: choose another",
-            "'%s' não é um nome de arquivo: escolha outro", "'%s' não é um nome de ficheiro: escolhe outro");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
@@ -40,11 +38,12 @@ final class FileActions {
                             FileActions::open)
                     .taking("file"),
             EditorAction.of(
-                    "open-recent",
-                    Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
-                    Menu.FILE,
-                    List.of("Ctrl+Shift+O"),
-                    call -> call.desk().show("open-recent")),
+                            "open-recent",
+                            Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
+                            Menu.FILE,
+                            List.of("Ctrl+Shift+O"),
+                            call -> call.desk().show("open-recent"))
+                    .changing(Subject.WINDOW),
             EditorAction.of(
                             "save",
                             Words.of("Save", "Salvar", "Guardar"),
@@ -91,9 +90,7 @@ final class FileActions {
         if (!mayLeave(call)) {
             return;
         }
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToOpen();
+        Optional<Path> asked = call.file(call.desk()::fileToOpen);
         if (asked.isEmpty()) {
             return;
         }
@@ -101,15 +98,6 @@ final class FileActions {
             LevelOpening.open(call.session(), asked.get().toString());
         } catch (FileRefusal refusal) {
             throw new ActionFailure(refusal.told());
-        }
-    }
-
-    static Path path(ActionCall call) throws ActionFailure {
-        String typed = call.needed("file");
-        try {
-            return Path.of(typed);
-        } catch (InvalidPathException noPath) {
-            throw new ActionFailure(NO_FILE.with(typed));
         }
     }
 
@@ -122,29 +110,30 @@ final class FileActions {
         } else {
             Path path = session.file().path().get();
             DocumentSaver saver = session.filing().saver();
-            SaveResult result = saver.save(session.file(), session.document().level());
+            Level level = session.document().level();
+            SaveResult result = session.hasMoved()
+                    ? saver.save(session.file(), level, session.assets())
+                    : saver.save(session.file(), level);
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
                 if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
                     return;
                 }
-                result = saver.saveAs(path, session.document().level());
+                result = saver.saveAs(path, session.document().level(), session.assets());
             }
             finish(call, result);
         }
     }
 
     private static void saveAs(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToSave();
+        Optional<Path> asked = call.file(call.desk()::fileToSave);
         if (asked.isPresent()) {
             EditorSession session = call.session();
             finish(
                     call,
                     session.filing()
                             .saver()
-                            .saveAs(asked.get(), session.document().level()));
+                            .saveAs(asked.get(), session.document().level(), session.assets()));
         }
     }
 
@@ -168,9 +157,7 @@ final class FileActions {
     }
 
     private static void screenshot(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.text("file").isPresent()
-                ? Optional.of(path(call))
-                : call.desk().fileToSave();
+        Optional<Path> asked = call.file(call.desk()::fileToSave);
         if (asked.isEmpty()) {
             return;
         }

@@ -3,6 +3,7 @@ package nephele.editor.action;
 import java.nio.file.Path;
 import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.RecordedSolution;
@@ -21,23 +22,26 @@ final class PlayActions {
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
-                    "play-here",
-                    Words.of("Play from Here", "Jogar daqui", "Jogar daqui"),
-                    Menu.PLAY,
-                    List.of("F5"),
-                    call -> play(call.session(), here(call.session()), null)),
+                            "play-here",
+                            Words.of("Play from Here", "Jogar daqui", "Jogar daqui"),
+                            Menu.PLAY,
+                            List.of("F5"),
+                            call -> play(call.session(), here(call.session()), null))
+                    .changing(Subject.WINDOW),
             EditorAction.of(
-                    "play-start",
-                    Words.of("Play from the Start", "Jogar do início", "Jogar do início"),
-                    Menu.PLAY,
-                    List.of("Shift+F5"),
-                    call -> play(call.session(), null, null)),
+                            "play-start",
+                            Words.of("Play from the Start", "Jogar do início", "Jogar do início"),
+                            Menu.PLAY,
+                            List.of("Shift+F5"),
+                            call -> play(call.session(), null, null))
+                    .changing(Subject.WINDOW),
             EditorAction.of(
-                    "record-solution",
-                    Words.of("Record a Solution", "Gravar uma solução", "Gravar uma solução"),
-                    Menu.PLAY,
-                    List.of("F6"),
-                    PlayActions::record));
+                            "record-solution",
+                            Words.of("Record a Solution", "Gravar uma solução", "Gravar uma solução"),
+                            Menu.PLAY,
+                            List.of("F6"),
+                            PlayActions::record)
+                    .changing(Subject.WINDOW));
 
     private PlayActions() {}
 

@@ -157,11 +157,11 @@ public final class ProvingActions {
         return Words.same("%s  –  %s: %s").with(count, first.path(), first.message());
     }
 
-    private static boolean shown(ActionCall call, boolean now) {
-        return call.text("show").map(Boolean::parseBoolean).orElse(!now);
+    private static boolean shown(ActionCall call, boolean now) throws ActionFailure {
+        return call.flag("show", !now);
     }
 
-    private static void heat(ActionCall call) {
+    private static void heat(ActionCall call) throws ActionFailure {
         var heat = call.session().proving().heat();
         heat.show(shown(call, heat.isShown()));
     }
@@ -186,7 +186,7 @@ public final class ProvingActions {
         boolean isAsked = call.text("a").isPresent()
                 || call.text("b").isPresent()
                 || call.text("wipe").isPresent();
-        boolean shows = call.text("show").map(Boolean::parseBoolean).orElse(isAsked || !comparison.isShown());
+        boolean shows = call.flag("show", isAsked || !comparison.isShown());
         if (!shows) {
             comparison.hide();
             return;
@@ -251,12 +251,11 @@ public final class ProvingActions {
         if (call.text("at").isPresent()) {
             proving.pointed(Optional.of(call.vector("at")));
         }
-        if (call.text("file").isEmpty()) {
-            call.desk().show("explanation");
+        if (!call.isGiven("file", "explanation")) {
             return;
         }
         List<String> failures = new ArrayList<>();
-        Path file = Path.of(call.needed("file"));
+        Path file = call.file(Optional::empty).orElseThrow();
         proving.explain(found -> written(file, found).ifPresent(failures::add));
         if (!failures.isEmpty()) {
             throw new ActionFailure(Words.same(failures.get(0)));

@@ -9,25 +9,26 @@ import nephele.editor.text.Words;
 /** The surroundings of a script: no user is asked, everything is agreed to, and copied text stays in the session. */
 public final class ScriptDesk implements Desk {
     private final Supplier<BufferedImage> picture;
-    private final Supplier<Optional<Path>> toOpen;
+    private boolean isEnded;
 
     /** @param picture draws the whole editor */
     public ScriptDesk(Supplier<BufferedImage> picture) {
-        this(picture, Optional::empty);
+        this.picture = picture;
     }
 
-    /**
-     * @param picture draws the whole editor
-     * @param toOpen chooses the file to open where a user is asked for one
-     */
-    public ScriptDesk(Supplier<BufferedImage> picture, Supplier<Optional<Path>> toOpen) {
-        this.picture = picture;
-        this.toOpen = toOpen;
+    /** Returns true after the action {@code quit}. */
+    public boolean isEnded() {
+        return isEnded;
+    }
+
+    @Override
+    public boolean hasUser() {
+        return false;
     }
 
     @Override
     public Optional<Path> fileToOpen() {
-        return toOpen.get();
+        return Optional.empty();
     }
 
     @Override
@@ -62,6 +63,6 @@ public final class ScriptDesk implements Desk {
 
     @Override
     public void quit() {
-        // The last line ends the script.
+        isEnded = true;
     }
 }

@@ -4,12 +4,16 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import nephele.editor.action.EditorAction.Subject;
+import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
+import nephele.engine.level.Level;
 
 /**
  * Runs the lines of a script: {@code ACTION key=value …}. A value with spaces stands in double quotes; a line that begins
- * with {@code #} is a comment. A word without {@code =} is the action's first parameter.
+ * with {@code #} is a comment. A word without {@code =} is the action's first parameter. A line that should change the
+ * level and leaves it as it was has failed.
  */
 public final class ScriptRunner {
     private static final Words NO_ACTION = Words.of(
@@ -22,6 +26,16 @@ public final class ScriptRunner {
             "%s is not possible now: nothing fitting is selected or there is nothing to undo",
             "%s não é possível agora: nada adequado está selecionado ou não há o que desfazer",
             "%s não é possível agora: nada adequado está selecionado ou não há o que anular");
+    private static final Words NOTHING = Words.of(
+            "%s changed nothing: everything is so already, or it does not apply to what is selected",
+            "%s não mudou nada: tudo já está assim, ou não se aplica ao que está selecionado",
+            "%s não mudou nada: tudo já está assim, ou não se aplica ao que está selecionado");
+    private static final Words NO_WINDOW = Words.of(
+            "%s needs a window, which a script does not have",
+            "%s precisa de uma janela, que um script não tem", "%s precisa de uma janela, que um script não tem");
+    private static final Words TWICE = Words.of(
+            "%s is given twice: write it once",
+            "%s aparece duas vezes: escreva só uma", "%s aparece duas vezes: escreve só uma");
     private static final Words OPEN_QUOTE =
             Words.of("a \" is missing at the end", "falta um \" no fim", "falta um \" no fim");
 
@@ -49,7 +63,16 @@ public final class ScriptRunner {
         if (!action.isEnabled().test(session)) {
             throw new ActionFailure(NOT_NOW.with(action.id()));
         }
+        if (action.subject() == Subject.WINDOW && !desk.hasUser()) {
+            throw new ActionFailure(NO_WINDOW.with(action.id()));
+        }
+        Level before = session.document().level();
+        DocumentFile file = session.file();
         action.run(new ActionCall(session, desk, arguments));
+        boolean isSame = session.document().level().equals(before) && session.file() == file;
+        if (action.subject() == Subject.LEVEL && isSame) {
+            throw new ActionFailure(NOTHING.with(action.id()));
+        }
     }
 
     private static Map<String, String> arguments(EditorAction action, List<String> words) throws ActionFailure {
@@ -62,7 +85,9 @@ public final class ScriptRunner {
             if (!action.parameters().contains(name)) {
                 throw new ActionFailure(NO_PARAMETER.with(action.id(), word, action.parameters()));
             }
-            arguments.put(name, isFirst ? word : word.substring(equals + 1));
+            if (arguments.put(name, isFirst ? word : word.substring(equals + 1)) != null) {
+                throw new ActionFailure(TWICE.with(name));
+            }
         }
         return arguments;
     }

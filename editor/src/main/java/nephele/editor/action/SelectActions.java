@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
@@ -63,6 +64,7 @@ final class SelectActions {
                             SelectActions::users)
                     .when(EditActions::hasSelection),
             EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), call -> edit(call, HIDE, Part.SELECTED))
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of(
                             "isolate",
@@ -70,16 +72,21 @@ final class SelectActions {
                             Menu.SELECT,
                             List.of("Shift+H"),
                             call -> edit(call, ISOLATE, Part.OTHERS))
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
-                    .document()
-                    .edit(SHOW_ALL, Notes::allShown)),
+                            .document()
+                            .edit(SHOW_ALL, Notes::allShown))
+                    .changing(Subject.LEVEL),
             EditorAction.of("lock", LOCK, Menu.SELECT, List.of("Ctrl+L"), SelectActions::lock)
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("unlock-all", UNLOCK_ALL, Menu.SELECT, List.of("Ctrl+Shift+L"), call -> call.session()
-                    .document()
-                    .edit(UNLOCK_ALL, Notes::allUnlocked)),
+                            .document()
+                            .edit(UNLOCK_ALL, Notes::allUnlocked))
+                    .changing(Subject.LEVEL),
             EditorAction.of("group", GROUP, Menu.SELECT, List.of("Ctrl+G"), SelectActions::group)
+                    .changing(Subject.LEVEL)
                     .when(session -> session.document().selection().entities().size() > 1),
             EditorAction.of("ungroup", UNGROUP, Menu.SELECT, List.of("Ctrl+Shift+G"), call -> call.session()
                             .document()
@@ -91,6 +98,7 @@ final class SelectActions {
                                                     .document()
                                                     .selection()
                                                     .entities())))
+                    .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection));
 
     private enum Part {
@@ -101,8 +109,7 @@ final class SelectActions {
     private SelectActions() {}
 
     private static void select(ActionCall call) throws ActionFailure {
-        if (call.text("ids").isEmpty()) {
-            call.desk().show("search");
+        if (!call.isGiven("ids", "search")) {
             return;
         }
         Document document = call.session().document();

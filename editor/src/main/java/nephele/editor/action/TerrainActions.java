@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.terrain.LayerChoice;
@@ -101,6 +102,7 @@ final class TerrainActions {
                         List.of(),
                         TerrainActions::stroke)
                 .taking("effect", "layer", "from", "to", "radius", "strength", "terrain")
+                .changing(Subject.LEVEL)
                 .when(session -> !session.document().level().terrains().isEmpty()));
         return List.copyOf(all);
     }

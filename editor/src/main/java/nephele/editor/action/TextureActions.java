@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureAlignment;
@@ -51,6 +53,7 @@ final class TextureActions {
                                             call.number("across", LEAST_REPEATS, MOST_REPEATS, 1),
                                             call.number("down", LEAST_REPEATS, MOST_REPEATS, 1))))
                     .taking("across", "down")
+                    .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces),
             aligned("left", Words.of("left", "à esquerda", "à esquerda"), TextureAlignment.LEFT),
             aligned("centre", Words.of("to the centre", "ao centro", "ao centro"), TextureAlignment.CENTRE),
@@ -64,6 +67,7 @@ final class TextureActions {
                             Menu.BRUSH,
                             List.of(),
                             call -> place(call, face -> TexturePlacement.NONE))
+                    .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces));
 
     /** Finds the place of a picture on a face. */
@@ -83,6 +87,7 @@ final class TextureActions {
                         Menu.BRUSH,
                         List.of(),
                         call -> place(call, face -> TextureFit.align(face, alignment)))
+                .changing(Subject.LEVEL)
                 .when(TextureActions::hasFaces);
     }
 
@@ -93,11 +98,18 @@ final class TextureActions {
     /** Returns the names of the faces by solid. */
     private static Map<EntityRef, Set<String>> faces(Document document) {
         Map<EntityRef, Set<String>> faces = new LinkedHashMap<>();
+        List<EntityRef> selected =
+                document.selection().faces().stream().map(FaceRef::solid).toList();
+        List<EntityRef> free = Notes.free(document.level(), selected);
         for (FaceRef face : document.selection().faces()) {
+            if (!free.contains(face.solid())) {
+                continue;
+            }
             faces.computeIfAbsent(face.solid(), solid -> new LinkedHashSet<>()).add(face.face());
         }
         if (faces.isEmpty()) {
-            for (EntityRef ref : document.selection().entities()) {
+            for (EntityRef ref :
+                    Notes.free(document.level(), document.selection().entities())) {
                 if (ref.section().equals(Picker.SOLIDS)) {
                     document.entities()
                             .find(document.level(), ref)

@@ -162,8 +162,7 @@ final class ViewActions {
     }
 
     private static void camera(ActionCall call) throws ActionFailure {
-        if (call.text("at").isEmpty()) {
-            call.desk().show("coordinates");
+        if (!call.isGiven("at", "coordinates")) {
             return;
         }
         Vec3 eye = call.vector("at");

@@ -2,6 +2,7 @@ package nephele.editor.action;
 
 import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.text.Words;
 
 /** Parts of the window that ask or tell something; a script has none of them. */
@@ -25,6 +26,7 @@ final class WindowActions {
     private WindowActions() {}
 
     private static EditorAction shown(String id, Words title, Menu menu, List<String> keys) {
-        return EditorAction.of(id, title, menu, keys, call -> call.desk().show(id));
+        return EditorAction.of(id, title, menu, keys, call -> call.desk().show(id))
+                .changing(Subject.WINDOW);
     }
 }

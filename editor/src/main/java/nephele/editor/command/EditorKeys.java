@@ -10,7 +10,8 @@ import java.util.function.BiPredicate;
 
 /**
  * The keys of commands: the defaults, or what the user has chosen instead. A key is found by the character of the user's
- * layout first, then by its place on the keyboard, so that other layouts than the US one miss none.
+ * layout with the modifiers held, then by its place on the keyboard, then by a sign that the layout writes with Shift or
+ * AltGr, so that other layouts than the US one miss none.
  */
 public final class EditorKeys {
     private final Map<String, List<KeyText>> keys = new LinkedHashMap<>();
@@ -39,7 +40,9 @@ public final class EditorKeys {
 
     /** Returns the id of the command to which a pressed key belongs. */
     public Optional<String> find(KeyEvent pressed) {
-        return find(pressed, KeyText::isByCharacter).or(() -> find(pressed, KeyText::isByPosition));
+        return find(pressed, KeyText::isByCharacter)
+                .or(() -> find(pressed, KeyText::isByPosition))
+                .or(() -> find(pressed, KeyText::isByWrittenSign));
     }
 
     private Optional<String> find(KeyEvent pressed, BiPredicate<KeyText, KeyEvent> isHit) {

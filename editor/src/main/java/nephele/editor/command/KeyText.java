@@ -101,8 +101,9 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
         char sign = event.getKeyChar();
         boolean isWritten = sign != KeyEvent.CHAR_UNDEFINED && !Character.isISOControl(sign);
         if (isWritten && !Character.isWhitespace(sign)) {
-            // The modifiers that write a sign differ between layouts.
-            return key(String.valueOf(sign)).map(text -> new KeyText(isCtrl, false, false, text));
+            // Shift and AltGr write a sign, on some layouts.
+            boolean isAlt = event.isAltDown() && !event.isAltGraphDown();
+            return key(String.valueOf(sign)).map(text -> new KeyText(isCtrl, false, isAlt, text));
         }
         boolean isSign = code >= KeyEvent.VK_COMMA && code <= KeyEvent.VK_CLOSE_BRACKET;
         return isSign
@@ -143,8 +144,14 @@ public record KeyText(boolean isCtrl, boolean isShift, boolean isAlt, String key
                     && isShift == event.isShiftDown()
                     && areOthersHeld(event);
         }
-        // Some layouts need Shift or AltGr to write a sign.
-        return event.getKeyChar() == character && isCtrl == isMenuKeyHeld(event);
+        return event.getKeyChar() == character && isShift == event.isShiftDown() && areOthersHeld(event);
+    }
+
+    /** Returns true if this sign was written with Shift or AltGr, which some layouts need for it. */
+    boolean isByWrittenSign(KeyEvent event) {
+        boolean isSign = !NAMED.containsKey(key) && !Character.isLetterOrDigit(key.charAt(0));
+        boolean isAltHeld = event.isAltDown() && !event.isAltGraphDown();
+        return isSign && event.getKeyChar() == key.charAt(0) && isCtrl == isMenuKeyHeld(event) && (isAlt || !isAltHeld);
     }
 
     /** Returns true if the key that was pressed is where a US layout has this character. */

@@ -15,6 +15,7 @@ import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.RecordWalk;
 import nephele.editor.transform.EntityTransform;
+import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
@@ -25,7 +26,7 @@ import nephele.engine.math.Vec3;
 
 /**
  * Copied entities as JSON text: a level that has nothing but them and the materials that they use, so that it can be
- * read, mailed, and pasted into any level.
+ * read, mailed, and pasted into any level. Groups stay groups.
  */
 public final class Clip {
     private static final String MATERIALS = "materials";
@@ -46,7 +47,7 @@ public final class Clip {
                     .toList();
             clip = (Level) section.with(clip, chosen);
         }
-        return LevelJson.write(clip);
+        return LevelJson.write(Notes.copied(clip, level.editor(), refs));
     }
 
     private static List<EntityRef> materials(Record entity) {
@@ -94,6 +95,16 @@ public final class Clip {
             if (all.size() > section.entities(level).size()) {
                 level = (Level) section.with(level, all);
             }
+        }
+        for (Group group : clip.editor().groups()) {
+            List<EntityRef> members = group.members().stream()
+                    .map(EntityRef::of)
+                    .map(ref -> new EntityRef(
+                            ref.section(),
+                            newIds.getOrDefault(ref.section(), Map.of()).getOrDefault(ref.id(), "")))
+                    .filter(pasted::contains)
+                    .toList();
+            level = members.size() < 2 ? level : Notes.grouped(level, Notes.freshGroup(level), members);
         }
         return new Snapshot(level, Selection.of(pasted));
     }

@@ -80,7 +80,7 @@ public final class Document {
         tell(before);
     }
 
-    /** Makes a step, unless the level stays the same object, or the step is refused since a file could not hold it. */
+    /** Makes a step, unless the level stays as it is, or the step is refused since a file could not hold it. */
     public void edit(Words label, UnaryOperator<Level> change) {
         edit(label, null, snapshot -> snapshot.with(change.apply(snapshot.level())));
     }
@@ -96,7 +96,7 @@ public final class Document {
         Snapshot after = existing(change.apply(before));
         if (isRefused(before, after)) {
             return;
-        } else if (after.level() != before.level()) {
+        } else if (!after.level().equals(before.level())) {
             history.add(label, mergeKey, after);
         } else if (!after.selection().equals(before.selection())) {
             history.select(after.selection());
@@ -141,7 +141,7 @@ public final class Document {
         Snapshot before = preview;
         preview = null;
         boolean isRefused = isRefused(history.current(), before);
-        if (!isRefused && before.level() != history.current().level()) {
+        if (!isRefused && !before.level().equals(history.current().level())) {
             history.add(label, mergeKey, before);
         } else if (!isRefused) {
             history.select(before.selection());

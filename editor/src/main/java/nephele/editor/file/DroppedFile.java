@@ -1,22 +1,37 @@
 package nephele.editor.file;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.DoubleStream;
+import nephele.editor.document.Clip;
+import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.ModelFileException;
@@ -55,10 +70,18 @@ public final class DroppedFile {
             throw new FileRefusal(FileText.UNKNOWN_KIND.with(file));
         }
 
-        /** Returns true if the open level is left for another one. */
+        /** Returns true if the open level is left for another one; a scene is {@linkplain SceneUse used} in two ways. */
         public boolean replacesLevel() {
-            return this == SCENE || this == LEVEL;
+            return this == LEVEL;
         }
+    }
+
+    /** What becomes of an XML scene. */
+    public enum SceneUse {
+        /** Its entities join the open level. */
+        INSERT,
+        /** It is opened in place of the open level. */
+        REPLACE
     }
 
     /**
@@ -86,11 +109,27 @@ public final class DroppedFile {
      * @throws FileRefusal if it can't be used; level and folder are then as before
      */
     public void dropOn(Target target) throws FileRefusal {
+        dropOn(target, isUntouched(session) ? SceneUse.REPLACE : SceneUse.INSERT);
+    }
+
+    /** Returns true if the open level is a new one without changes, in place of which a scene can be opened unasked. */
+    public static boolean isUntouched(EditorSession session) {
+        return session.file().path().isEmpty() && !session.document().isModified();
+    }
+
+    /** Uses the file as {@link #dropOn(Target)}, a scene as it is said. */
+    public void dropOn(Target target, SceneUse use) throws FileRefusal {
         switch (Kind.of(file)) {
             case PICTURE -> picture(target);
             case MODEL -> model(target);
             case CLOUD -> cloud(target);
-            case SCENE -> scene();
+            case SCENE -> {
+                if (use == SceneUse.INSERT) {
+                    insertScene(target.at());
+                } else {
+                    openScene();
+                }
+            }
             case LEVEL -> LevelOpening.open(session, file.toString());
         }
     }
@@ -102,6 +141,12 @@ public final class DroppedFile {
             PictureDecoder.decode(file.getFileName().toString(), content);
         } catch (AssetException noPicture) {
             throw refused(noPicture);
+        }
+        if (target.face().isPresent()) {
+            EntityRef solid = target.face().get().solid();
+            if (Notes.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
+                throw new FileRefusal(Notes.LOCKED.with(solid.text()));
+            }
         }
         String id = folder.idOf(file, content, "textures");
         new AssetUse(session, id).picture(target.face());
@@ -167,10 +212,52 @@ public final class DroppedFile {
         return isUsual ? size : new Vec3(40, 40, 40);
     }
 
-    private void scene() throws FileRefusal {
-        Path beside = session.file().path().orElse(file.toAbsolutePath());
+    /** Imports the scene beside the level, whose files its pictures and meshes then are, and adds its entities. */
+    private void insertScene(Vec3 at) throws FileRefusal {
+        Path own =
+                session.file().path().orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
+        Path imported = LevelOpening.fresh(own.resolveSibling(stem()), ".json");
+        List<String> complaints = new ArrayList<>();
+        session.filing().scenes().save(file, imported, complaints::add);
+        Document document = session.document();
+        try {
+            Level scene = withOwnMaterials(LevelFile.read(imported), document.level());
+            Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at, document.entities());
+            document.edit(FileText.ADD_SCENE.words(), null, before -> after);
+            Files.deleteIfExists(imported);
+        } catch (LevelFormatException noLevel) {
+            throw new FileRefusal(Words.same(noLevel.getMessage()));
+        } catch (IOException stays) {
+            complaints.add(imported + ": " + AtomicFile.reason(stays));
+        }
+        session.status(
+                complaints.isEmpty() ? FileText.INSERTED.with(file.getFileName()) : Words.same(complaints.get(0)));
+    }
+
+    /** Returns a scene whose materials have names that the level has for no other material. */
+    private static Level withOwnMaterials(Level scene, Level level) {
+        Level result = scene;
+        for (Material material : scene.materials()) {
+            boolean isOther = level.materials().stream()
+                    .anyMatch(known -> known.id().equals(material.id()) && !known.equals(material));
+            if (isOther) {
+                Set<String> taken = new HashSet<>();
+                result.materials().forEach(each -> taken.add(each.id()));
+                String id = Entities.LEVEL.freshId(level, "materials", material.id(), taken);
+                result = (Level) Entities.LEVEL.renamed(result, new EntityRef("materials", material.id()), id);
+            }
+        }
+        return result;
+    }
+
+    private String stem() {
         String name = file.getFileName().toString();
-        Path level = LevelOpening.fresh(beside.resolveSibling(name.substring(0, name.length() - 4)), ".json");
+        return name.substring(0, name.length() - 4);
+    }
+
+    private void openScene() throws FileRefusal {
+        Path beside = session.file().path().orElse(file.toAbsolutePath());
+        Path level = LevelOpening.fresh(beside.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
         session.filing().scenes().save(file, level, complaints::add);
         LevelOpening.open(session, level.toString());

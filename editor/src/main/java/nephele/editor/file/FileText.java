@@ -73,6 +73,14 @@ public enum FileText {
     ADD_CLOUD("Add a Cloud", "Adicionar uma nuvem", "Adicionar uma nuvem"),
     ADDED("Added %s as %s", "%s foi adicionado como %s", "%s foi adicionado como %s"),
     IMPORTED("Imported as %s", "Importado como %s", "Importado como %s"),
+    ADD_SCENE("Insert a Scene", "Inserir uma cena", "Inserir uma cena"),
+    INSERTED("%s was inserted", "%s foi inserido", "%s foi inserido"),
+    INSERT_OR_OPEN(
+            "%s is a scene. Insert it into this level, or open it in place of this level?",
+            "%s é uma cena. Inserir nesta fase ou abrir no lugar dela?",
+            "%s é uma cena. Inserir neste nível ou abrir em vez dele?"),
+    INSERT("Insert", "Inserir", "Inserir"),
+    OPEN_INSTEAD("Open Instead", "Abrir no lugar", "Abrir em vez dele"),
     SAVE_FIRST(
             "Save the level first: %s is copied into the folder of its file",
             "Salve a fase antes: %s é copiado para a pasta do arquivo dela",

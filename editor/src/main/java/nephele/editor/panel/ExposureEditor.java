@@ -20,7 +20,7 @@ final class ExposureEditor implements FieldEditor {
     ExposureEditor(InspectorField field, FieldChanges changes) {
         this.field = field;
         this.changes = changes;
-        stops = new NumberInput(this::commit, () -> FieldEditors.refuse(changes));
+        stops = new NumberInput(this::commit, text -> FieldEditors.refuse(changes, text));
         stops.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
         auto = new JCheckBox(ChoiceWord.words(Exposure.AUTO).in(changes.language()));
         auto.addActionListener(event -> changes.set(

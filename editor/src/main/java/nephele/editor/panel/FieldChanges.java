@@ -3,16 +3,18 @@ package nephele.editor.panel;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.document.Snapshot;
+import nephele.editor.document.Notes;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
+import nephele.editor.panel.model.PanelText;
 import nephele.editor.panel.model.RecordPath;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
+import nephele.editor.term.Limits;
 import nephele.editor.terrain.LayerOrder;
 import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.text.Words;
@@ -78,7 +80,20 @@ final class FieldChanges {
         return true;
     }
 
+    /** Returns true, and tells it, if something inspected is locked. */
+    private boolean isLocked() {
+        List<EntityRef> refs = refs();
+        List<EntityRef> unlocked = Notes.unlocked(session.document().level(), refs);
+        Optional<EntityRef> locked =
+                refs.stream().filter(ref -> !unlocked.contains(ref)).findFirst();
+        locked.ifPresent(ref -> report.accept(Notes.LOCKED.with(ref.shortName())));
+        return locked.isPresent();
+    }
+
     private boolean isRefused(InspectorField field, UnaryOperator<Object> change) {
+        if (isLocked()) {
+            return true;
+        }
         Level level = session.document().level();
         Optional<Words> problem = field.values().stream()
                 .flatMap(value -> model.problem(level, refs(), field, change.apply(value)).stream())
@@ -89,14 +104,7 @@ final class FieldChanges {
 
     private void rename(InspectorField field, Object id) {
         EntityRef before = refs().get(0);
-        EntityRef after = new EntityRef(before.section(), (String) id);
-        session.document()
-                .edit(
-                        label(field),
-                        null,
-                        now -> new Snapshot(
-                                (Level) model.set(now.level(), List.of(before), field, id),
-                                now.selection().renamed(before, after)));
+        session.document().edit(label(field), null, now -> now.renamed(before, (String) id));
     }
 
     /** Shows a change until {@link #endDrag}. */
@@ -127,12 +135,31 @@ final class FieldChanges {
         edit(field, null, level -> model.withKind(level, refs(), field, kind));
     }
 
-    /** Adds an entry unless the list or table is full. */
-    void add(InspectorField field, Object key) {
-        Level after = (Level) model.added(session.document().level(), refs(), field, key);
+    /** Sets a value where there is none. */
+    void setFresh(InspectorField field) {
+        Level after = (Level) model.fresh(session.document().level(), refs(), field);
         if (!isRefused(field.path(), field, after)) {
             edit(field, null, level -> after);
         }
+    }
+
+    /** Returns the keys that a table does not have yet, as far as they are known. */
+    List<Object> missingKeys(InspectorField table) {
+        return model.missingKeys(session.document().level(), refs(), table);
+    }
+
+    /** Adds an entry unless the list or table is full. */
+    void add(InspectorField field, Object key) {
+        Level after = (Level) model.added(session.document().level(), refs(), field, key);
+        if (after.equals(session.document().level())) {
+            report.accept(Limits.tooMany(field.type().field(), listLength(field)));
+        } else if (!isRefused(field.path(), field, after)) {
+            edit(field, null, level -> after);
+        }
+    }
+
+    private static int listLength(InspectorField list) {
+        return list.value() instanceof List<?> entries ? entries.size() : 0;
     }
 
     /** Returns true, and tells why, if the value at a path of a level would be wrong. */
@@ -179,6 +206,9 @@ final class FieldChanges {
     }
 
     private void edit(InspectorField field, String mergeKey, UnaryOperator<Record> change) {
+        if (isLocked()) {
+            return;
+        }
         session.document().edit(label(field), mergeKey, now -> now.with((Level) change.apply(now.level())));
     }
 

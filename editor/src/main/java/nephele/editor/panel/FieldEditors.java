@@ -22,6 +22,9 @@ import nephele.engine.level.TextKind;
 
 /** Makes the editor of a field by its kind. */
 final class FieldEditors {
+    /** The most characters of a refused text that are told. */
+    private static final int MOST_QUOTED = 24;
+
     private FieldEditors() {}
 
     /** An editor that a function shows. */
@@ -71,15 +74,16 @@ final class FieldEditors {
         return text.in(changes.language());
     }
 
-    static void refuse(FieldChanges changes) {
-        changes.report(PanelText.NO_NUMBER.with("?"));
+    static void refuse(FieldChanges changes, String text) {
+        String start = text.length() > MOST_QUOTED ? text.substring(0, MOST_QUOTED) + "…" : text;
+        changes.report(PanelText.NO_NUMBER.with(start));
     }
 
     private static FieldEditor number(InspectorField field, FieldChanges changes) {
         var input = new NumberInput(
                 value -> changes.change(
                         field, "inspector " + field.path(), old -> field.type().number(value)),
-                () -> refuse(changes));
+                text -> refuse(changes, text));
         return new Shown(
                 input,
                 next -> input.show(

@@ -116,7 +116,7 @@ final class FieldLine {
         JPopupMenu items = new JPopupMenu();
         var type = field.type();
         if (type.isNullable() && (field.isUnset() || field.isMixed())) {
-            item(items, PanelText.SET_FIELD, () -> changes.set(field, type.freshValue()));
+            item(items, PanelText.SET_FIELD, () -> changes.setFresh(field));
         }
         if (type.isNullable() && !field.isUnset()) {
             item(items, PanelText.UNSET_FIELD, () -> changes.unset(field));
@@ -149,7 +149,7 @@ final class FieldLine {
     }
 
     private void addKeys(JPopupMenu items) {
-        var keys = InspectorModel.missingKeys(field);
+        var keys = changes.missingKeys(field);
         for (Object key : keys) {
             String text =
                     PanelText.ADD_TO.with(field.words().in(changes.language())).in(changes.language()) + ": "

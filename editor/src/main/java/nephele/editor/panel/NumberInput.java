@@ -1,6 +1,7 @@
 package nephele.editor.panel;
 
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import java.util.function.DoublePredicate;
 import javax.swing.JTextField;
 import nephele.editor.panel.model.NumberExpression;
@@ -9,14 +10,14 @@ import nephele.editor.widget.ComponentKeys;
 /** A text field for a number or a sum; Up and Down change it by a step, Escape takes back what was typed. */
 final class NumberInput extends JTextField {
     private final transient DoublePredicate commit;
-    private final transient Runnable refuse;
+    private final transient Consumer<String> refuse;
     private final transient TextEntry entry;
 
     /**
      * @param commit receives a number that was entered; false if it is refused
      * @param refuse called with a text that is no number
      */
-    NumberInput(DoublePredicate commit, Runnable refuse) {
+    NumberInput(DoublePredicate commit, Consumer<String> refuse) {
         super(5);
         this.commit = commit;
         this.refuse = refuse;
@@ -36,7 +37,7 @@ final class NumberInput extends JTextField {
     private boolean commit(String text) {
         OptionalDouble value = NumberExpression.evaluate(text);
         if (value.isEmpty()) {
-            refuse.run();
+            refuse.accept(text);
             return false;
         }
         return commit.test(value.getAsDouble());

@@ -33,12 +33,6 @@ record OutlinerEdits(EditorSession session) {
         }
     }
 
-    void delete(List<EntityRef> refs) {
-        if (!refs.isEmpty()) {
-            document().edit(PanelText.DELETE_MANY.with(named(refs)), null, now -> now.without(refs));
-        }
-    }
-
     void rename(EntityRef ref, String id) {
         EntityRef renamed = new EntityRef(ref.section(), id);
         if (id.isEmpty() || id.equals(ref.id())) {

@@ -45,6 +45,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
     private final transient OutlinerEdits edits;
     private final transient Consumer<EntityRef> focus;
+    private final transient Consumer<List<EntityRef>> delete;
     private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
     private final JTextField search = new JTextField();
     private final JLabel error = new JLabel();
@@ -53,11 +54,15 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     private transient EntityQuery query = EntityQuery.ALL;
     private boolean isUpdating;
 
-    /** @param focus called with the entity that the views shall look at */
-    public OutlinerPanel(EditorSession session, Consumer<EntityRef> focus) {
+    /**
+     * @param focus called with the entity that the views shall look at
+     * @param delete called with the entities that shall be deleted
+     */
+    public OutlinerPanel(EditorSession session, Consumer<EntityRef> focus, Consumer<List<EntityRef>> delete) {
         super(new MigLayout("insets 4, fill, wrap 1, hidemode 3", "[grow, fill]", ""));
         this.session = session;
         this.focus = focus;
+        this.delete = delete;
         edits = new OutlinerEdits(session);
         lines = new OutlinerTable((row, id) -> edits.rename(row.members().get(0), id));
         table = new JTable(lines);
@@ -117,7 +122,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
 
     private void bindKeys() {
         key("F2", () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
-        key("DELETE", () -> edits.delete(selected()));
+        key("DELETE", () -> delete.accept(selected()));
         key("ENTER", this::focusOnSelected);
         key("L", () -> edits.toggleLocked(members()));
         key("SPACE", this::foldOrHide);
@@ -288,7 +293,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         item(menu, PanelText.FOCUS, this::focusOnSelected);
         item(menu, PanelText.FIND_USAGES, () -> selected().stream().findFirst().ifPresent(edits::selectUsages));
         item(menu, PanelText.RENAME, () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
-        item(menu, PanelText.DELETE, () -> edits.delete(selected()));
+        item(menu, PanelText.DELETE, () -> delete.accept(selected()));
         return menu;
     }
 

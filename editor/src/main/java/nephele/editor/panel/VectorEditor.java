@@ -31,7 +31,7 @@ final class VectorEditor implements FieldEditor {
         boolean isColour = field.type().isColour();
         for (int axis = 0; axis < 3; axis++) {
             int changed = axis;
-            var input = new NumberInput(value -> commit(changed, value), () -> FieldEditors.refuse(changes));
+            var input = new NumberInput(value -> commit(changed, value), text -> FieldEditors.refuse(changes, text));
             input.getAccessibleContext()
                     .setAccessibleName(
                             field.words().in(changes.language()) + " " + (isColour ? "RGB" : "xyz").charAt(axis));

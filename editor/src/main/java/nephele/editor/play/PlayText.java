@@ -17,6 +17,10 @@ public enum PlayText implements Text {
             "Exit reached after %s s with %s portals",
             "Saída alcançada após %s s com %s portais", "Saída alcançada ao fim de %s s com %s portais"),
     RECORDED("Solution recorded: %s", "Solução gravada: %s", "Solução gravada: %s"),
+    NOT_RECORDED(
+            "No solution was recorded: the exit was not reached. F6 tries again.",
+            "Nenhuma solução foi gravada: a saída não foi alcançada. F6 tenta de novo.",
+            "Não foi gravada nenhuma solução: a saída não foi alcançada. F6 tenta outra vez."),
     CHECKING("Replaying the solution: %s %%", "Repetindo a solução: %s %%", "A repetir a solução: %s %%"),
     SOLVED(
             "Solved at tick %s, after %s s with %s portals",
@@ -54,6 +58,11 @@ public enum PlayText implements Text {
             return RECORDED.with(end.recorded());
         }
         return end.exitReached() ? EXIT_REACHED.with(number(end.exitSeconds()), end.portals()) : ENDED.words;
+    }
+
+    /** Returns the sentence for a play that was to record a solution and has ended. */
+    public static Words ofRecording(PlayEnd end) {
+        return end.recorded() == null && !end.exitReached() ? NOT_RECORDED.words : of(end);
     }
 
     /** Returns the sentence for a verdict. */

@@ -12,7 +12,9 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import nephele.editor.text.Words;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.FileOperations;
@@ -45,13 +47,26 @@ public final class DocumentSaver {
      * @param file not untitled
      */
     public SaveResult save(DocumentFile file, Level level) {
+        return save(file, () -> saveAs(file.path().orElseThrow(), level));
+    }
+
+    /**
+     * Saves a document as {@link #save(DocumentFile, Level)}, with the files that it needs.
+     *
+     * @param from the files that the level can name now
+     */
+    public SaveResult save(DocumentFile file, Level level, AssetSource from) {
+        return save(file, () -> saveAs(file.path().orElseThrow(), level, from));
+    }
+
+    private static SaveResult save(DocumentFile file, Supplier<SaveResult> writing) {
         Path path = file.path().orElseThrow(() -> new IllegalArgumentException("an untitled document has no file yet"));
         Optional<Words> obstacle = obstacle(path);
         if (obstacle.isPresent()) {
             return new SaveResult.Failed(obstacle.get());
         }
         return switch (file.outside()) {
-            case SAME -> saveAs(path, level);
+            case SAME -> writing.get();
             case CHANGED -> new SaveResult.ChangedOutside(SaveText.CHANGED_OUTSIDE.with(path));
             case DELETED -> new SaveResult.ChangedOutside(SaveText.DELETED_OUTSIDE.with(path));
         };
@@ -78,6 +93,16 @@ public final class DocumentSaver {
                             ? message(path, cause)
                             : SaveText.NOT_SAVED.with(path, problem.getMessage()));
         }
+    }
+
+    /**
+     * Saves a level as {@link #saveAs(Path, Level)}, with the files that it needs.
+     *
+     * @param from the files of the level where it is now
+     */
+    public SaveResult saveAs(Path path, Level level, AssetSource from) {
+        Optional<Words> obstacle = obstacle(path).or(() -> AssetCopies.copy(level, from, path));
+        return obstacle.isPresent() ? new SaveResult.Failed(obstacle.get()) : saveAs(path, level);
     }
 
     /** Returns the reason why a file cannot be saved, if it can be seen before. */

@@ -16,6 +16,11 @@ public enum SaveText implements Text {
             "Access to %s is denied: nothing was saved. Save to a folder of your own.",
             "O acesso a %s foi negado: nada foi salvo. Salve em uma pasta sua.",
             "O acesso a %s foi negado: nada foi guardado. Guarda numa pasta tua."),
+    ASSET_TAKEN(
+            "%s is another file than the one of that name that the level uses: nothing was saved. Save to another"
+                    + " folder.",
+            "%s é outro arquivo, não o desse nome que a fase usa: nada foi salvo. Salve em outra pasta.",
+            "%s é outro ficheiro, não o desse nome que o nível usa: nada foi guardado. Guarda noutra pasta."),
     FOLDER_MISSING(
             "The folder %s is missing: nothing was saved. Save elsewhere, or make the folder again and save.",
             "A pasta %s não existe: nada foi salvo. Salve em outro lugar, ou crie a pasta de novo e salve.",

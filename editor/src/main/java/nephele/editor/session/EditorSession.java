@@ -1,5 +1,6 @@
 package nephele.editor.session;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -24,6 +25,7 @@ import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolOptions;
 import nephele.editor.toolbox.Tools;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 
@@ -43,6 +45,11 @@ public final class EditorSession {
     private EditorSettings settings;
     private DocumentFile file;
     private AssetSource assets;
+    /** The level's files without what strokes have made. */
+    private AssetSource files;
+    /** Those of the folder from which it was saved elsewhere: undone states still name them. */
+    private Optional<AssetSource> former = Optional.empty();
+
     private Grid grid = new Grid(0.5);
     private PaneLayout panes = PaneLayout.initial();
     private PaneSize viewport = new PaneSize(1280, 720);
@@ -55,6 +62,7 @@ public final class EditorSession {
     /** @param assets of the level's file; an untitled level has those of the working folder */
     public EditorSession(DocumentFile file, Level level, AssetSource assets, EditorSettings settings) {
         this.file = file;
+        files = assets;
         this.assets = maps.over(assets);
         this.settings = settings;
         document = new Document(level);
@@ -122,14 +130,22 @@ public final class EditorSession {
         tool.cancel();
         maps.discard();
         file = otherFile;
-        assets = maps.over(otherAssets);
+        former = Optional.empty();
+        files = otherAssets;
+        assets = maps.over(files);
         document.reset(level);
         tell(Change.FILE);
     }
 
-    /** Notes that the level was saved to a file. */
+    /** Notes that the level was saved to a file; its files are from then on those beside it. */
     public void saved(DocumentFile savedTo) {
+        boolean isElsewhere =
+                !savedTo.path().map(Path::getParent).equals(file.path().map(Path::getParent));
         file = savedTo;
+        if (isElsewhere) {
+            former = Optional.of(files);
+            savedTo.path().ifPresent(path -> follow(LevelAssets.beside(path)));
+        }
         document.markSaved();
         maps.saved(document.level());
         tell(Change.FILE);
@@ -150,9 +166,19 @@ public final class EditorSession {
     }
 
     /** Makes the pictures and meshes be read again, since a file has changed. */
-    public void reloadAssets(AssetSource fresh) {
-        assets = maps.over(fresh);
+    public void reloadAssets(LevelAssets fresh) {
+        follow(fresh);
         tell(Change.VIEW);
+    }
+
+    private void follow(LevelAssets beside) {
+        files = former.map(beside::or).orElse(beside);
+        assets = maps.over(files);
+    }
+
+    /** Returns true if states of the level may need files of another folder than its own. */
+    public boolean hasMoved() {
+        return former.isPresent();
     }
 
     public EditorSettings settings() {

@@ -56,7 +56,8 @@ public final class EditorParts {
         EditorCommands commands = new EditorCommands(session, around.desk(), Actions.ALL, Tools.ALL);
         AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
-        OutlinerPanel outliner = new OutlinerPanel(session, ref -> focus(commands, session, ref));
+        OutlinerPanel outliner = new OutlinerPanel(
+                session, ref -> focus(commands, session, ref), refs -> delete(commands, session, refs));
         left.addTab("", outliner);
         left.addTab("", new PalettePanel(session, pictures));
         JTabbedPane bottom = new JTabbedPane();
@@ -90,6 +91,13 @@ public final class EditorParts {
     private static void title(JTabbedPane tabs, EditorSession session, Words... titles) {
         for (int i = 0; i < titles.length; i++) {
             tabs.setTitleAt(i, titles[i].in(session.language()));
+        }
+    }
+
+    private static void delete(EditorCommands commands, EditorSession session, List<EntityRef> refs) {
+        if (!refs.isEmpty()) {
+            session.document().select(Selection.of(refs));
+            commands.named("delete").ifPresent(command -> command.run());
         }
     }
 

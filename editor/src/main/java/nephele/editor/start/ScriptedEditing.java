@@ -30,7 +30,7 @@ public final class ScriptedEditing {
     public Optional<String> run(List<String> lines) {
         ScriptDesk desk = new ScriptDesk(this::picture);
         ScriptRunner script = new ScriptRunner(session, desk);
-        for (int i = 0; i < lines.size(); i++) {
+        for (int i = 0; i < lines.size() && !desk.isEnded(); i++) {
             try {
                 script.run(lines.get(i));
             } catch (ActionFailure failure) {

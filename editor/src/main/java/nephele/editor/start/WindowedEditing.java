@@ -35,6 +35,9 @@ public final class WindowedEditing {
     private final EditorFiles files;
     private final Consumer<String> report;
     private final WarmGame game;
+    /** True if the play that goes on, or went on last, is to record a solution. */
+    private volatile boolean isRecording;
+
     private WindowFiles work;
     private EditorWindow window;
 
@@ -61,7 +64,10 @@ public final class WindowedEditing {
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, desk, journals());
-            session.playsWith(game::play);
+            session.playsWith(request -> {
+                isRecording = request.record() != null;
+                game.play(request);
+            });
             session.listen(this::remember);
             remember(Change.FILE);
             window.setVisible(true);
@@ -140,7 +146,7 @@ public final class WindowedEditing {
 
         @Override
         public void ended(PlayEnd end) {
-            tell(PlayText.of(end));
+            tell(isRecording ? PlayText.ofRecording(end) : PlayText.of(end));
             // Not every window system gives the keyboard back by itself.
             SwingUtilities.invokeLater(window::takeKeyboard);
         }

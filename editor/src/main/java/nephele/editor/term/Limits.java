@@ -56,8 +56,7 @@ public final class Limits {
             return text(field, text);
         } else if (value instanceof List<?> list
                 && list.size() > field.declaration().most()) {
-            return Optional.of(
-                    TOO_MANY.with(FieldWords.of(field), field.declaration().most()));
+            return Optional.of(tooMany(field, field.declaration().most()));
         }
         return Optional.empty();
     }
@@ -91,6 +90,11 @@ public final class Limits {
         return kind != TextKind.ASSET || AssetId.rejectionReason(text) == null
                 ? Optional.empty()
                 : Optional.of(NO_FILE_NAME.with(text));
+    }
+
+    /** Returns the words for a list that is full. */
+    public static Words tooMany(RecordField list, int most) {
+        return TOO_MANY.with(FieldWords.of(list), most);
     }
 
     /** Returns the words for a text that is too short or too long. */

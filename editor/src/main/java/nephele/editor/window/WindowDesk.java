@@ -19,6 +19,8 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Desk;
 import nephele.editor.file.DroppedFile;
+import nephele.editor.file.DroppedFile.SceneUse;
+import nephele.editor.file.FileText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
@@ -94,6 +96,21 @@ public final class WindowDesk implements Desk {
         return new SwingQuestions(window)
                         .choice(problem.in(language), language, remedy.in(language), WindowText.CANCEL.in(language))
                 == 0;
+    }
+
+    @Override
+    public Optional<SceneUse> sceneUse(Path scene) {
+        Language language = session.language();
+        int chosen = new SwingQuestions(window)
+                .choice(
+                        FileText.INSERT_OR_OPEN.with(scene.getFileName()).in(language),
+                        language,
+                        FileText.INSERT.in(language),
+                        FileText.OPEN_INSTEAD.in(language),
+                        WindowText.CANCEL.in(language));
+        return chosen == 0
+                ? Optional.of(SceneUse.INSERT)
+                : chosen == 1 ? Optional.of(SceneUse.REPLACE) : Optional.empty();
     }
 
     private static Path withEnding(File chosen) {

@@ -56,6 +56,13 @@ public final class LevelAssets implements AssetSource {
         return new LevelAssets(List.of(new ResourceAssets(folder), new ResourceAssets(JAR_ASSETS)), null);
     }
 
+    /** Returns these assets, and behind them those of another source. */
+    public LevelAssets or(AssetSource others) {
+        List<AssetSource> all = new ArrayList<>(sources);
+        all.add(others);
+        return new LevelAssets(all, folder);
+    }
+
     /** Adds the assets of a checkout, which is a folder with {@code assets} beside {@code levels}. */
     private static void addCheckout(List<AssetSource> sources, Path folder) {
         if (Files.isDirectory(folder.resolve("assets")) && Files.isDirectory(folder.resolve("levels"))) {

@@ -84,8 +84,8 @@ public record Billboards(
 
     /** The least and the greatest height. */
     public record HeightLimits(
-            @Written(required = true, spatial = Spatial.LENGTH) @Range double low,
-            @Written(required = true, spatial = Spatial.LENGTH) @Range double high) {}
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "-1000") @Range double low,
+            @Written(required = true, spatial = Spatial.LENGTH, prototype = "1000") @Range double high) {}
 
     /** Makes opaque billboards of one size that stand still at places. */
     public static Billboards at(String id, String sprite, Facing facing, double width, double height, List<Vec3> at) {

@@ -111,7 +111,10 @@ public record Cloud(
          * {@code "kind": "image"}: a picture as seen from above. Its alpha, if it has one, is how much the cloud hides;
          * otherwise its grey is the density.
          */
-        record Image(@Written(required = true, text = TextKind.ASSET) String file) implements Density {
+        record Image(
+                @Written(required = true, text = TextKind.ASSET, prototype = "\"textures/clouds/painted.png\"")
+                        String file)
+                implements Density {
             @Override
             public Optional<String> assetId() {
                 return Optional.of(file);
@@ -161,7 +164,8 @@ public record Cloud(
         }
 
         /** {@code "kind": "grid"}: a Mitsuba {@code .vol} version 3 file. */
-        record Grid(@Written(required = true, text = TextKind.ASSET) String file) implements Density {
+        record Grid(@Written(required = true, text = TextKind.ASSET, prototype = "\"clouds/heap.vol\"") String file)
+                implements Density {
             @Override
             public Optional<String> assetId() {
                 return Optional.of(file);
@@ -180,7 +184,8 @@ public record Cloud(
      * @param count of all puffs together
      */
     public record PuffFill(
-            @Written(required = true, most = 1000) List<FillBox> boxes,
+            @Written(required = true, most = 1000, prototype = "[{\"centre\": [0, 0, 0], \"size\": [20, 10, 20]}]")
+                    List<FillBox> boxes,
             @Written(absent = "200") @Range(min = 0, max = 100_000) int count,
             @Written @Range(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed) {}
 

@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
  */
 public record ModelPlacement(
         @Written(required = true, text = TextKind.ID) String id,
-        @Written(required = true, text = TextKind.ASSET) String file,
+        @Written(required = true, text = TextKind.ASSET, prototype = "\"models/vase.obj\"") String file,
         @Written(text = TextKind.ID, refersTo = "models") String parent,
         @Written(most = 1000) List<TransformStep> transform,
         @Written(text = TextKind.ID, refersTo = "materials") String material,
@@ -62,12 +62,13 @@ public record ModelPlacement(
 
         /** {@code "kind": "rotate"}. */
         record Rotate(
-                @Written(required = true) @Range(min = 1e-9, shape = Range.Shape.DIRECTION) Vec3 axis,
-                @Written(required = true) @Range double angleDegrees)
+                @Written(required = true, prototype = "[0, 1, 0]") @Range(min = 1e-9, shape = Range.Shape.DIRECTION)
+                        Vec3 axis,
+                @Written(required = true, prototype = "90") @Range double angleDegrees)
                 implements TransformStep {}
 
         /** {@code "kind": "scale"}. */
-        record Scale(@Written(required = true) @Range(min = 1e-9, max = 1e7, shape = Range.Shape.EITHER_SIGN) Vec3 by)
+        record Scale(@Written(required = true, prototype = "[1, 1, 1]") @Range(min = 1e-9, max = 1e7, shape = Range.Shape.EITHER_SIGN) Vec3 by)
                 implements TransformStep {}
     }
 }

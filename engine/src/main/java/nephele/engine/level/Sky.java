@@ -25,8 +25,9 @@ public sealed interface Sky {
      * @param whiteRadiance linear radiance that white in the files stands for
      */
     record Skybox(
-            @Written(absent = "\"faces\"") SkyboxLayout layout,
-            @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files,
+            @Written(absent = "\"faces\"", prototype = "\"cross\"") SkyboxLayout layout,
+            @Written(required = true, text = TextKind.ASSET, most = 6, prototype = "[\"textures/sky-bay-cross.png\"]")
+                    List<String> files,
             @Written(absent = "1") @Range(min = 1e-9, max = 1e9, shape = Range.Shape.OR_ZERO) double whiteRadiance)
             implements Sky {
 

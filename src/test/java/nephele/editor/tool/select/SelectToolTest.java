@@ -61,6 +61,16 @@ class SelectToolTest {
     }
 
     @Test
+    void aDragOverSelectedGroundMovesNothingAndSelectsWhatStandsOnIt() {
+        session.run("add terrains at=0,-90,0 id=ground", "add environment.clouds at=0,-40,0 id=cloud");
+        session.run("select terrains/ground");
+        String before = session.json();
+        drag(at(1.8, -2), at(2.2, -1.5), at(3.2, 1.5));
+        assertEquals(before, session.json());
+        assertEquals(List.of("beside"), selected());
+    }
+
+    @Test
     void aClickTakesTheNearestAndAnotherTheNextBehindIt() {
         click(at(0, 0));
         assertEquals(List.of("high"), selected());

@@ -7,8 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import nephele.editor.added.Completion;
+import nephele.editor.added.NewRecord;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.term.ChoiceWord;
@@ -28,6 +29,16 @@ import nephele.engine.math.Vec3;
  * @param valueClass of the value or entry
  */
 public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) {
+    /** The id of a new record, and a reference to a record that is still to be found. */
+    static final String NEW = "new";
+
+    /** Files that come with the game, by the components that may be without one. */
+    private static final Map<String, String> STANDARD_FILES = Map.of(
+            "texture", "textures/plaster.png",
+            "normalTexture", "textures/plaster-normal.png",
+            "coverageMap", "textures/clouds/painted.png",
+            "densityMap", "terrain/hills.png");
+
     private static final Pattern COLOUR =
             Pattern.compile(".*(colour|emission|radiance|intensity|ambient|albedo|zenith|horizon|ground)");
 
@@ -88,7 +99,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
                 : field.written().absent();
     }
 
-    /** Returns a value for a place that had none. */
+    /** Returns a value for a place that had none; a reference names what {@link Completion} makes of it. */
     public Object freshValue() {
         if (!isEntry() && field.written().prototype() != null) {
             return field.written().prototype();
@@ -100,11 +111,12 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
             case NUMBER -> number;
             case WHOLE -> whole(number);
             case TRUTH -> true;
-            case TEXT, REFERENCE, ASSET -> "";
+            case TEXT, REFERENCE -> NEW;
+            case ASSET -> STANDARD_FILES.getOrDefault(field.name(), "");
             case CHOICE -> choices().get(0);
             case VECTOR -> new Vec3(number, number, number);
             case EXPOSURE -> Exposure.NEUTRAL;
-            case RECORD, VARIANT -> Prototypes.make(kinds().get(0), "new", Vec3.ZERO);
+            case RECORD, VARIANT -> NewRecord.at(kinds().get(0), NEW, Vec3.ZERO);
             case LIST -> List.of();
             case TABLE -> Map.of();
         };

@@ -7,8 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import nephele.editor.added.Completion;
+import nephele.editor.added.NewRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
@@ -16,6 +19,10 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.level.appearance.SolidFaces;
+import nephele.engine.math.Vec3;
 
 /** The fields of the selected records, and the changes that an inspector makes; all return a new root record. */
 public final class InspectorModel {
@@ -65,13 +72,22 @@ public final class InspectorModel {
         return set(root, refs, field, field.type().defaultValue());
     }
 
+    /** Returns the root with a value in a field that had none, and what the value needs. */
+    public Record fresh(Record root, List<EntityRef> refs, InspectorField field) {
+        return completed(root, set(root, refs, field, field.type().freshValue()));
+    }
+
+    private static Record completed(Record before, Record after) {
+        return before instanceof Level old && after instanceof Level level ? Completion.of(old, level) : after;
+    }
+
     /** Returns the root with another kind of record in a field; components of the same name and class stay. */
     public Record withKind(Record root, List<EntityRef> refs, InspectorField field, RecordKind kind) {
-        return changed(root, refs, field, old -> converted(old, kind));
+        return completed(root, changed(root, refs, field, old -> converted(old, kind)));
     }
 
     private static Object converted(Object old, RecordKind kind) {
-        Record made = nephele.editor.record.Prototypes.make(kind, "new", nephele.engine.math.Vec3.ZERO);
+        Record made = NewRecord.at(kind, FieldType.NEW, Vec3.ZERO);
         if (!(old instanceof Record before)) {
             return made;
         }
@@ -82,7 +98,10 @@ public final class InspectorModel {
         Record result = made;
         for (var field : kind.fields()) {
             var same = oldKind.field(field.name())
-                    .filter(other -> other.valueClass() == field.valueClass())
+                    .filter(other -> other.valueClass() == field.valueClass()
+                            && Objects.equals(
+                                    other.declaration().prototype(),
+                                    field.declaration().prototype()))
                     .map(other -> oldKind.get(before, other));
             if (same.isPresent()) {
                 result = kind.with(result, field, same.get());
@@ -94,7 +113,7 @@ public final class InspectorModel {
     /** Returns the root with an entry at the end of a list, or with a key in a table. */
     public Record added(Record root, List<EntityRef> refs, InspectorField field, Object key) {
         FieldType type = FieldType.ofEntry(field.type().field());
-        return changed(root, refs, field, old -> {
+        Record after = changed(root, refs, field, old -> {
             if (field.type().kind() == FieldKind.LIST) {
                 List<Object> entries = new ArrayList<>(old == null ? List.of() : (List<?>) old);
                 entries.add(entries.isEmpty() ? type.freshValue() : entries.get(entries.size() - 1));
@@ -104,6 +123,7 @@ public final class InspectorModel {
             entries.putIfAbsent(key, type.freshValue());
             return Collections.unmodifiableMap(entries);
         });
+        return completed(root, after);
     }
 
     /** Returns the root without an entry of a table. */
@@ -146,8 +166,14 @@ public final class InspectorModel {
                 .toList();
     }
 
-    /** Returns the keys that a table has not; of a table with texts as keys, none are known. */
-    public static List<Object> missingKeys(InspectorField table) {
+    /** Returns the keys that a table has not; of a table with texts as keys, only those of a solid's faces are known. */
+    public List<Object> missingKeys(Record root, List<EntityRef> refs, InspectorField table) {
+        Optional<Record> owner = entities.find(root, refs.get(0));
+        if (hasTextKeys(table) && owner.isPresent() && owner.get() instanceof Solid solid) {
+            List<Object> faces = new ArrayList<>(SolidFaces.names(solid));
+            table.values().forEach(value -> faces.removeAll(((Map<?, ?>) value).keySet()));
+            return faces;
+        }
         var type = (java.lang.reflect.ParameterizedType)
                 table.type().field().written().type();
         Class<?> keyClass = (Class<?>) type.getActualTypeArguments()[0];

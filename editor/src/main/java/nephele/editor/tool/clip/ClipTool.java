@@ -12,8 +12,7 @@ import nephele.editor.brush.BrushClip.Keep;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushText;
 import nephele.editor.brush.VertexEdit;
-import nephele.editor.document.Selection;
-import nephele.editor.document.Snapshot;
+import nephele.editor.document.Notes;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.pick.Pick;
@@ -166,23 +165,16 @@ public final class ClipTool implements Tool {
             context.status(BrushText.PLANE_MISSES.words());
             return true;
         }
-        context.document().edit(CLIP, null, before -> cut(before, parts));
+        context.document().edit(CLIP, null, before -> before.replaced(records(parts)));
         cancel();
         return true;
     }
 
-    private Snapshot cut(Snapshot before, Map<EntityRef, List<Solid>> parts) {
-        Record level = before.level();
-        List<EntityRef> selected = new ArrayList<>(before.selection().entities());
-        for (Map.Entry<EntityRef, List<Solid>> entry : parts.entrySet()) {
-            List<Record> solids =
-                    entry.getValue().stream().map(Record.class::cast).toList();
-            level = context.document().entities().replaced(level, entry.getKey(), solids);
-            if (selected.contains(entry.getKey())) {
-                entry.getValue().forEach(solid -> selected.add(new EntityRef(Picker.SOLIDS, solid.id())));
-            }
-        }
-        return new Snapshot((Level) level, Selection.of(selected));
+    private static Map<EntityRef, List<Record>> records(Map<EntityRef, List<Solid>> parts) {
+        Map<EntityRef, List<Record>> records = new LinkedHashMap<>();
+        parts.forEach((ref, solids) ->
+                records.put(ref, solids.stream().map(Record.class::cast).toList()));
+        return records;
     }
 
     /** Returns what stays of the brushes that the plane cuts. */
@@ -205,7 +197,7 @@ public final class ClipTool implements Tool {
     private List<EntityRef> targets() {
         List<EntityRef> refs = context.document().selection().entities();
         List<EntityRef> from = refs.isEmpty() ? context.picker().in(points.reach(), Containment.TOUCHING) : refs;
-        return from.stream()
+        return Notes.free(context.document().level(), from).stream()
                 .filter(ref -> ref.section().equals(Picker.SOLIDS))
                 .filter(this::hasVolume)
                 .toList();

@@ -1,9 +1,12 @@
 package nephele.editor.tool.extrude;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
+import nephele.editor.document.Selection;
+import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.pick.Picker;
@@ -109,8 +112,10 @@ public final class ExtrudeTool implements Tool {
                         metres,
                         entities.freshId(level, Picker.SOLIDS, face.solid().id()))
                 : FaceExtrude.extruded(found.get(), face.index(), metres).map(List::of);
-        return edit.map(solids -> (Level) entities.replaced(
-                level, face.solid(), solids.stream().map(Record.class::cast).toList()));
+        return edit.map(solids -> new Snapshot(level, Selection.NONE)
+                .replaced(Map.of(
+                        face.solid(), solids.stream().map(Record.class::cast).toList()))
+                .level());
     }
 
     @Override

@@ -2,6 +2,7 @@ package nephele.editor.tool.extrude;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.pick.Picker;
@@ -41,9 +42,8 @@ record MovedFace(EntityRef solid, int index, List<Vec3> polygon) {
     }
 
     private static boolean isFree(ToolContext context, Brush brush) {
-        String text = new EntityRef(Picker.SOLIDS, brush.solidId()).text();
-        var notes = context.document().level().editor();
-        return !notes.locked().contains(text) && !notes.hidden().contains(text);
+        EntityRef solid = new EntityRef(Picker.SOLIDS, brush.solidId());
+        return !Notes.free(context.document().level(), List.of(solid)).isEmpty();
     }
 
     private static void addInPlane(List<MovedFace> faces, Selection selection, Brush brush, Plane plane) {

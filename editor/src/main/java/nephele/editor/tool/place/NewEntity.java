@@ -2,6 +2,8 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.added.Completion;
+import nephele.editor.added.NewRecord;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -16,10 +18,7 @@ import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.ToolOptions;
-import nephele.editor.transform.EntityTransform;
-import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
-import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
@@ -30,7 +29,6 @@ import nephele.engine.math.Vec3;
  * @param section path of its section
  */
 record NewEntity(String section, Record entity) {
-    private static final double HALF_METRES = 0.5;
 
     /** Makes the entity that the options name; empty if there is no such kind. */
     static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
@@ -40,7 +38,7 @@ record NewEntity(String section, Record entity) {
             double off = Standoff.metres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
                     made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
-            return new NewEntity(section, record instanceof PortalSpec portal ? on(at, portal, level) : record);
+            return new NewEntity(section, record instanceof PortalSpec portal ? on(at, portal) : record);
         });
     }
 
@@ -70,23 +68,11 @@ record NewEntity(String section, Record entity) {
     }
 
     private static Record made(RecordKind kind, String id, Vec3 at, ToolOptions options, Level level) {
-        Record record = Prototypes.make(kind, id, at);
-        if (record instanceof ModelPlacement) {
-            return at.equals(Vec3.ZERO) ? record : EntityTransform.moved(record, at);
-        } else if (record instanceof Solid solid) {
-            return painted(solid instanceof Solid.Planes planes ? cube(planes, at) : record, options, level);
+        Record record = NewRecord.at(kind, id, at);
+        if (record instanceof Solid) {
+            return painted(record, options, level);
         }
         return withVariant(kind, record, at, options.kind());
-    }
-
-    /** Planes without a single one enclose nothing. */
-    private static Record cube(Solid.Planes none, Vec3 at) {
-        Vec3 centre = at.plus(new Vec3(0, HALF_METRES, 0));
-        List<Solid.PlaneFace> planes = List.of(BoxFace.values()).stream()
-                .map(side ->
-                        new Solid.PlaneFace(side.normal(), side.normal().dot(centre) + HALF_METRES, null, null, null))
-                .toList();
-        return new Solid.Planes(none.id(), none.material(), none.portalable(), none.textureMapping(), planes);
     }
 
     private static Record painted(Record solid, ToolOptions options, Level level) {
@@ -109,24 +95,18 @@ record NewEntity(String section, Record entity) {
         return record;
     }
 
-    /** Returns a portal that looks away from the surface and leads to one that has no partner yet, or to itself. */
-    private static PortalSpec on(PointedPlace at, PortalSpec made, Level level) {
+    /** Returns a portal that looks away from the surface. */
+    private static PortalSpec on(PointedPlace at, PortalSpec made) {
         boolean isLevel = Math.abs(at.normal().y()) > 0.999;
         return new PortalSpec(
                 made.id(),
-                alone(level).map(PortalSpec::id).orElse(made.id()),
+                made.linkedTo(),
                 made.centre(),
                 at.normal(),
                 isLevel ? new Vec3(0, 0, -1) : made.up(),
                 made.widthMetres(),
                 made.heightMetres(),
                 made.shape());
-    }
-
-    private static Optional<PortalSpec> alone(Level level) {
-        return level.portals().stream()
-                .filter(portal -> portal.linkedTo().equals(portal.id()))
-                .findFirst();
     }
 
     EntityRef ref() {
@@ -138,25 +118,7 @@ record NewEntity(String section, Record entity) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level level = (Level) entities.added(base, section, entity);
-        if (entity instanceof PortalSpec portal && !portal.linkedTo().equals(portal.id())) {
-            level = (Level) entities.changed(
-                    level,
-                    List.of(new EntityRef(section, portal.linkedTo())),
-                    other -> linked((PortalSpec) other, portal.id()));
-        }
+        Level level = Completion.of(before.level(), (Level) entities.added(base, section, entity));
         return new Snapshot(level, Selection.of(ref()));
-    }
-
-    private static PortalSpec linked(PortalSpec portal, String id) {
-        return new PortalSpec(
-                portal.id(),
-                id,
-                portal.centre(),
-                portal.normal(),
-                portal.up(),
-                portal.widthMetres(),
-                portal.heightMetres(),
-                portal.shape());
     }
 }

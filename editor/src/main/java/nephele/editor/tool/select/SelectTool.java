@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
 import nephele.editor.mark.Mark;
 import nephele.editor.pick.EntityBounds;
@@ -44,6 +45,11 @@ public final class SelectTool implements Tool {
     /** Movement below which a press and release are a click, in pixels. */
     private static final double CLICK_PIXELS = 4;
 
+    /** The ground is everywhere below the pointer: only the handles of the move tool drag it. */
+    private static final String TERRAINS = "terrains";
+
+    private static final Set<String> BACKDROPS = Set.of(TERRAINS, "environment.clouds");
+
     private final ToolContext context;
     private Pointer start;
     private Pointer now;
@@ -65,7 +71,8 @@ public final class SelectTool implements Tool {
         isDragging = false;
         grabbed = null;
         for (Pick pick : context.picker().along(pointer.ray())) {
-            if (context.document().selection().contains(pick.entity())) {
+            boolean isGround = pick.entity().section().equals(TERRAINS);
+            if (!isGround && context.document().selection().contains(pick.entity())) {
                 grabbed = pick.point();
                 return;
             }
@@ -91,7 +98,7 @@ public final class SelectTool implements Tool {
             context.document()
                     .drag(before -> before.with(EntityTransform.moved(
                             before.level(),
-                            before.selection().entities(),
+                            Notes.unlocked(before.level(), before.selection().entities()),
                             snapped,
                             context.options().textureLock())));
         });
@@ -157,7 +164,10 @@ public final class SelectTool implements Tool {
 
     private void selectRectangle(Pointer pointer) {
         Containment containment = pointer.isHeld(Modifier.ALT) ? Containment.INSIDE : Containment.TOUCHING;
-        List<EntityRef> found = pointer.isPlan() ? inPlan(pointer, containment) : inView(pointer);
+        List<EntityRef> found = new ArrayList<>(pointer.isPlan() ? inPlan(pointer, containment) : inView(pointer));
+        // Ground and clouds are behind everything: a rectangle means them only if it is around them.
+        List<EntityRef> inside = pointer.isPlan() ? inPlan(pointer, Containment.INSIDE) : List.of();
+        found.removeIf(ref -> BACKDROPS.contains(ref.section()) && !inside.contains(ref));
         apply(grouped(found), pointer);
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
 import nephele.editor.mark.Mark;
 import nephele.editor.pick.EntityBounds;
@@ -113,7 +114,7 @@ public final class TransformTool implements Tool {
     private Aabb bounds() {
         Snapshot now = context.document().now();
         Aabb bounds = Aabb.EMPTY;
-        for (EntityRef ref : now.selection().entities()) {
+        for (EntityRef ref : Notes.unlocked(now.level(), now.selection().entities())) {
             bounds = context.document()
                     .entities()
                     .find(now.level(), ref)
@@ -134,7 +135,11 @@ public final class TransformTool implements Tool {
         drag.change(pointer).ifPresent(change -> context.document()
                 .drag(before -> before.with((Level) context.document()
                         .entities()
-                        .changed(before.level(), before.selection().entities(), change))));
+                        .changed(
+                                before.level(),
+                                Notes.unlocked(
+                                        before.level(), before.selection().entities()),
+                                change))));
     }
 
     @Override

@@ -6,8 +6,10 @@ import java.util.Set;
 /** Kinds of files that levels name, by the endings of their names. */
 enum AssetFamily {
     PICTURE(Set.of("png", "jpg", "jpeg", "tga", "bmp")),
-    MODEL(Set.of("obj", "gltf", "glb")),
+    MODEL(Set.of("3d", "obj", "gltf", "glb")),
     VOLUME(Set.of("vol")),
+    /** Raw heights; a terrain's heights may also be a picture. */
+    HEIGHTS(Set.of("r16")),
     ANY(Set.of());
 
     private final Set<String> endings;
@@ -29,7 +31,18 @@ enum AssetFamily {
 
     /** Returns the family that a component names: by its own name, or else as its value does now. */
     static AssetFamily of(String component, String current) {
-        boolean isPicture = component.toLowerCase(Locale.ROOT).endsWith("texture");
+        String name = component.toLowerCase(Locale.ROOT);
+        if (name.equals("heightmap")) {
+            return HEIGHTS;
+        }
+        boolean isPicture =
+                name.endsWith("texture") || name.endsWith("map") || name.equals("sprite") || name.equals("files");
         return isPicture ? PICTURE : of(current);
+    }
+
+    /** Returns true if a component of this family can name a file. */
+    boolean accepts(String file) {
+        AssetFamily own = of(file);
+        return own != ANY && (this == ANY || this == own || this == HEIGHTS && own == PICTURE);
     }
 }

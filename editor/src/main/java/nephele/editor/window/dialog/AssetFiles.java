@@ -63,9 +63,7 @@ final class AssetFiles {
         @Override
         public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
             String id = root.relativize(file).toString().replace('\\', '/');
-            AssetFamily own = AssetFamily.of(id);
-            boolean isWanted = own != AssetFamily.ANY && (family == AssetFamily.ANY || family == own);
-            if (isWanted && AssetId.rejectionReason(id) == null) {
+            if (family.accepts(id) && AssetId.rejectionReason(id) == null) {
                 ids.add(id);
             }
             return ids.size() < MOST_FILES ? FileVisitResult.CONTINUE : FileVisitResult.TERMINATE;

@@ -18,9 +18,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.DroppedFile;
+import nephele.editor.file.DroppedFile.Kind;
+import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.file.DroppedFile.Target;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
@@ -38,12 +41,25 @@ public final class FileDrops {
     private final ViewportPanel viewport;
     private final BooleanSupplier mayLeave;
     private final Consumer<Words> refused;
+    private final Function<Path, Optional<SceneUse>> sceneUse;
+
+    /** Takes files of which scenes are inserted without a question. */
+    public FileDrops(EditorSession session, ViewportPanel viewport, BooleanSupplier mayLeave, Consumer<Words> refused) {
+        this(session, viewport, mayLeave, refused, scene -> Optional.of(SceneUse.INSERT));
+    }
 
     /**
      * @param mayLeave false if the user wants to stay with the level that is open
      * @param refused receives what can't be used and why
+     * @param sceneUse asks what to do with a scene; empty if the user cancels
      */
-    public FileDrops(EditorSession session, ViewportPanel viewport, BooleanSupplier mayLeave, Consumer<Words> refused) {
+    FileDrops(
+            EditorSession session,
+            ViewportPanel viewport,
+            BooleanSupplier mayLeave,
+            Consumer<Words> refused,
+            Function<Path, Optional<SceneUse>> sceneUse) {
+        this.sceneUse = sceneUse;
         this.session = session;
         this.viewport = viewport;
         this.mayLeave = mayLeave;
@@ -111,9 +127,14 @@ public final class FileDrops {
     }
 
     private void drop(Path file, Point at) throws FileRefusal {
-        if (!DroppedFile.Kind.of(file).replacesLevel() || mayLeave.getAsBoolean()) {
+        Kind kind = Kind.of(file);
+        Optional<SceneUse> use = kind != Kind.SCENE || DroppedFile.isUntouched(session)
+                ? Optional.of(SceneUse.REPLACE)
+                : sceneUse.apply(file);
+        boolean isReplaced = kind.replacesLevel() || kind == Kind.SCENE && use.equals(Optional.of(SceneUse.REPLACE));
+        if (use.isPresent() && (!isReplaced || mayLeave.getAsBoolean())) {
             session.tool().cancel();
-            new DroppedFile(session, file).dropOn(target(at));
+            new DroppedFile(session, file).dropOn(target(at), use.get());
         }
     }
 

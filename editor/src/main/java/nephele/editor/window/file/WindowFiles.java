@@ -60,7 +60,7 @@ public final class WindowFiles implements AutoCloseable {
                 journal == null ? null : new JournalPictures(session, panel.viewport(), background, journal::picture);
         var changes = new OutsideChanges(session, new Asked());
         watch = new SessionWatch(session, changes, new SessionWatch.Threads(SwingUtilities::invokeLater, background));
-        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell);
+        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, desk::sceneUse);
         drops.accept(panel);
         drops.accept(panel.viewport().surface().component());
         desk.part("backups", this::showBackups);

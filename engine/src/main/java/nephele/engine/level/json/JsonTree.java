@@ -31,11 +31,13 @@ public final class JsonTree {
 
     private final JsonReader reader;
     private final Problems problems;
+    private final boolean isBlank;
     private final Map<String, String> names = new HashMap<>();
     private int values;
     private int depth;
 
-    private JsonTree(JsonReader reader, Problems problems) {
+    private JsonTree(JsonReader reader, Problems problems, boolean isBlank) {
+        this.isBlank = isBlank;
         this.reader = reader;
         this.problems = problems;
     }
@@ -63,7 +65,16 @@ public final class JsonTree {
         var reader = new JsonReader(new InputStreamReader(new ByteArrayInputStream(utf8), decoder));
         reader.setStrictness(Strictness.STRICT);
         reader.setNestingLimit(MAX_DEPTH + 1);
-        return new JsonTree(reader, problems).document();
+        return new JsonTree(reader, problems, isBlank(utf8)).document();
+    }
+
+    private static boolean isBlank(byte[] bytes) {
+        for (byte each : bytes) {
+            if (!Character.isWhitespace(each)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static String encodingObjection(byte[] bytes) {
@@ -87,7 +98,7 @@ public final class JsonTree {
             reader.peek();
             return root;
         } catch (EOFException end) {
-            problems.error(values <= 1 ? "the file is empty" : "the file ends too early" + where());
+            problems.error(isBlank ? "the file is empty" : "the file ends too early" + where());
         } catch (CharacterCodingException notUtf8) {
             problems.error("the file is not UTF-8 text" + where());
         } catch (IOException | IllegalStateException syntax) {
