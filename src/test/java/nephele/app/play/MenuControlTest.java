@@ -187,7 +187,7 @@ class MenuControlTest {
         assertEquals("E – also: pick up, let go", value(keys, "jump"));
         assertEquals("E – also: jump", value(keys, "pick up, let go"));
         assertEquals("press a key", value(keys, "run"));
-        assertEquals("W, Up", value(keys, "walk forward"));
+        assertEquals("W, ↑", value(keys, "walk forward"));
     }
 
     private static String value(Menu menu, String label) {

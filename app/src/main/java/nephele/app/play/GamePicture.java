@@ -59,7 +59,7 @@ final class GamePicture {
         captions.begin(current.session());
         keysOf = null;
         if (isCompared()) {
-            message.say("← →  " + Phrase.MOVE_WIPE.in(files.settings().get(Settings.LANGUAGE)));
+            message.say("← →  " + keys().withRun(Phrase.MOVE_WIPE));
         }
     }
 
@@ -150,7 +150,7 @@ final class GamePicture {
 
     private Banner running(Language language) {
         Banner aim = captions.aim(language);
-        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), files.settings());
+        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), keys());
     }
 
     private Banner banner(GameStage stage, Loading loading) {

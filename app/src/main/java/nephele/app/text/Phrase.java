@@ -109,7 +109,7 @@ public enum Phrase {
     CONTROL_CROUCH("crouch", "agachar", "agachar"),
     CONTROL_FIRE_FIRST("first portal; throw", "primeiro portal; jogar", "primeiro portal; atirar"),
     CONTROL_FIRE_SECOND("second portal", "segundo portal", "segundo portal"),
-    CONTROL_CARRY("pick up, let go", "pegar, soltar", "pegar, largar"),
+    CONTROL_CARRY("pick up, let go", "pegar, soltar", "agarrar, largar"),
     CONTROL_THROW("throw", "jogar", "atirar"),
     CONTROL_PERSON("first or third person", "primeira ou terceira pessoa", "primeira ou terceira pessoa"),
     CONTROL_RESTART("start again", "recomeçar", "recomeçar"),
@@ -118,15 +118,12 @@ public enum Phrase {
     CONTROL_HELP("this page", "esta página", "esta página"),
     CONTROL_FIGURES("figures", "números", "números"),
     CONTROL_FULL_SCREEN("full screen", "tela cheia", "ecrã inteiro"),
-    CONTROL_SCREENSHOT("picture (Shift: bare)", "imagem (Shift: sem textos)", "imagem (Shift: sem textos)"),
+    CONTROL_SCREENSHOT("picture (%s: bare)", "imagem (%s: sem textos)", "imagem (%s: sem textos)"),
     DIFFERS(
             "%s differs from %s by FLIP %s, mean light %s %%",
             "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
     NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
-    MOVE_WIPE(
-            "move the wipe (Shift: finely)",
-            "mover a divisória (Shift: devagar)",
-            "mover a divisória (Shift: devagar)"),
+    MOVE_WIPE("move the wipe (%s: finely)", "mover a divisória (%s: devagar)", "mover a divisória (%s: devagar)"),
     WHOLE_SIDE("only the right, the left picture", "só a imagem direita, esquerda", "só a imagem direita, esquerda"),
     KEYS("Keys", "Teclas", "Teclas"),
     LOOK("look around", "olhar em volta", "olhar em volta"),
@@ -135,10 +132,33 @@ public enum Phrase {
     NO_KEY("none", "nenhuma", "nenhuma"),
     ALSO("also: %s", "também: %s", "também: %s"),
     UNNAMED_KEY("This key cannot be used", "Esta tecla não pode ser usada", "Esta tecla não pode ser usada"),
-    PROMPT_PICK_UP("pick up", "pegar", "pegar"),
+    PROMPT_PICK_UP("pick up", "pegar", "agarrar"),
     PROMPT_THROW("throw", "jogar", "atirar"),
     PROMPT_FIRST("open the first portal", "abrir o primeiro portal", "abrir o primeiro portal"),
     PROMPT_SECOND("open the second portal", "abrir o segundo portal", "abrir o segundo portal"),
+    KEY_SPACE("Space", "Espaço", "Espaço"),
+    KEY_ESCAPE("Esc", "Esc", "Esc"),
+    KEY_ENTER("Enter", "Enter", "Enter"),
+    KEY_TAB("Tab", "Tab", "Tab"),
+    KEY_BACKSPACE("Backspace", "Backspace", "Retrocesso"),
+    KEY_INSERT("Insert", "Insert", "Insert"),
+    KEY_DELETE("Delete", "Delete", "Delete"),
+    KEY_RIGHT("→", "→", "→"),
+    KEY_LEFT("←", "←", "←"),
+    KEY_DOWN("↓", "↓", "↓"),
+    KEY_UP("↑", "↑", "↑"),
+    KEY_PAGE_UP("Page Up", "Page Up", "Page Up"),
+    KEY_PAGE_DOWN("Page Down", "Page Down", "Page Down"),
+    KEY_HOME("Home", "Home", "Home"),
+    KEY_END("End", "End", "End"),
+    KEY_LEFT_SHIFT("Left Shift", "Shift esq.", "Shift esq."),
+    KEY_RIGHT_SHIFT("Right Shift", "Shift dir.", "Shift dir."),
+    KEY_LEFT_CTRL("Left Ctrl", "Ctrl esq.", "Ctrl esq."),
+    KEY_RIGHT_CTRL("Right Ctrl", "Ctrl dir.", "Ctrl dir."),
+    KEY_LEFT_ALT("Left Alt", "Alt esq.", "Alt esq."),
+    KEY_RIGHT_ALT("Right Alt", "Alt dir.", "Alt dir."),
+    KEY_KEYPAD("Keypad %s", "Num %s", "Num %s"),
+    KEY_MOUSE("Mouse %s", "Mouse %s", "Rato %s"),
     LEFT_CLICK("left click", "clique esquerdo", "clique esquerdo"),
     RIGHT_CLICK("right click", "clique direito", "clique direito"),
     WORD_OFF("off", "não", "não"),
@@ -190,16 +210,34 @@ public enum Phrase {
         return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
     }
 
+    /** Returns the name of a key, see {@link nephele.app.window.KeyNames}, as keyboards in a language call it. */
+    public static String ofKey(String key, Language language) {
+        if (key.startsWith("Keypad ")) {
+            return KEY_KEYPAD.in(language, ofKey(key.substring("Keypad ".length()), language));
+        }
+        if (key.startsWith("Mouse ")) {
+            return KEY_MOUSE.in(language, key.substring("Mouse ".length()));
+        }
+        return isSameEverywhere(key)
+                ? key
+                : valueOf("KEY_" + key.toUpperCase(Locale.ROOT).replace(' ', '_'))
+                        .in(language);
+    }
+
+    private static boolean isSameEverywhere(String key) {
+        return key.length() == 1 || key.matches("F[0-9]+");
+    }
+
     /** Returns a key's name for sentences: mouse buttons are clicks. */
-    public static String keyName(String key, Language language) {
+    public static String ofKeyInSentence(String key, Language language) {
         return switch (key) {
             case "Mouse 1" -> LEFT_CLICK.in(language);
             case "Mouse 2" -> RIGHT_CLICK.in(language);
-            default -> key;
+            default -> ofKey(key, language);
         };
     }
 
-    /** Returns the meaning of a control. */
+    /** Returns the meaning of a control; its placeholder is the key that runs. */
     public static Phrase ofControl(Enum<?> control) {
         return valueOf("CONTROL_" + control.name());
     }

@@ -30,8 +30,8 @@ final class HelpPanelTest {
             for (var language : Language.values()) {
                 var shown = new HudContent.Keys(KeyBindings.usual(), device, language);
                 for (var control : Control.values()) {
-                    double keys = canvas.width(HelpPanel.EM, HelpPanel.names(control, shown));
-                    double meaning = canvas.width(HelpPanel.EM, HelpPanel.meaning(control, shown));
+                    double keys = canvas.width(HelpPanel.EM, shown.names(control));
+                    double meaning = canvas.width(HelpPanel.EM, shown.meaning(control));
                     assertTrue(keys < HelpPanel.KEY_COLUMN - 4, control + ": " + keys);
                     assertTrue(
                             HelpPanel.PADDING + HelpPanel.KEY_COLUMN + meaning < HelpPanel.WIDTH,

@@ -3,7 +3,6 @@ package nephele.app.play.hud;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.app.window.PadButton;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The F1 page: every key and its function. Lengths are in points. */
@@ -59,37 +58,18 @@ final class HelpPanel {
         row(canvas, x, baseline, scale, look, Phrase.LOOK.in(keys.language()));
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
-            row(canvas, x, baseline, scale, names(control, keys), meaning(control, keys));
+            row(canvas, x, baseline, scale, keys.names(control), keys.meaning(control));
         }
         if (rows > ROWS) {
             double below = scale * ROW_HEIGHT;
-            row(canvas, x, baseline + below, scale, "←, →", Phrase.MOVE_WIPE.in(keys.language()));
-            row(canvas, x, baseline + 2 * below, scale, "Home, End", Phrase.WHOLE_SIDE.in(keys.language()));
+            row(canvas, x, baseline + below, scale, wipeKeys(keys, "Left", "Right"), keys.withRun(Phrase.MOVE_WIPE));
+            String ends = wipeKeys(keys, "Home", "End");
+            row(canvas, x, baseline + 2 * below, scale, ends, Phrase.WHOLE_SIDE.in(keys.language()));
         }
     }
 
-    /** Returns the keys of a control; of a gamepad its button where it has one, and L for the left stick. */
-    static String names(Control control, HudContent.Keys keys) {
-        if (keys.device() == Input.Device.GAMEPAD) {
-            String stick =
-                    switch (control) {
-                        case FORWARD -> "L ↑";
-                        case BACK -> "L ↓";
-                        case LEFT -> "L ←";
-                        case RIGHT -> "L →";
-                        case CONFIRM -> "A";
-                        default -> null;
-                    };
-            PadButton button = PadButton.of(control);
-            if (stick != null || button != null) {
-                return stick != null ? stick : button.name();
-            }
-        }
-        return String.join(", ", keys.bindings().keys(control));
-    }
-
-    static String meaning(Control control, HudContent.Keys keys) {
-        return Phrase.ofControl(control).in(keys.language());
+    private static String wipeKeys(HudContent.Keys keys, String one, String other) {
+        return Phrase.ofKey(one, keys.language()) + ", " + Phrase.ofKey(other, keys.language());
     }
 
     private static void row(
