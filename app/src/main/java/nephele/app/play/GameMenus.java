@@ -81,16 +81,20 @@ final class GameMenus {
      *
      * @param before progress before this run
      */
-    Menu ended(LevelName level, FinishedRun run, Progress before, Optional<LevelName> next) {
+    Menu ended(PlayRequest request, FinishedRun run, Progress before, Optional<LevelName> next) {
+        LevelName level = request.level();
         List<String> lines = new ArrayList<>();
         long best = before.bestTicks(level.fileName());
-        boolean isBest = best == 0 || run.ticks() < best;
+        boolean isBest = request.isRanked() && (best == 0 || run.ticks() < best);
         lines.add(text(Phrase.TIME) + "  " + time(run.ticks())
                 + (isBest && best > 0 ? "  – " + text(Phrase.NEW_BEST) : ""));
         if (best > 0) {
-            lines.add(text(Phrase.BEST) + "  " + time(Math.min(best, run.ticks())));
+            lines.add(text(Phrase.BEST) + "  " + time(isBest ? run.ticks() : best));
         }
         lines.add(text(Phrase.PORTALS) + "  " + run.portals());
+        if (!request.isRanked()) {
+            lines.add(text(Phrase.UNRANKED));
+        }
         List<Entry> entries = new ArrayList<>();
         if (next.isPresent()) {
             entries.add(new Entry(text(Phrase.NEXT_LEVEL), next.get().title(), new Choice.Play(next.get())));

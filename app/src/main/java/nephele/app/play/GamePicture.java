@@ -76,8 +76,10 @@ final class GamePicture {
     void draw(GameStage stage, Loading loading, Page page, Display.Shot shot) {
         Session session = current.session();
         if (session == null) {
-            display.drawEmpty(new HudContent(
-                    menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()));
+            display.drawEmpty(
+                    new HudContent(
+                            menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()),
+                    shot);
             return;
         }
         var area = display.area();

@@ -23,6 +23,8 @@ public enum Phrase {
     TIME("Time", "Tempo", "Tempo"),
     BEST("Best", "Melhor", "Melhor"),
     NEW_BEST("New best", "Novo recorde", "Novo recorde"),
+    UNRANKED(
+            "Practice: no record is kept.", "Treino: nenhum recorde é guardado.", "Treino: nenhum recorde é guardado."),
     PORTALS("Portals", "Portais", "Portais"),
     ALL_DONE("You have finished every level.", "Você concluiu todas as fases.", "Concluíste todos os níveis."),
     NOT_YET("not yet", "ainda não", "ainda não"),
@@ -43,9 +45,26 @@ public enum Phrase {
     TAKEN_OVER("You are in control", "O controle é seu", "O controlo é teu"),
     EXIT_REACHED("Exit reached", "Saída alcançada", "Saída alcançada"),
     SLOW(
-            "Fewer than four frames a second: time runs slower. Lower the quality in the settings.",
-            "Menos de quatro quadros por segundo: o tempo passa mais devagar. Reduza a qualidade nas configurações.",
-            "Menos de quatro imagens por segundo: o tempo passa mais devagar. Reduz a qualidade nas definições."),
+            "Fewer than four frames a second: time runs slower.",
+            "Menos de quatro quadros por segundo: o tempo passa mais devagar.",
+            "Menos de quatro imagens por segundo: o tempo passa mais devagar."),
+    ADVICE_QUALITY(
+            "Lower the quality in the settings.",
+            "Reduza a qualidade nas configurações.",
+            "Reduz a qualidade nas definições."),
+    ADVICE_QUALITY_AT_START(
+            "Start again with a lower quality.",
+            "Comece de novo com qualidade mais baixa.",
+            "Começa de novo com qualidade mais baixa."),
+    ADVICE_RESOLUTION(
+            "Choose a smaller resolution in the settings.",
+            "Escolha uma resolução menor nas configurações.",
+            "Escolhe uma resolução menor nas definições."),
+    ADVICE_OTHER_WINDOW(
+            "Choose a window or full screen and a smaller resolution in the settings.",
+            "Escolha janela ou tela cheia e uma resolução menor nas configurações.",
+            "Escolhe janela ou ecrã inteiro e uma resolução menor nas definições."),
+    QUALITY_ADAPTS("The quality adapts.", "A qualidade está se adaptando.", "A qualidade está a adaptar-se."),
     MENU_KEYS("↑ ↓  Enter  or mouse", "↑ ↓  Enter  ou mouse", "↑ ↓  Enter  ou rato"),
     PAD_MENU_KEYS("↑ ↓  A  choose", "↑ ↓  A  escolher", "↑ ↓  A  escolher"),
     FOOT_BACK("back", "voltar", "voltar"),

@@ -18,9 +18,10 @@ final class HelpPanelTest {
         for (double height : new double[] {360, 540, 720}) {
             var area = new Area(16 * height / 9, height);
             int rows = HelpPanel.ROWS;
-            assertTrue(HelpPanel.height(area, rows) <= height + 1e-9, height + ": " + rows);
+            Box box = HelpPanel.box(area, Box.of(area), rows);
+            assertTrue(box.top() >= 0 && box.bottom() <= height + 1e-9, height + ": " + box);
         }
-        assertEquals(1, HelpPanel.scale(new Area(1280, 720), HelpPanel.ROWS));
+        assertEquals(1, HelpPanel.scale(new Box(0, 0, 1280, 720), HelpPanel.ROWS));
     }
 
     @Test

@@ -29,22 +29,27 @@ final class HelpPanel {
         return 2 * PADDING + 2 * TITLE_EM + rows * ROW_HEIGHT;
     }
 
-    /** Returns the page's scale, at most 1: a low window shrinks the page, so that no key is left out. */
-    static double scale(Area area, int rows) {
-        return Math.min(1, area.height() / full(rows));
+    /** Returns the page's scale, at most 1: a small room shrinks the page, so that no key is left out. */
+    static double scale(Box room, int rows) {
+        return Math.min(1, Math.min(room.height() / full(rows), room.width() / WIDTH));
     }
 
-    static double height(Area area, int rows) {
-        return scale(area, rows) * full(rows);
+    /** @param room where the page may be */
+    static Box box(Area area, Box room, int rows) {
+        double width = scale(room, rows) * WIDTH;
+        double height = scale(room, rows) * full(rows);
+        double left = room.leftOf(width, area.centreX());
+        double top = Math.max(room.top(), Math.min(Math.rint(area.centreY() - height / 2), room.bottom() - height));
+        return new Box(left, top, left + width, top + height);
     }
 
     /** @param rows see {@link #rows} */
-    static void draw(OverlayCanvas canvas, Area area, HudContent.Keys keys, int rows) {
-        double scale = scale(area, rows);
-        double left = Math.rint(area.centreX() - scale * WIDTH / 2);
-        double top = Math.rint(area.centreY() - scale * full(rows) / 2);
-        canvas.rectangle(left, top, scale * WIDTH, scale * full(rows), HudPalette.PANEL);
-        canvas.rectangle(left, top, scale * WIDTH, 3, HudPalette.ACCENT);
+    static void draw(OverlayCanvas canvas, Box box, HudContent.Keys keys, int rows) {
+        double scale = box.height() / full(rows);
+        double left = box.left();
+        double top = box.top();
+        canvas.rectangle(left, top, box.width(), box.height(), HudPalette.PANEL);
+        canvas.rectangle(left, top, box.width(), 3, HudPalette.ACCENT);
         double x = left + scale * PADDING;
         canvas.text(
                 x,
@@ -72,9 +77,12 @@ final class HelpPanel {
         return Phrase.ofKey(one, keys.language()) + ", " + Phrase.ofKey(other, keys.language());
     }
 
+    /** Draws a row; a meaning that is longer than the page is smaller. */
     private static void row(
             OverlayCanvas canvas, double x, double baseline, double scale, String keys, String meaning) {
+        double room = scale * (WIDTH - 2 * PADDING - KEY_COLUMN);
+        double em = scale * EM * Math.min(1, room / canvas.width(scale * EM, meaning));
         canvas.text(x, baseline, scale * EM, HudPalette.ACCENT, keys);
-        canvas.text(x + scale * KEY_COLUMN, baseline, scale * EM, HudPalette.INK, meaning);
+        canvas.text(x + scale * KEY_COLUMN, baseline, em, HudPalette.INK, meaning);
     }
 }
