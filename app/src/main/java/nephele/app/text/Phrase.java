@@ -23,8 +23,7 @@ public enum Phrase {
     TIME("Time", "Tempo", "Tempo"),
     BEST("Best", "Melhor", "Melhor"),
     NEW_BEST("New best", "Novo recorde", "Novo recorde"),
-    UNRANKED(
-            "Practice: no record is kept.", "Treino: nenhum recorde é guardado.", "Treino: nenhum recorde é guardado."),
+    UNRANKED("Practice: no record is kept.", "Treino: nenhum recorde é salvo.", "Treino: nenhum recorde é guardado."),
     PORTALS("Portals", "Portais", "Portais"),
     ALL_DONE("You have finished every level.", "Você concluiu todas as fases.", "Concluíste todos os níveis."),
     NOT_YET("not yet", "ainda não", "ainda não"),
