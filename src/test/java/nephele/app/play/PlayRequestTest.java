@@ -33,7 +33,7 @@ class PlayRequestTest {
         var request = request(null, null, null);
         assertEquals("auto", request.chosenQuality().preset());
         assertEquals(
-                List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED),
+                List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED, Assist.BODY_RETURN),
                 request.settings().assists());
         files.keep(files.settings()
                 .with(Settings.QUALITY, Settings.QualityPreset.LOW)

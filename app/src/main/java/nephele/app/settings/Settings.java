@@ -45,7 +45,7 @@ public final class Settings {
         INSTANT
     }
 
-    /** Aids at portals: see {@link nephele.engine.sim.state.Assist}. */
+    /** Aids for the player: see {@link nephele.engine.sim.state.Assist}. */
     public enum Assists {
         NONE,
         USUAL,

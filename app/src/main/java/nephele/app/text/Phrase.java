@@ -92,6 +92,10 @@ public enum Phrase {
             "algo está no portal antigo e não tem espaço"),
     TOO_HEAVY("Too heavy", "Pesado demais", "Demasiado pesado"),
     LOST("Let go: nothing leads to it any more", "Solto: nada mais leva até ele", "Largado: já nada leva até ele"),
+    RETURNED(
+            "It fell far: it is back in its place",
+            "Caiu longe: voltou ao seu lugar",
+            "Caiu longe: voltou ao seu lugar"),
     SAVED("Saved %s", "Salvo em %s", "Guardado em %s"),
     RECORDED("Recorded %s", "Gravado em %s", "Gravado em %s"),
     NOT_LOADED(
@@ -109,7 +113,7 @@ public enum Phrase {
     SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
-    SETTING_ASSISTS("Aids at portals", "Ajudas nos portais", "Ajudas nos portais"),
+    SETTING_ASSISTS("Aids", "Ajudas", "Ajudas"),
     SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
     SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
     SETTING_REDUCED_FLASHES("Soft lightning", "Relâmpagos suaves", "Relâmpagos suaves"),
