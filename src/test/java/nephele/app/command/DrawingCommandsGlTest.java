@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.level.appearance.LuminanceHistogram;
@@ -184,5 +185,14 @@ class DrawingCommandsGlTest {
         var answer = Captured.run("play", level(), "--replay", replay.toString());
         assertEquals(1, answer.exitCode());
         assertTrue(answer.err().startsWith(replay + ": levelName: was recorded in the level 'There'"), answer.err());
+    }
+
+    /** The help names every setting, so that each can be found. */
+    @Test
+    void theHelpNamesEverySetting() {
+        String help = Captured.run("render", "--help").out().replaceAll("\\s+", " ");
+        for (String key : QualityChoice.keys()) {
+            assertTrue(help.contains(key + ",") || help.contains(key + ";"), key);
+        }
     }
 }

@@ -1,6 +1,7 @@
 package nephele.app.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -35,6 +36,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class CampaignSwingTest {
     private static final long LONGEST_SECONDS = 60;
+    private static final String PROGRESS = ".local/state/nephele/progress.json";
     private static final Path PICTURES = Path.of("build", "pictures", "campaign");
 
     /** A tick of level 02's recording about 5 m before the exit. */
@@ -130,6 +132,22 @@ class CampaignSwingTest {
         return (top + bottom) / 2;
     }
 
+    /** Returns a level of the campaign's second name, in which the exit is some steps ahead. */
+    private Path nearTheExit() throws IOException {
+        return Files.writeString(
+                home.resolve("02-first-shot.json"),
+                """
+                {
+                  "format": "nephele-level",
+                  "version": 1,
+                  "environment": { "ambient": [0.5, 0.5, 0.5] },
+                  "player": { "feet": [0, 0, 3] },
+                  "solids": [{ "id": "floor", "kind": "box", "centre": [0, -0.5, 0], "size": [9, 1, 9] }],
+                  "exits": [{ "id": "end", "feet": [0, 0, 0], "heightMetres": 2.2 }]
+                }
+                """);
+    }
+
     private String kept(String file) throws IOException {
         return Files.readString(home.resolve(file));
     }
@@ -166,17 +184,30 @@ class CampaignSwingTest {
         second.expect("exit 02-first-shot.json");
         hand("up W");
         second.expect("menu ended");
-        hand("picture " + PICTURES.resolve("3-end.png"));
-        hand("click 320 " + firstEntry());
-        second.expect("loading 03-momentum.json");
-        second.expect("playing 03-momentum.json");
-        hand("picture " + PICTURES.resolve("4-next.png"));
-        hand("key ESCAPE");
-        second.expect("menu pause");
+        hand("picture " + PICTURES.resolve("3-practice.png"));
         hand("key UP");
         hand("key ENTER");
         second.expectEnd();
-        assertTrue(kept(".local/state/nephele/progress.json").contains("\"02-first-shot.json\""));
+        assertFalse(Files.exists(home.resolve(PROGRESS)), "a replay that was taken over is no progress");
+
+        Game byHand = new Game(nearTheExit().toString());
+        byHand.expect("loading 02-first-shot.json");
+        byHand.expect("playing 02-first-shot.json");
+        hand("down W");
+        byHand.expect("exit 02-first-shot.json");
+        hand("up W");
+        byHand.expect("menu ended");
+        hand("picture " + PICTURES.resolve("3-end.png"));
+        hand("click 320 " + firstEntry());
+        byHand.expect("loading 03-momentum.json");
+        byHand.expect("playing 03-momentum.json");
+        hand("picture " + PICTURES.resolve("4-next.png"));
+        hand("key ESCAPE");
+        byHand.expect("menu pause");
+        hand("key UP");
+        hand("key ENTER");
+        byHand.expectEnd();
+        assertTrue(kept(PROGRESS).contains("\"02-first-shot.json\""));
 
         Game third = new Game();
         third.expect("title");

@@ -51,7 +51,7 @@ class GameWindowSwingTest {
                 level.toString());
         var wrong = run.out().lines().filter(line -> !line.endsWith(": ok")).toList();
         assertEquals(List.of(), wrong, run.err());
-        assertEquals(27, run.out().lines().count(), run.out() + run.err());
+        assertEquals(35, run.out().lines().count(), run.out() + run.err());
         assertEquals(0, run.exitCode());
         assertTrue(recordedTicks("walk.json") > 0);
         assertTrue(recordedTicks("walk-2.json") >= 0);

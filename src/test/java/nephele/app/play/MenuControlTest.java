@@ -1,8 +1,10 @@
 package nephele.app.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +18,8 @@ import nephele.app.settings.Settings;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
 import nephele.engine.named.LevelName;
 import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.BeforeEach;
@@ -89,12 +93,39 @@ class MenuControlTest {
 
     @Test
     void theEndTellsTimePortalsAndBest() {
-        Menu first = menus.ended(SHOT, new FinishedRun(1790, 2), Progress.NONE, Optional.empty());
+        Menu first = menus.ended(request(null), new FinishedRun(1790, 2), Progress.NONE, Optional.empty());
         assertEquals(List.of("Time  0:14.92", "Portals  2", "You have finished every level."), first.lines());
         Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4);
-        Menu slower = menus.ended(SHOT, new FinishedRun(1790, 2), before, Optional.of(COURTYARD));
+        Menu slower = menus.ended(request(null), new FinishedRun(1790, 2), before, Optional.of(COURTYARD));
         assertEquals(List.of("Time  0:14.92", "Best  0:10.00", "Portals  2"), slower.lines());
         assertEquals(new Choice.Play(COURTYARD), slower.chosen());
+    }
+
+    /** A run that is not ranked is no best time, however fast, and the page says so. */
+    @Test
+    void theEndOfPracticeTellsNoRecord() {
+        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4);
+        PlayRequest practice = request(new PlayerStart(Vec3.ZERO, 0, 0));
+        Menu faster = menus.ended(practice, new FinishedRun(600, 2), before, Optional.of(COURTYARD));
+        assertEquals(
+                List.of("Time  0:05.00", "Best  0:10.00", "Portals  2", "Practice: no record is kept."),
+                faster.lines());
+    }
+
+    private PlayRequest request(PlayerStart from) {
+        var player = new PlayRequest.Player(files, null);
+        return new PlayRequest(SHOT, from, null, null, null, null, null, null, player);
+    }
+
+    /** The first page of a question leads back to the game, not to a page that was never open. */
+    @Test
+    void nothingIsBelowThePageThatWasOpenedFirst() {
+        control.open(menus.page(Menu.Page.RESTART_QUESTION));
+        assertInstanceOf(Choice.Back.class, control.choiceOf(Control.MENU));
+        assertFalse(control.back());
+        control.turnTo(menus.page(Menu.Page.LEVELS));
+        assertTrue(control.back());
+        assertEquals("restart-question", control.page().name());
     }
 
     /** Every phrase of every page exists in every language: the pages name settings and words by key. */
@@ -187,7 +218,7 @@ class MenuControlTest {
         assertEquals("E – also: pick up, let go", value(keys, "jump"));
         assertEquals("E – also: jump", value(keys, "pick up, let go"));
         assertEquals("press a key", value(keys, "run"));
-        assertEquals("W, Up", value(keys, "walk forward"));
+        assertEquals("W, ↑", value(keys, "walk forward"));
     }
 
     private static String value(Menu menu, String label) {

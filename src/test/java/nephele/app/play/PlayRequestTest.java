@@ -10,6 +10,8 @@ import java.util.Map;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.draw.QualityChoice;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
@@ -31,7 +33,7 @@ class PlayRequestTest {
         var request = request(null, null, null);
         assertEquals("auto", request.chosenQuality().preset());
         assertEquals(
-                List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED),
+                List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED, Assist.BODY_RETURN),
                 request.settings().assists());
         files.keep(files.settings()
                 .with(Settings.QUALITY, Settings.QualityPreset.LOW)
@@ -59,6 +61,31 @@ class PlayRequestTest {
         assertFalse(shown.isPlayed());
         assertNull(shown.of(new LevelName("b.json")).replay());
         assertTrue(request(null, new PlayRequest.Shown(replay, 0), null).isPlayed());
+    }
+
+    /** One rule: by hand, from the level's start, with the simulation of the player's settings. */
+    @Test
+    void onlyWhatIsPlayedByHandFromTheStartIsRanked() {
+        var replay = new Replay("a.json", SimSettings.DEFAULT, null, List.of());
+        var usual = ChosenSettings.simulation(files.settings());
+        assertTrue(request(null, null, null).isRanked());
+        assertTrue(request(new QualityChoice("low", Map.of("samples", "2")), null, null)
+                .isRanked());
+        assertTrue(request(null, null, usual).isRanked());
+        assertFalse(request(null, new PlayRequest.Shown(replay, PlayRequest.Shown.NEVER), null)
+                .isRanked());
+        for (long tick : new long[] {0, 1, 1660}) {
+            assertFalse(request(null, new PlayRequest.Shown(replay, tick), null).isRanked(), "taken over at " + tick);
+        }
+        var elsewhere = request(null, null, null).from(new PlayerStart(Vec3.ZERO, 0, 0));
+        assertFalse(elsewhere.isRanked());
+        assertFalse(request(null, null, usual.withTicksPerSecond(240)).isRanked());
+        assertFalse(request(null, null, new SimSettings(120, List.of())).isRanked());
+        assertFalse(request(null, null, new SimSettings(120, List.of(Assist.values())))
+                .isRanked());
+        assertTrue(elsewhere.of(new LevelName("b.json")).isRanked(), "the next level begins at its start");
+        files.keep(files.settings().with(Settings.ASSISTS, Settings.Assists.NONE));
+        assertTrue(request(null, null, null).isRanked(), "the player's own settings");
     }
 
     /** 90° at 16:9 are 58.7° vertically. */

@@ -59,7 +59,7 @@ class PromptsTest {
         assertNull(text(standing(-8), Shot.REFUSED));
         settings =
                 settings.with(Settings.KEYS.get(Control.CARRY), List.of("Q")).with(Settings.LANGUAGE, Language.PT_PT);
-        assertEquals("Q: pegar", text(near, Shot.REFUSED));
+        assertEquals("Q: agarrar", text(near, Shot.REFUSED));
         prompts.after(List.of(new Handled(Handled.Kind.PICKED_UP, 0)));
         assertNull(text(near, Shot.REFUSED));
     }

@@ -121,6 +121,31 @@ public final class WindowScenarios {
                         () -> cursor() == GLFW_CURSOR_DISABLED && input.holds(Control.FORWARD)),
                 new Scenario(
                         "asks before it restarts", () -> press(Control.RESTART), () -> loop.stage() == GameStage.MENU),
+                new Scenario(
+                        "goes back to the game from the question",
+                        () -> press(Control.MENU),
+                        () -> loop.stage() == GameStage.RUNNING),
+                new Scenario("pauses again", () -> press(Control.MENU), () -> loop.stage() == GameStage.MENU),
+                new Scenario(
+                        "changes nothing below the menu",
+                        () -> List.of(Control.FIGURES, Control.PERSON, Control.CROUCH)
+                                .forEach(this::press),
+                        () -> loop.showsFigures() && loop.stage() == GameStage.MENU),
+                new Scenario("shows the keys over the menu", () -> press(Control.HELP), loop::showsHelp),
+                new Scenario(
+                        "chooses nothing that the keys cover",
+                        () -> List.of(Control.BACK, Control.CONFIRM, Control.JUMP)
+                                .forEach(this::press),
+                        () -> loop.showsHelp() && loop.stage() == GameStage.MENU),
+                new Scenario("closes the keys", () -> press(Control.MENU), () -> !loop.showsHelp()),
+                new Scenario(
+                        "is still at the first entry",
+                        () -> press(Control.CONFIRM),
+                        () -> loop.stage() == GameStage.RUNNING && !input.takeHold(Control.CROUCH)),
+                new Scenario(
+                        "asks again before it restarts",
+                        () -> press(Control.RESTART),
+                        () -> loop.stage() == GameStage.MENU),
                 new Scenario("selects the restart", () -> press(Control.BACK), () -> loop.stage() == GameStage.MENU),
                 new Scenario("restarts", () -> press(Control.CONFIRM), this::hasRestarted),
                 new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),

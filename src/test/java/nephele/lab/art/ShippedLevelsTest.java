@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
+import nephele.engine.level.Material;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
@@ -30,6 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The rules that every level in the checkout keeps. */
 @Execution(ExecutionMode.CONCURRENT)
 class ShippedLevelsTest {
+    private static final String PANEL = "textures/panel-white.png";
     private static final Path LEVEL_ONE = Path.of("levels/01-courtyard.json");
 
     static Stream<Path> levels() throws IOException {
@@ -79,7 +81,37 @@ class ShippedLevelsTest {
         assertTrue(faces >= 1000, faces + " faces");
         assertTrue(level.environment().sun().castsShadow());
         assertTrue(level.lights().stream().filter(light -> light.castsShadow()).count() <= 6);
-        assertTrue(level.solids().stream().anyMatch(solid -> solid.portalable()));
+    }
+
+    /**
+     * White panels teach where portals open: in a level with a gun every portalable face shows one and no other face
+     * does, in one without a gun there is none.
+     */
+    @ParameterizedTest
+    @MethodSource("campaign")
+    void panelsAreWhereAGunIsOfUse(Path file) {
+        Level level = LevelFile.load(file).level();
+        var panels = level.materials().stream()
+                .filter(material -> PANEL.equals(material.texture()))
+                .map(Material::id)
+                .toList();
+        List<String> wrong = new ArrayList<>();
+        int shown = 0;
+        for (var solid : level.solids()) {
+            for (BrushFace face : Brush.of(solid).faces()) {
+                boolean isPanel = panels.contains(face.material());
+                shown += isPanel ? 1 : 0;
+                if (isPanel != face.portalable()) {
+                    wrong.add(solid.id() + ": " + face.material());
+                }
+            }
+        }
+        assertEquals(List.of(), wrong);
+        assertEquals(level.portalGun() != null, shown > 0, file + " shows " + shown + " faces of panels");
+    }
+
+    static Stream<Path> campaign() {
+        return LevelCatalogue.campaign().stream().map(level -> Path.of(level.typed()));
     }
 
     /**

@@ -9,9 +9,6 @@ import nephele.engine.terminal.CommandFailure;
 
 /** Parses the assists named on the command line. */
 final class AssistNames {
-    /** The default: it helps the player to hit portals, and leaves the speed uncapped. */
-    private static final List<Assist> DEFAULT = List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED);
-
     private static final String NONE = "none";
 
     private AssistNames() {}
@@ -19,7 +16,7 @@ final class AssistNames {
     /** @param names {@code null} for the default */
     static List<Assist> parse(List<String> names) {
         if (names == null) {
-            return DEFAULT;
+            return Assist.USUAL;
         }
         List<Assist> assists = new ArrayList<>();
         for (String name : names) {

@@ -76,10 +76,6 @@ final class PictureOptions {
         var choice = choice();
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
-        if (forced == Output.HDR) {
-            // Radiance is read before the picture is scaled up.
-            settings = settings.with(settings.quality().withPictureResolution(1));
-        }
         var shown = choice.shown(opened);
         return Renderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }

@@ -65,8 +65,8 @@ final class PlayCommand implements Command {
             paramLabel = "NAME",
             split = ",",
             description = {
-                "What helps the player at portals: funnel, floor-exit-speed, speed-cap, or none",
-                "(default: funnel,floor-exit-speed). Stored with --record; a replay brings its own."
+                "What helps the player: funnel, floor-exit-speed, speed-cap, body-return, or none",
+                "(default: funnel,floor-exit-speed,body-return). Stored with --record; a replay brings its own."
             })
     private List<String> assists;
 

@@ -11,18 +11,23 @@ final class QualityOptions {
             names = "--quality",
             paramLabel = "Q",
             defaultValue = "high",
-            description = "low, medium, high, ultra or auto (default: high).")
+            description =
+                    "low, medium, high, ultra or auto, as play draws them: low with half the resolution, scaled up;"
+                            + " auto as play begins (default: high).")
     private String quality;
 
     @Option(
             names = "--set",
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
-            description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
-                + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell, cloudScattering,"
-                + " billboardFacing, particleLight, impostors, impostorErrorPixels, skyplaneShape, proceduralNoise,"
-                + " cloudSkyboxTexels, terrainDetail, terrainErrorPixels, terrainLayers, lightParts, impostorPixels,"
-                + " spriteCoverage, culling, narrowing, rims; debug=ids draws every solid in its own colour.")
+            description =
+                    "Change single settings: pictureResolution, upscale, anisotropy, normalMaps, brdf, shadowTexels,"
+                            + " shadowFilter, lightShadows, samples, edgeFilter, portalTechnique, viewBudget,"
+                            + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell,"
+                            + " cloudScattering, billboardFacing, particleLight, impostors, impostorErrorPixels,"
+                            + " skyplaneShape, proceduralNoise, cloudSkyboxTexels, terrainDetail, terrainErrorPixels,"
+                            + " terrainLayers, lightParts, impostorPixels, spriteCoverage, culling, narrowing, rims;"
+                            + " debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -185,7 +185,7 @@ final class RenderCommand implements Command {
         WrittenFile.write(out, file -> {
             if (isPfm()) {
                 Capture.pfm(
-                        renderer.readRadiance(),
+                        renderer.readRadianceOf(target),
                         picture.size().width(),
                         picture.size().height(),
                         file);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Figure;
+import nephele.app.settings.GameSetting;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.draw.QualityController;
@@ -53,6 +54,18 @@ final class AutoQuality {
         }
         controller.budgetMillis(budgetMillis());
         return controller.add(millis, seconds);
+    }
+
+    /** Returns what the player could do about the quality if it is too slow. */
+    SlowAdvice.QualityNow now(PlayRequest request) {
+        if (request.isQualityAutomatic()) {
+            return controller.isCheapest() ? SlowAdvice.QualityNow.LOWEST : SlowAdvice.QualityNow.ADAPTS;
+        }
+        String lowest = GameSetting.word(Settings.QualityPreset.LOW);
+        if (request.chosenQuality().preset().equalsIgnoreCase(lowest)) {
+            return SlowAdvice.QualityNow.LOWEST;
+        }
+        return request.quality() == null ? SlowAdvice.QualityNow.CAN_BE_LOWERED : SlowAdvice.QualityNow.FIXED_AT_START;
     }
 
     /** Returns the lines of the panel of figures about the choice. */

@@ -37,7 +37,7 @@ final class ChosenSettings {
     private static List<Assist> assists(GameSettings settings) {
         return switch (settings.get(Settings.ASSISTS)) {
             case NONE -> List.of();
-            case USUAL -> List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED);
+            case USUAL -> Assist.USUAL;
             case ALL -> List.of(Assist.values());
         };
     }

@@ -74,6 +74,11 @@ final class CurrentLevel implements AutoCloseable {
         }
     }
 
+    /** Returns what the player could do about the quality if it is too slow. */
+    SlowAdvice.QualityNow quality() {
+        return auto.now(session.request());
+    }
+
     /** Draws with another quality from the next frame on if the frame rate asks for it. */
     void frameCost(double millis) {
         if (auto.frame(session.request(), millis)) {

@@ -59,11 +59,11 @@ final class Display implements AutoCloseable {
     }
 
     /** Draws the overlay over an empty picture: there is no level yet. */
-    void drawEmpty(HudContent content) {
+    void drawEmpty(HudContent content, Shot shot) {
         var picture = target();
         picture.bind();
         picture.clear(EMPTY_RED, EMPTY_GREEN, EMPTY_BLUE);
-        overlay.draw(hud.canvas(content, area(), pixelsPerPoint()), picture);
+        drawOverlay(content, picture, shot);
         window.show();
     }
 
@@ -85,6 +85,13 @@ final class Display implements AutoCloseable {
                 : content.comparison().wipe();
         session.picture().draw(view, walk.frameState(), wipe, picture, listener);
         outlines.draw(walk.observer(), view, picture);
+        drawOverlay(content, picture, shot);
+        cost.submitted();
+        window.show();
+        cost.shown();
+    }
+
+    private void drawOverlay(HudContent content, RenderTarget picture, Shot shot) {
         if (shot == Shot.WITHOUT_OVERLAY) {
             save(picture);
         }
@@ -92,9 +99,6 @@ final class Display implements AutoCloseable {
         if (shot == Shot.WITH_OVERLAY) {
             save(picture);
         }
-        cost.submitted();
-        window.show();
-        cost.shown();
     }
 
     private void save(RenderTarget picture) {

@@ -17,6 +17,9 @@ final class EventText {
             long millimetres = PlacementResult.Refused.millimetres(refused.unevenMetres());
             return Optional.of(refusal(refused.reason(), millimetres, language));
         }
+        if (event instanceof TickEvent.BodyReturned) {
+            return Optional.of(Phrase.RETURNED.in(language));
+        }
         if (event instanceof Handled handled) {
             return switch (handled.kind()) {
                 case TOO_HEAVY -> Optional.of(Phrase.TOO_HEAVY.in(language));

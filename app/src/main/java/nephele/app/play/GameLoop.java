@@ -106,6 +106,14 @@ public final class GameLoop implements AutoCloseable {
         return stages.current();
     }
 
+    boolean showsHelp() {
+        return page == Page.HELP;
+    }
+
+    boolean showsFigures() {
+        return current.figures().isOpen();
+    }
+
     private Language language() {
         return files.settings().get(Settings.LANGUAGE);
     }
@@ -137,23 +145,30 @@ public final class GameLoop implements AutoCloseable {
                 case FULL_SCREEN -> settings.toggleFullScreen();
                 case SCREENSHOT ->
                     shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
-                case FIGURES -> current.toggleFigures();
                 case HELP -> page = page == Page.HELP ? Page.NONE : Page.HELP;
                 default -> obeyStageKey(key);
             }
         }
     }
 
+    /** Handles a key of the page, the menu or the game, whichever is on top: what is covered takes none. */
     private void obeyStageKey(Control key) {
-        if (stages.inMenu()) {
+        if (page == Page.HELP && (key == Control.MENU || stages.inMenu())) {
+            page = key == Control.MENU ? Page.NONE : page;
+        } else if (stages.inMenu()) {
             chooseByKey(key);
-        } else if (stages.in(GameStage.RUNNING) && key == Control.RESTART) {
-            openPause();
-            menu.turnTo(menus.page(Menu.Page.RESTART_QUESTION));
-        } else if (stages.in(GameStage.RUNNING) && key == Control.PERSON) {
-            current.session().walk().changePerson();
-        } else if (stages.in(GameStage.RUNNING) && key == Control.MENU) {
-            openPauseOrClosePage();
+        } else if (stages.in(GameStage.RUNNING)) {
+            obeyGameKey(key);
+        }
+    }
+
+    private void obeyGameKey(Control key) {
+        switch (key) {
+            case RESTART -> openMenu(menus.page(Menu.Page.RESTART_QUESTION));
+            case PERSON -> current.session().walk().changePerson();
+            case FIGURES -> current.toggleFigures();
+            case MENU -> openPause();
+            default -> {}
         }
     }
 
@@ -169,20 +184,19 @@ public final class GameLoop implements AutoCloseable {
         choose(choice);
     }
 
-    private void openPauseOrClosePage() {
-        if (page != Page.NONE) {
-            page = Page.NONE;
-            return;
-        }
-        openPause();
+    private void openPause() {
+        openMenu(menus.pause(current.session().request().level()));
     }
 
-    private void openPause() {
-        menu.open(menus.pause(current.session().request().level()));
+    /** Opens a menu above the game, to which its first page leads back. */
+    private void openMenu(Menu first) {
+        page = Page.NONE;
+        menu.open(first);
         stages.change(GameStage.MENU);
     }
 
     private void openTitle() {
+        page = Page.NONE;
         menu.open(menus.title());
         picture.titleOpens();
         if (current.session() == null) {
@@ -194,7 +208,9 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void obeyPointer() {
-        if (stages.inMenu()) {
+        if (stages.inMenu() && page == Page.HELP) {
+            page = input.takeClick() == null ? page : Page.NONE;
+        } else if (stages.inMenu()) {
             choose(menu.choiceOf(display.area(), display.pixelsPerPoint()));
         }
     }
@@ -216,7 +232,9 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.Bind bind) {
             settings.awaitKey(bind.control());
         } else if (choice instanceof Menu.Choice.Back) {
-            menu.back();
+            if (!menu.back()) {
+                leaveMenu(GameStage.RUNNING);
+            }
         } else if (choice instanceof Menu.Choice.Step step) {
             settings.change(step);
             menu.rewriteFirst(firstPage());
@@ -227,7 +245,7 @@ public final class GameLoop implements AutoCloseable {
     private void play(LevelName level) {
         boolean isLoaded = current.session() != null
                 && current.session().request().level().equals(level)
-                && current.session().request().isPlayed();
+                && current.session().request().isPlayedFromStart();
         if (isLoaded) {
             leaveMenu(GameStage.RESTARTING);
         } else if (loading != null && loading.request().level().equals(level)) {
@@ -247,6 +265,7 @@ public final class GameLoop implements AutoCloseable {
     private void leaveMenu(GameStage stage) {
         menu.close();
         input.forgetMouse();
+        input.forgetPresses();
         stages.change(stage);
     }
 
@@ -312,6 +331,7 @@ public final class GameLoop implements AutoCloseable {
         lastNanos = System.nanoTime();
         counter.restart();
         timeLoss.restart();
+        input.forgetPresses();
         picture.levelBegins();
         stages.change(GameStage.RUNNING);
     }
@@ -334,13 +354,14 @@ public final class GameLoop implements AutoCloseable {
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
         if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            message.say(Phrase.SLOW);
+            var slow = SlowAdvice.picture(window, files.settings());
+            message.say(SlowAdvice.text(current.quality(), slow, language()));
         }
         if (finished.isPresent()) {
             end(session, finished.get());
         } else if (walk.isFinished()) {
             message.say(Phrase.REPLAY_OVER);
-            openPauseOrClosePage();
+            openPause();
         }
     }
 
@@ -354,8 +375,11 @@ public final class GameLoop implements AutoCloseable {
         log.say("exit " + level.fileName() + " "
                 + session.walk().state().world().exit().tick());
         Progress before = files.progress();
-        files.keep(before.withFinished(level.fileName(), run.ticks(), run.portals()));
-        menu.open(menus.ended(level, run, before, LevelCatalogue.after(level)));
+        if (session.request().isRanked()) {
+            files.keep(before.withFinished(level.fileName(), run.ticks(), run.portals()));
+        }
+        page = Page.NONE;
+        menu.open(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));
         stages.change(GameStage.ENDED);
     }
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
@@ -17,7 +18,6 @@ import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.app.window.KeyBindings;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
@@ -82,16 +82,20 @@ final class GameMenus {
      *
      * @param before progress before this run
      */
-    Menu ended(LevelName level, FinishedRun run, Progress before, Optional<LevelName> next) {
+    Menu ended(PlayRequest request, FinishedRun run, Progress before, Optional<LevelName> next) {
+        LevelName level = request.level();
         List<String> lines = new ArrayList<>();
         long best = before.bestTicks(level.fileName());
-        boolean isBest = best == 0 || run.ticks() < best;
+        boolean isBest = request.isRanked() && (best == 0 || run.ticks() < best);
         lines.add(text(Phrase.TIME) + "  " + time(run.ticks())
                 + (isBest && best > 0 ? "  – " + text(Phrase.NEW_BEST) : ""));
         if (best > 0) {
-            lines.add(text(Phrase.BEST) + "  " + time(Math.min(best, run.ticks())));
+            lines.add(text(Phrase.BEST) + "  " + time(isBest ? run.ticks() : best));
         }
         lines.add(text(Phrase.PORTALS) + "  " + run.portals());
+        if (!request.isRanked()) {
+            lines.add(text(Phrase.UNRANKED));
+        }
         List<Entry> entries = new ArrayList<>();
         if (next.isPresent()) {
             entries.add(new Entry(text(Phrase.NEXT_LEVEL), next.get().title(), new Choice.Play(next.get())));
@@ -149,22 +153,21 @@ final class GameMenus {
 
     /** @param waiting the control whose key is awaited; null for none */
     Menu keys(Control waiting) {
-        KeyBindings bindings = Settings.bindings(files.settings());
+        var keys = new HudContent.Keys(Settings.bindings(files.settings()), Input.Device.KEYBOARD, language());
         List<Entry> entries = new ArrayList<>();
         for (Control control : Settings.KEYS.keySet()) {
-            String value = control == waiting ? text(Phrase.PRESS_KEY) : keyText(bindings, control);
-            entries.add(new Entry(text(Phrase.ofControl(control)), value, new Choice.Bind(control)));
+            String value = control == waiting ? text(Phrase.PRESS_KEY) : keyText(keys, control);
+            entries.add(new Entry(keys.meaning(control), value, new Choice.Bind(control)));
         }
         entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
         return menu("keys", text(Phrase.KEYS), List.of(), entries, new Choice.Back());
     }
 
     /** Returns a control's keys, and the control that has one of them too. */
-    private String keyText(KeyBindings bindings, Control control) {
-        List<String> keys = bindings.keys(control);
-        Control other = bindings.conflict(control);
-        String names = keys.isEmpty() ? text(Phrase.NO_KEY) : String.join(", ", keys);
-        return other == null ? names : names + " – " + Phrase.ALSO.in(language(), text(Phrase.ofControl(other)));
+    private String keyText(HudContent.Keys keys, Control control) {
+        Control other = keys.bindings().conflict(control);
+        String names = keys.names(control).isEmpty() ? text(Phrase.NO_KEY) : keys.names(control);
+        return other == null ? names : names + " – " + Phrase.ALSO.in(language(), keys.meaning(other));
     }
 
     private <T> String value(GameSetting<T> setting) {
@@ -197,7 +200,7 @@ final class GameMenus {
     private Menu menu(String name, String title, List<String> lines, List<Entry> entries, Choice escape) {
         boolean isPad = device.get() == Input.Device.GAMEPAD;
         String foot = text(isPad ? Phrase.PAD_MENU_KEYS : Phrase.MENU_KEYS);
-        String back = isPad ? "B" : "Esc";
+        String back = isPad ? "B" : Phrase.ofKey("Escape", language());
         if (escape instanceof Choice.Resume) {
             foot += "     " + back + "  " + text(Phrase.FOOT_CONTINUE);
         } else if (escape instanceof Choice.Back) {

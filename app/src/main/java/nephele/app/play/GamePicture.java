@@ -59,7 +59,7 @@ final class GamePicture {
         captions.begin(current.session());
         keysOf = null;
         if (isCompared()) {
-            message.say("← →  " + Phrase.MOVE_WIPE.in(files.settings().get(Settings.LANGUAGE)));
+            message.say("← →  " + keys().withRun(Phrase.MOVE_WIPE));
         }
     }
 
@@ -83,8 +83,10 @@ final class GamePicture {
     void draw(GameStage stage, Loading loading, Page page, Display.Shot shot) {
         Session session = current.session();
         if (session == null) {
-            display.drawEmpty(new HudContent(
-                    menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()));
+            display.drawEmpty(
+                    new HudContent(
+                            menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()),
+                    shot);
             return;
         }
         var area = display.area();
@@ -157,7 +159,7 @@ final class GamePicture {
 
     private Banner running(Language language) {
         Banner aim = captions.aim(language);
-        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), files.settings());
+        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), keys());
     }
 
     private Banner banner(GameStage stage, Loading loading) {

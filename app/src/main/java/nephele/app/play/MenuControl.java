@@ -29,12 +29,14 @@ final class MenuControl {
         input.forgetMouse();
     }
 
-    /** Returns to the page below; the first page stays. */
-    void back() {
-        if (pages.size() > 1) {
-            pages.pop();
-            input.forgetMouse();
+    /** Returns to the page below; the first page stays. Returns false if there is none below. */
+    boolean back() {
+        if (pages.size() == 1) {
+            return false;
         }
+        pages.pop();
+        input.forgetMouse();
+        return true;
     }
 
     /** Replaces the current page by one with other labels; the selection stays. */

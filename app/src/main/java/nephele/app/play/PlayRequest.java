@@ -60,9 +60,23 @@ public record PlayRequest(
         return shown == null ? null : shown.replay();
     }
 
-    /** Returns true if what is reached counts as the player's progress. */
+    /** Returns true if the player's hands move the character in the end, not a replay alone. */
     boolean isPlayed() {
         return shown == null || shown.isTakenOver();
+    }
+
+    /** Returns true if the player's hands move the character from the level's start on. */
+    boolean isPlayedFromStart() {
+        return shown == null && from == null;
+    }
+
+    /**
+     * Returns true if what is reached counts as the player's progress and may be a record: only what is played by hand,
+     * from the level's start, with the rate and the assists of the player's settings.
+     */
+    boolean isRanked() {
+        return isPlayedFromStart()
+                && settings().equals(ChosenSettings.simulation(player.files().settings()));
     }
 
     /** Returns the simulation's settings: those of the command line, else the player's. */

@@ -3,12 +3,12 @@ package nephele.app.play;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import nephele.app.play.hud.HudContent;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.app.window.PadButton;
 import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.playthrough.Playthrough;
@@ -111,8 +111,6 @@ final class Prompts {
     }
 
     private static String text(Control action, GameSettings settings, Input.Device device) {
-        Language language = settings.get(Settings.LANGUAGE);
-        String key = keyName(action, settings, device);
         Phrase phrase =
                 switch (action) {
                     case CARRY -> Phrase.PROMPT_PICK_UP;
@@ -120,15 +118,8 @@ final class Prompts {
                     case FIRE_FIRST -> Phrase.PROMPT_FIRST;
                     default -> Phrase.PROMPT_SECOND;
                 };
-        return key == null ? null : key + ": " + phrase.in(language);
-    }
-
-    /** Returns null if no key has the control. */
-    private static String keyName(Control action, GameSettings settings, Input.Device device) {
-        if (device == Input.Device.GAMEPAD) {
-            return PadButton.of(action).name();
-        }
-        List<String> keys = Settings.bindings(settings).keys(action);
-        return keys.isEmpty() ? null : Phrase.keyName(keys.get(0), settings.get(Settings.LANGUAGE));
+        var keys = new HudContent.Keys(Settings.bindings(settings), device, settings.get(Settings.LANGUAGE));
+        boolean hasKey = !keys.names(action).isEmpty();
+        return hasKey ? keys.inSentence(action) + ": " + phrase.in(keys.language()) : null;
     }
 }

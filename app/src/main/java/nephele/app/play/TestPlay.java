@@ -154,7 +154,8 @@ final class TestPlay {
             picture.after(events);
         }
         if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            message.say(Phrase.SLOW);
+            var slow = SlowAdvice.picture(window, files().settings());
+            message.say(SlowAdvice.text(current.quality(), slow, language));
         }
         counter.after(events, walk).ifPresent(run -> finish(run, language));
     }

@@ -45,7 +45,7 @@ public final class Settings {
         INSTANT
     }
 
-    /** Aids at portals: see {@link nephele.engine.sim.state.Assist}. */
+    /** Aids for the player: see {@link nephele.engine.sim.state.Assist}. */
     public enum Assists {
         NONE,
         USUAL,
@@ -59,6 +59,9 @@ public final class Settings {
 
     /** The value of {@link #RESOLUTION} that states no size. */
     public static final String AUTO_RESOLUTION = "auto";
+
+    /** The smallest value of {@link #RESOLUTION}. */
+    public static final String LEAST_RESOLUTION = "640x360";
 
     /** The horizontal field of view at an aspect of 16:9; the vertical one is the same in every window. */
     public static final GameSetting<Double> FIELD_OF_VIEW = GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90);
@@ -76,7 +79,7 @@ public final class Settings {
             "resolution",
             List.of(
                     AUTO_RESOLUTION,
-                    "640x360",
+                    LEAST_RESOLUTION,
                     "960x540",
                     "1280x720",
                     "1600x900",
@@ -148,10 +151,12 @@ public final class Settings {
     /** Returns the chosen resolution; {@code null} if it is automatic. */
     public static WindowSize resolution(GameSettings settings) {
         String chosen = settings.get(RESOLUTION);
-        if (chosen.equals(AUTO_RESOLUTION)) {
-            return null;
-        }
-        String[] sides = chosen.split("x");
+        return chosen.equals(AUTO_RESOLUTION) ? null : size(chosen);
+    }
+
+    /** Returns the size that a value of {@link #RESOLUTION} other than {@link #AUTO_RESOLUTION} states. */
+    public static WindowSize size(String resolution) {
+        String[] sides = resolution.split("x");
         return new WindowSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
     }
 

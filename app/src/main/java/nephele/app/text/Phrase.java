@@ -23,6 +23,7 @@ public enum Phrase {
     TIME("Time", "Tempo", "Tempo"),
     BEST("Best", "Melhor", "Melhor"),
     NEW_BEST("New best", "Novo recorde", "Novo recorde"),
+    UNRANKED("Practice: no record is kept.", "Treino: nenhum recorde é salvo.", "Treino: nenhum recorde é guardado."),
     PORTALS("Portals", "Portais", "Portais"),
     ALL_DONE("You have finished every level.", "Você concluiu todas as fases.", "Concluíste todos os níveis."),
     NOT_YET("not yet", "ainda não", "ainda não"),
@@ -43,9 +44,26 @@ public enum Phrase {
     TAKEN_OVER("You are in control", "O controle é seu", "O controlo é teu"),
     EXIT_REACHED("Exit reached", "Saída alcançada", "Saída alcançada"),
     SLOW(
-            "Fewer than four frames a second: time runs slower. Lower the quality in the settings.",
-            "Menos de quatro quadros por segundo: o tempo passa mais devagar. Reduza a qualidade nas configurações.",
-            "Menos de quatro imagens por segundo: o tempo passa mais devagar. Reduz a qualidade nas definições."),
+            "Fewer than four frames a second: time runs slower.",
+            "Menos de quatro quadros por segundo: o tempo passa mais devagar.",
+            "Menos de quatro imagens por segundo: o tempo passa mais devagar."),
+    ADVICE_QUALITY(
+            "Lower the quality in the settings.",
+            "Reduza a qualidade nas configurações.",
+            "Reduz a qualidade nas definições."),
+    ADVICE_QUALITY_AT_START(
+            "Start again with a lower quality.",
+            "Comece de novo com qualidade mais baixa.",
+            "Começa de novo com qualidade mais baixa."),
+    ADVICE_RESOLUTION(
+            "Choose a smaller resolution in the settings.",
+            "Escolha uma resolução menor nas configurações.",
+            "Escolhe uma resolução menor nas definições."),
+    ADVICE_OTHER_WINDOW(
+            "Choose a window or full screen and a smaller resolution in the settings.",
+            "Escolha janela ou tela cheia e uma resolução menor nas configurações.",
+            "Escolhe janela ou ecrã inteiro e uma resolução menor nas definições."),
+    QUALITY_ADAPTS("The quality adapts.", "A qualidade está se adaptando.", "A qualidade está a adaptar-se."),
     MENU_KEYS("↑ ↓  Enter  or mouse", "↑ ↓  Enter  ou mouse", "↑ ↓  Enter  ou rato"),
     PAD_MENU_KEYS("↑ ↓  A  choose", "↑ ↓  A  escolher", "↑ ↓  A  escolher"),
     FOOT_BACK("back", "voltar", "voltar"),
@@ -74,6 +92,10 @@ public enum Phrase {
             "algo está no portal antigo e não tem espaço"),
     TOO_HEAVY("Too heavy", "Pesado demais", "Demasiado pesado"),
     LOST("Let go: nothing leads to it any more", "Solto: nada mais leva até ele", "Largado: já nada leva até ele"),
+    RETURNED(
+            "It fell far: it is back in its place",
+            "Caiu longe: voltou ao seu lugar",
+            "Caiu longe: voltou ao seu lugar"),
     SAVED("Saved %s", "Salvo em %s", "Guardado em %s"),
     RECORDED("Recorded %s", "Gravado em %s", "Gravado em %s"),
     NOT_LOADED(
@@ -91,7 +113,7 @@ public enum Phrase {
     SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
-    SETTING_ASSISTS("Aids at portals", "Ajudas nos portais", "Ajudas nos portais"),
+    SETTING_ASSISTS("Aids", "Ajudas", "Ajudas"),
     SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
     SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
     SETTING_REDUCED_FLASHES("Soft lightning", "Relâmpagos suaves", "Relâmpagos suaves"),
@@ -109,7 +131,7 @@ public enum Phrase {
     CONTROL_CROUCH("crouch", "agachar", "agachar"),
     CONTROL_FIRE_FIRST("first portal; throw", "primeiro portal; jogar", "primeiro portal; atirar"),
     CONTROL_FIRE_SECOND("second portal", "segundo portal", "segundo portal"),
-    CONTROL_CARRY("pick up, let go", "pegar, soltar", "pegar, largar"),
+    CONTROL_CARRY("pick up, let go", "pegar, soltar", "agarrar, largar"),
     CONTROL_THROW("throw", "jogar", "atirar"),
     CONTROL_PERSON("first or third person", "primeira ou terceira pessoa", "primeira ou terceira pessoa"),
     CONTROL_RESTART("start again", "recomeçar", "recomeçar"),
@@ -118,15 +140,12 @@ public enum Phrase {
     CONTROL_HELP("this page", "esta página", "esta página"),
     CONTROL_FIGURES("figures", "números", "números"),
     CONTROL_FULL_SCREEN("full screen", "tela cheia", "ecrã inteiro"),
-    CONTROL_SCREENSHOT("picture (Shift: bare)", "imagem (Shift: sem textos)", "imagem (Shift: sem textos)"),
+    CONTROL_SCREENSHOT("picture (%s: bare)", "imagem (%s: sem textos)", "imagem (%s: sem textos)"),
     DIFFERS(
             "%s differs from %s by FLIP %s, mean light %s %%",
             "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
     NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
-    MOVE_WIPE(
-            "move the wipe (Shift: finely)",
-            "mover a divisória (Shift: devagar)",
-            "mover a divisória (Shift: devagar)"),
+    MOVE_WIPE("move the wipe (%s: finely)", "mover a divisória (%s: devagar)", "mover a divisória (%s: devagar)"),
     WHOLE_SIDE("only the right, the left picture", "só a imagem direita, esquerda", "só a imagem direita, esquerda"),
     KEYS("Keys", "Teclas", "Teclas"),
     LOOK("look around", "olhar em volta", "olhar em volta"),
@@ -135,10 +154,33 @@ public enum Phrase {
     NO_KEY("none", "nenhuma", "nenhuma"),
     ALSO("also: %s", "também: %s", "também: %s"),
     UNNAMED_KEY("This key cannot be used", "Esta tecla não pode ser usada", "Esta tecla não pode ser usada"),
-    PROMPT_PICK_UP("pick up", "pegar", "pegar"),
+    PROMPT_PICK_UP("pick up", "pegar", "agarrar"),
     PROMPT_THROW("throw", "jogar", "atirar"),
     PROMPT_FIRST("open the first portal", "abrir o primeiro portal", "abrir o primeiro portal"),
     PROMPT_SECOND("open the second portal", "abrir o segundo portal", "abrir o segundo portal"),
+    KEY_SPACE("Space", "Espaço", "Espaço"),
+    KEY_ESCAPE("Esc", "Esc", "Esc"),
+    KEY_ENTER("Enter", "Enter", "Enter"),
+    KEY_TAB("Tab", "Tab", "Tab"),
+    KEY_BACKSPACE("Backspace", "Backspace", "Retrocesso"),
+    KEY_INSERT("Insert", "Insert", "Insert"),
+    KEY_DELETE("Delete", "Delete", "Delete"),
+    KEY_RIGHT("→", "→", "→"),
+    KEY_LEFT("←", "←", "←"),
+    KEY_DOWN("↓", "↓", "↓"),
+    KEY_UP("↑", "↑", "↑"),
+    KEY_PAGE_UP("Page Up", "Page Up", "Page Up"),
+    KEY_PAGE_DOWN("Page Down", "Page Down", "Page Down"),
+    KEY_HOME("Home", "Home", "Home"),
+    KEY_END("End", "End", "End"),
+    KEY_LEFT_SHIFT("Left Shift", "Shift esq.", "Shift esq."),
+    KEY_RIGHT_SHIFT("Right Shift", "Shift dir.", "Shift dir."),
+    KEY_LEFT_CTRL("Left Ctrl", "Ctrl esq.", "Ctrl esq."),
+    KEY_RIGHT_CTRL("Right Ctrl", "Ctrl dir.", "Ctrl dir."),
+    KEY_LEFT_ALT("Left Alt", "Alt esq.", "Alt esq."),
+    KEY_RIGHT_ALT("Right Alt", "Alt dir.", "Alt dir."),
+    KEY_KEYPAD("Keypad %s", "Num %s", "Num %s"),
+    KEY_MOUSE("Mouse %s", "Mouse %s", "Rato %s"),
     LEFT_CLICK("left click", "clique esquerdo", "clique esquerdo"),
     RIGHT_CLICK("right click", "clique direito", "clique direito"),
     WORD_OFF("off", "não", "não"),
@@ -190,16 +232,34 @@ public enum Phrase {
         return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
     }
 
+    /** Returns the name of a key, see {@link nephele.app.window.KeyNames}, as keyboards in a language call it. */
+    public static String ofKey(String key, Language language) {
+        if (key.startsWith("Keypad ")) {
+            return KEY_KEYPAD.in(language, ofKey(key.substring("Keypad ".length()), language));
+        }
+        if (key.startsWith("Mouse ")) {
+            return KEY_MOUSE.in(language, key.substring("Mouse ".length()));
+        }
+        return isSameEverywhere(key)
+                ? key
+                : valueOf("KEY_" + key.toUpperCase(Locale.ROOT).replace(' ', '_'))
+                        .in(language);
+    }
+
+    private static boolean isSameEverywhere(String key) {
+        return key.length() == 1 || key.matches("F[0-9]+");
+    }
+
     /** Returns a key's name for sentences: mouse buttons are clicks. */
-    public static String keyName(String key, Language language) {
+    public static String ofKeyInSentence(String key, Language language) {
         return switch (key) {
             case "Mouse 1" -> LEFT_CLICK.in(language);
             case "Mouse 2" -> RIGHT_CLICK.in(language);
-            default -> key;
+            default -> ofKey(key, language);
         };
     }
 
-    /** Returns the meaning of a control. */
+    /** Returns the meaning of a control; its placeholder is the key that runs. */
     public static Phrase ofControl(Enum<?> control) {
         return valueOf("CONTROL_" + control.name());
     }

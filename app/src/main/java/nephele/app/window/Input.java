@@ -209,6 +209,11 @@ public final class Input implements InputListener {
         return wasStruck || holds(control);
     }
 
+    /** Forgets presses that nothing has taken yet, such as those in a menu; what is held stays held. */
+    public void forgetPresses() {
+        struck.clear();
+    }
+
     /** Returns the next control that went down, or null. */
     public Control nextPressed() {
         return pressed.poll();

@@ -5,6 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * The names of keys and mouse buttons. Letters and signs are those at the same place of a US keyboard, as GLFW names them.
@@ -17,6 +18,11 @@ public final class KeyNames {
     /** Returns the code of a name, see {@link InputListener}; null for another text. */
     public static Integer code(String name) {
         return CODES.get(name);
+    }
+
+    /** Returns every name. */
+    public static Set<String> all() {
+        return CODES.keySet();
     }
 
     /** Returns the name of a code; null for a key without a name. */

@@ -3,7 +3,6 @@ package nephele.engine.draw;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
 import nephele.engine.cloud.drawn.SkyplaneShape;
 import nephele.engine.cloud.light.BallLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
@@ -178,6 +177,11 @@ public record QualityChoice(String preset, Map<String, String> settings) {
 
     private static final String DEBUG = "debug";
 
+    /** Returns the names of the settings that {@code --set} can change. */
+    public static List<String> keys() {
+        return KEYS.stream().map(SettingKey::name).toList();
+    }
+
     /** Throws a usage {@link CommandFailure} unless the preset and all settings are known and in range. */
     public void check() {
         if (showsIds() && !settings.get(DEBUG).equals("ids")) {
@@ -259,8 +263,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     private static RenderSettings changed(RenderSettings all, String name, String value) {
         var key = KEYS.stream().filter(known -> known.name().equals(name)).findFirst();
         if (key.isEmpty()) {
-            var names = KEYS.stream().map(SettingKey::name).collect(Collectors.joining(", "));
-            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + names);
+            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + String.join(", ", keys()));
         }
         return key.get().applied(all, value);
     }

@@ -78,6 +78,11 @@ public final class QualityController {
         }
     }
 
+    /** Returns true if no point is cheaper than that for the next frame. */
+    public boolean isCheapest() {
+        return point == 0;
+    }
+
     /** Returns the point for the next frame. */
     public QualityFront.Point point() {
         return front.points().get(point);

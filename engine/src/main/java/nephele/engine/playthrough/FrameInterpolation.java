@@ -1,5 +1,6 @@
 package nephele.engine.playthrough;
 
+import java.util.List;
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
@@ -10,6 +11,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.WorldState;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -48,15 +50,30 @@ final class FrameInterpolation {
             }
         }
         for (int body = 0; body < around.bodies().size(); body++) {
-            body(body, before.world().bodies(), around.bodies(), share);
+            body(
+                    body,
+                    isReturned(after, body) ? around.bodies() : before.world().bodies(),
+                    around.bodies(),
+                    share);
         }
+    }
+
+    /** Returns true if a body came back into the world in the tick: it was nowhere on the way. */
+    private static boolean isReturned(SimState after, int body) {
+        List<TickEvent> events = after.world().trace().events();
+        for (int i = 0; i < events.size(); i++) {
+            if (events.get(i) instanceof TickEvent.BodyReturned returned && returned.body() == body) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void body(int body, Bodies before, Bodies after, double share) {
         Portals portals = frameState.portals();
         before.centre(body, centre);
         before.orientation(body, turn);
-        int crossings = after.crossings(body);
+        int crossings = before == after ? 0 : after.crossings(body);
         for (int i = 0; i < crossings; i++) {
             portals.transform(after.crossing(body, i)).point(centre);
             portals.transform(after.crossing(body, i)).orientation(turn);

@@ -18,6 +18,7 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
@@ -336,6 +337,22 @@ public final class Renderer implements AutoCloseable {
      */
     public float[] readRadiance() {
         return chain.readRadiance();
+    }
+
+    /**
+     * Returns what {@link #readRadiance} returns with as many pixels as {@code picture} has: fewer are scaled up
+     * bilinearly.
+     */
+    public float[] readRadianceOf(RenderTarget picture) {
+        RenderTarget drawn = chain.radiance();
+        if (drawn.width() == picture.width() && drawn.height() == picture.height()) {
+            return drawn.readFloats();
+        }
+        try (var scaled =
+                RenderTarget.picture(gl, "radiance", PixelFormat.RGBA16F, picture.width(), picture.height())) {
+            copyRadiance(scaled);
+            return scaled.readFloats();
+        }
     }
 
     /** Copies what {@link #readRadiance} returns to a target of any size, sampled bilinearly. */

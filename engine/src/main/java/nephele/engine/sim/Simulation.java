@@ -15,6 +15,7 @@ import nephele.engine.sim.carry.PlayerActions;
 import nephele.engine.sim.player.PlayerPortalCrossing;
 import nephele.engine.sim.player.PlayerStep;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
@@ -34,7 +35,7 @@ import nephele.engine.sim.state.WorldState;
  * the state. Not thread-safe: the working set is reused.
  */
 public final class Simulation {
-    /** A player this far below all static geometry starts again. */
+    /** What is this far below all static geometry has left the world: the player starts again. */
     public static final double FALL_METRES = 50;
 
     private final SimSettings settings;
@@ -47,6 +48,9 @@ public final class Simulation {
     private final Assists assists;
     private final int actionsOfHands;
     private final double lowest;
+    /** {@code null} without bodies and without the assist. */
+    private final BodyReturn bodyReturn;
+
     private final List<Exit> exits;
     private final FaultLog faults;
 
@@ -78,6 +82,8 @@ public final class Simulation {
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
                 : statics.extent().minY() - FALL_METRES;
+        boolean returnsBodies = level.bodies().size() > 0 && settings.assists().contains(Assist.BODY_RETURN);
+        bodyReturn = returnsBodies ? new BodyReturn(level.bodies(), worlds, lowest) : null;
     }
 
     private static PlayerState standing(PlayerStart start) {
@@ -126,7 +132,7 @@ public final class Simulation {
      * <ol>
      *   <li>the hands: shots change the portals, a body is picked up, dropped or thrown;
      *   <li>the player looks, walks or flies;
-     *   <li>the held body is driven, and all bodies move;
+     *   <li>the held body is driven, and all bodies move; with the assist those that have left the world return;
      *   <li>the line to the held body is updated, or breaks;
      *   <li>the level ends if the player is in an exit for the first time.
      * </ol>
@@ -136,8 +142,9 @@ public final class Simulation {
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
         SimState walked = movePlayer(acted, input);
         SimState moved = assists.limited(bodiesTick.step(walked, playerStep.pushes(), hands.drive(acted, input)));
+        SimState kept = bodyReturn == null ? moved : bodyReturn.after(moved, events);
         CrossingWord crossed = walked.world().trace().playerCrossed();
-        SimState followed = hands.follow(moved, crossed, events);
+        SimState followed = hands.follow(kept, crossed, events);
         ExitState exit = exit(followed, events);
         TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
         return followed.with(followed.world().with(trace).with(exit));

@@ -18,9 +18,10 @@ final class HelpPanelTest {
         for (double height : new double[] {360, 540, 720}) {
             var area = new Area(16 * height / 9, height);
             int rows = HelpPanel.ROWS;
-            assertTrue(HelpPanel.height(area, rows) <= height + 1e-9, height + ": " + rows);
+            Box box = HelpPanel.box(area, Box.of(area), rows);
+            assertTrue(box.top() >= 0 && box.bottom() <= height + 1e-9, height + ": " + box);
         }
-        assertEquals(1, HelpPanel.scale(new Area(1280, 720), HelpPanel.ROWS));
+        assertEquals(1, HelpPanel.scale(new Box(0, 0, 1280, 720), HelpPanel.ROWS));
     }
 
     @Test
@@ -30,8 +31,8 @@ final class HelpPanelTest {
             for (var language : Language.values()) {
                 var shown = new HudContent.Keys(KeyBindings.usual(), device, language);
                 for (var control : Control.values()) {
-                    double keys = canvas.width(HelpPanel.EM, HelpPanel.names(control, shown));
-                    double meaning = canvas.width(HelpPanel.EM, HelpPanel.meaning(control, shown));
+                    double keys = canvas.width(HelpPanel.EM, shown.names(control));
+                    double meaning = canvas.width(HelpPanel.EM, shown.meaning(control));
                     assertTrue(keys < HelpPanel.KEY_COLUMN - 4, control + ": " + keys);
                     assertTrue(
                             HelpPanel.PADDING + HelpPanel.KEY_COLUMN + meaning < HelpPanel.WIDTH,

@@ -32,6 +32,16 @@ final class Crosshair {
 
     private Crosshair() {}
 
+    /** Returns the box of the crosshair with all its marks. */
+    static Box box(Area area, HudContent.Sight sight) {
+        double x = Math.rint(area.centreX() + sight.crosshair().right());
+        double y = Math.rint(area.centreY() + sight.crosshair().down());
+        double beside = sight.crosshair().first() == null
+                ? GAP + LENGTH + EDGE
+                : APART + RADIUS + CROSS_GAP + CROSS_WIDTH + 2 * EDGE;
+        return new Box(x - beside, y - RADIUS, x + beside, y + RADIUS);
+    }
+
     static void draw(OverlayCanvas canvas, Area area, HudContent.Sight sight) {
         CrosshairState crosshair = sight.crosshair();
         double x = Math.rint(area.centreX() + crosshair.right());

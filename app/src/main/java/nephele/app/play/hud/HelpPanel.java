@@ -3,7 +3,6 @@ package nephele.app.play.hud;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.app.window.PadButton;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The F1 page: every key and its function. Lengths are in points. */
@@ -30,22 +29,27 @@ final class HelpPanel {
         return 2 * PADDING + 2 * TITLE_EM + rows * ROW_HEIGHT;
     }
 
-    /** Returns the page's scale, at most 1: a low window shrinks the page, so that no key is left out. */
-    static double scale(Area area, int rows) {
-        return Math.min(1, area.height() / full(rows));
+    /** Returns the page's scale, at most 1: a small room shrinks the page, so that no key is left out. */
+    static double scale(Box room, int rows) {
+        return Math.min(1, Math.min(room.height() / full(rows), room.width() / WIDTH));
     }
 
-    static double height(Area area, int rows) {
-        return scale(area, rows) * full(rows);
+    /** @param room where the page may be */
+    static Box box(Area area, Box room, int rows) {
+        double width = scale(room, rows) * WIDTH;
+        double height = scale(room, rows) * full(rows);
+        double left = room.leftOf(width, area.centreX());
+        double top = Math.max(room.top(), Math.min(Math.rint(area.centreY() - height / 2), room.bottom() - height));
+        return new Box(left, top, left + width, top + height);
     }
 
     /** @param rows see {@link #rows} */
-    static void draw(OverlayCanvas canvas, Area area, HudContent.Keys keys, int rows) {
-        double scale = scale(area, rows);
-        double left = Math.rint(area.centreX() - scale * WIDTH / 2);
-        double top = Math.rint(area.centreY() - scale * full(rows) / 2);
-        canvas.rectangle(left, top, scale * WIDTH, scale * full(rows), HudPalette.PANEL);
-        canvas.rectangle(left, top, scale * WIDTH, 3, HudPalette.ACCENT);
+    static void draw(OverlayCanvas canvas, Box box, HudContent.Keys keys, int rows) {
+        double scale = box.height() / full(rows);
+        double left = box.left();
+        double top = box.top();
+        canvas.rectangle(left, top, box.width(), box.height(), HudPalette.PANEL);
+        canvas.rectangle(left, top, box.width(), 3, HudPalette.ACCENT);
         double x = left + scale * PADDING;
         canvas.text(
                 x,
@@ -59,42 +63,26 @@ final class HelpPanel {
         row(canvas, x, baseline, scale, look, Phrase.LOOK.in(keys.language()));
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
-            row(canvas, x, baseline, scale, names(control, keys), meaning(control, keys));
+            row(canvas, x, baseline, scale, keys.names(control), keys.meaning(control));
         }
         if (rows > ROWS) {
             double below = scale * ROW_HEIGHT;
-            row(canvas, x, baseline + below, scale, "←, →", Phrase.MOVE_WIPE.in(keys.language()));
-            row(canvas, x, baseline + 2 * below, scale, "Home, End", Phrase.WHOLE_SIDE.in(keys.language()));
+            row(canvas, x, baseline + below, scale, wipeKeys(keys, "Left", "Right"), keys.withRun(Phrase.MOVE_WIPE));
+            String ends = wipeKeys(keys, "Home", "End");
+            row(canvas, x, baseline + 2 * below, scale, ends, Phrase.WHOLE_SIDE.in(keys.language()));
         }
     }
 
-    /** Returns the keys of a control; of a gamepad its button where it has one, and L for the left stick. */
-    static String names(Control control, HudContent.Keys keys) {
-        if (keys.device() == Input.Device.GAMEPAD) {
-            String stick =
-                    switch (control) {
-                        case FORWARD -> "L ↑";
-                        case BACK -> "L ↓";
-                        case LEFT -> "L ←";
-                        case RIGHT -> "L →";
-                        case CONFIRM -> "A";
-                        default -> null;
-                    };
-            PadButton button = PadButton.of(control);
-            if (stick != null || button != null) {
-                return stick != null ? stick : button.name();
-            }
-        }
-        return String.join(", ", keys.bindings().keys(control));
+    private static String wipeKeys(HudContent.Keys keys, String one, String other) {
+        return Phrase.ofKey(one, keys.language()) + ", " + Phrase.ofKey(other, keys.language());
     }
 
-    static String meaning(Control control, HudContent.Keys keys) {
-        return Phrase.ofControl(control).in(keys.language());
-    }
-
+    /** Draws a row; a meaning that is longer than the page is smaller. */
     private static void row(
             OverlayCanvas canvas, double x, double baseline, double scale, String keys, String meaning) {
+        double room = scale * (WIDTH - 2 * PADDING - KEY_COLUMN);
+        double em = scale * EM * Math.min(1, room / canvas.width(scale * EM, meaning));
         canvas.text(x, baseline, scale * EM, HudPalette.ACCENT, keys);
-        canvas.text(x + scale * KEY_COLUMN, baseline, scale * EM, HudPalette.INK, meaning);
+        canvas.text(x + scale * KEY_COLUMN, baseline, em, HudPalette.INK, meaning);
     }
 }

@@ -1,8 +1,12 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import java.util.stream.Collectors;
+import nephele.app.text.Phrase;
+import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
+import nephele.app.window.PadButton;
 import nephele.engine.compare.Wipe;
 import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
@@ -35,8 +39,51 @@ public record HudContent(
      */
     public record Comparison(Wipe wipe, String left, String right, String difference) {}
 
-    /** The keys of the help page, those of the device that the player uses, and its language. */
-    public record Keys(KeyBindings bindings, Input.Device device, Language language) {}
+    /** The keys of the player's device, and the player's language. */
+    public record Keys(KeyBindings bindings, Input.Device device, Language language) {
+        private static final String NO_KEY = "–";
+
+        /** Returns the keys of a control; of a gamepad its button where it has one, and L for the left stick. */
+        public String names(Control control) {
+            if (device == Input.Device.GAMEPAD) {
+                String stick =
+                        switch (control) {
+                            case FORWARD -> "L ↑";
+                            case BACK -> "L ↓";
+                            case LEFT -> "L ←";
+                            case RIGHT -> "L →";
+                            case CONFIRM -> "A";
+                            default -> null;
+                        };
+                PadButton button = PadButton.of(control);
+                if (stick != null || button != null) {
+                    return stick != null ? stick : button.name();
+                }
+            }
+            return bindings.keys(control).stream()
+                    .map(key -> Phrase.ofKey(key, language))
+                    .collect(Collectors.joining(", "));
+        }
+
+        /** Returns the first key of a control for a sentence, in which mouse buttons are clicks; a dash for none. */
+        public String inSentence(Control control) {
+            if (device == Input.Device.GAMEPAD && PadButton.of(control) != null) {
+                return PadButton.of(control).name();
+            }
+            List<String> keys = bindings.keys(control);
+            return keys.isEmpty() ? NO_KEY : Phrase.ofKeyInSentence(keys.get(0), language);
+        }
+
+        /** Returns the meaning of a control. */
+        public String meaning(Control control) {
+            return withRun(Phrase.ofControl(control));
+        }
+
+        /** Returns a phrase whose placeholder is the key that runs. */
+        public String withRun(Phrase phrase) {
+            return phrase.in(language, inSentence(Control.RUN));
+        }
+    }
 
     /** The crosshair, the colours of its halves, and a line below it; null for none. */
     public record Sight(CrosshairState crosshair, ShotPalette palette, String prompt) {}

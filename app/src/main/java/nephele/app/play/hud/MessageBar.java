@@ -6,58 +6,109 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
  * The latest messages at the lower edge, long ones in several lines. A low window shrinks them, and shows only as many
- * as fit below the line that names a key. Lengths are in points.
+ * as fit below the line that names a key; a message that is longer alone is smaller, and its end is cut if even that is
+ * too long. Lengths are in points.
  */
 final class MessageBar {
     private static final double EM = 19;
     private static final double LINE_HEIGHT = 25;
     private static final double PADDING = 14;
     private static final double BOTTOM_SHARE = 0.067;
-    private static final double TOP_SHARE = 0.77;
+    private static final double TOP_SHARE = 0.78;
     private static final double WIDTH_SHARE = 0.9;
     private static final double FULL_SIZE_HEIGHT = 540;
     private static final double LEAST_SCALE = 0.65;
+    /** The scale of a long message in relation to a short one's. */
+    private static final double LEAST_OF_LONG = 0.6;
 
-    private final List<String> lines = new ArrayList<>();
+    private static final double STEP = 0.9;
+    private static final String CUT = " …";
+
+    private final OverlayCanvas canvas;
     private final Area area;
+    private final Box room;
     private final double scale;
+    private final List<String> lines = new ArrayList<>();
+    private final Box box;
 
-    MessageBar(OverlayCanvas canvas, Area area, List<String> messages) {
+    /** @param room where they may be */
+    MessageBar(OverlayCanvas canvas, Area area, Box room, List<String> messages) {
+        this.canvas = canvas;
         this.area = area;
-        scale = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
-        double room = WIDTH_SHARE * area.width() - 2 * PADDING;
-        for (int i = messages.size() - 1; i >= 0; i--) {
-            List<String> more = TextLines.of(canvas, scale * EM, room, messages.get(i));
-            if (!lines.isEmpty() && bottom() - height(lines.size() + more.size()) < TOP_SHARE * area.height()) {
+        this.room = room;
+        String latest = messages.get(messages.size() - 1);
+        double usual = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
+        double fitting = usual;
+        while (fitting > LEAST_OF_LONG * usual
+                && !fits(fitting, broken(fitting, latest).size())) {
+            fitting *= STEP;
+        }
+        scale = fitting;
+        lines.addAll(cut(broken(scale, latest)));
+        for (int i = messages.size() - 2; i >= 0; i--) {
+            List<String> more = broken(scale, messages.get(i));
+            if (!fits(scale, lines.size() + more.size())) {
                 break;
             }
             lines.addAll(0, more);
         }
+        box = boxOfLines();
     }
 
-    /** Returns the upper edge. */
-    double top() {
-        return bottom() - height(lines.size());
+    private List<String> broken(double at, String message) {
+        return TextLines.of(canvas, at * EM, width(at), message);
+    }
+
+    /** Returns the greatest width of a line. */
+    private double width(double at) {
+        return Math.min(WIDTH_SHARE * area.width(), room.width()) - 2 * at * PADDING;
+    }
+
+    private boolean fits(double at, int count) {
+        return bottom() - at * (count * LINE_HEIGHT + 2 * PADDING) >= TOP_SHARE * area.height();
+    }
+
+    private List<String> cut(List<String> whole) {
+        int fitting = whole.size();
+        while (fitting > 1 && !fits(scale, fitting)) {
+            fitting--;
+        }
+        if (fitting == whole.size()) {
+            return whole;
+        }
+        List<String> shown = new ArrayList<>(whole.subList(0, fitting));
+        String last = shown.get(fitting - 1);
+        while (!last.isEmpty() && canvas.width(scale * EM, last + CUT) > width(scale)) {
+            last = last.substring(0, last.length() - 1);
+        }
+        shown.set(fitting - 1, last + CUT);
+        return shown;
     }
 
     private double bottom() {
-        return Math.rint((1 - BOTTOM_SHARE) * area.height());
+        return Math.min(room.bottom(), Math.rint((1 - BOTTOM_SHARE) * area.height()));
     }
 
-    private double height(int count) {
-        return scale * (count * LINE_HEIGHT + 2 * PADDING);
+    Box box() {
+        return box;
     }
 
-    void draw(OverlayCanvas canvas) {
-        double em = scale * EM;
-        double padding = scale * PADDING;
-        double widest =
-                lines.stream().mapToDouble(line -> canvas.width(em, line)).max().orElse(0);
-        double left = Math.rint(area.centreX() - widest / 2 - padding);
-        canvas.rectangle(left, top(), widest + 2 * padding, height(lines.size()), HudPalette.PANEL);
-        double baseline = top() + padding + 0.75 * scale * LINE_HEIGHT;
+    private Box boxOfLines() {
+        double widest = lines.stream()
+                .mapToDouble(line -> canvas.width(scale * EM, line))
+                .max()
+                .orElse(0);
+        double width = widest + 2 * scale * PADDING;
+        double left = room.leftOf(width, area.centreX());
+        double height = scale * (lines.size() * LINE_HEIGHT + 2 * PADDING);
+        return new Box(left, bottom() - height, left + width, bottom());
+    }
+
+    void draw() {
+        canvas.rectangle(box.left(), box.top(), box.width(), box.height(), HudPalette.PANEL);
+        double baseline = box.top() + scale * (PADDING + 0.75 * LINE_HEIGHT);
         for (String line : lines) {
-            canvas.text(left + padding, baseline, em, HudPalette.INK, line);
+            canvas.text(box.left() + scale * PADDING, baseline, scale * EM, HudPalette.INK, line);
             baseline += scale * LINE_HEIGHT;
         }
     }

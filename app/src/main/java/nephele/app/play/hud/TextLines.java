@@ -11,21 +11,26 @@ final class TextLines {
     /** Returns lines broken at spaces, and inside of words that are wider than a line (paths). */
     static List<String> of(OverlayCanvas canvas, double em, double width, String text) {
         List<String> lines = new ArrayList<>();
+        double space = canvas.width(em, " ");
         String line = "";
+        double used = 0;
         for (String word : text.split(" ")) {
-            String longer = line.isEmpty() ? word : line + " " + word;
-            if (canvas.width(em, longer) <= width) {
-                line = longer;
+            double wordWidth = canvas.width(em, word);
+            if (line.isEmpty() ? wordWidth <= width : used + space + wordWidth <= width) {
+                used = line.isEmpty() ? wordWidth : used + space + wordWidth;
+                line = line.isEmpty() ? word : line + " " + word;
                 continue;
             }
             if (!line.isEmpty()) {
                 lines.add(line);
             }
             line = word;
-            while (canvas.width(em, line) > width) {
+            used = wordWidth;
+            while (used > width) {
                 int fitting = fitting(canvas, em, width, line);
                 lines.add(line.substring(0, fitting));
                 line = line.substring(fitting);
+                used = canvas.width(em, line);
             }
         }
         lines.add(line);
@@ -34,10 +39,12 @@ final class TextLines {
 
     /** Returns the number of letters that fit, at least one. */
     private static int fitting(OverlayCanvas canvas, double em, double width, String word) {
-        int letters = 1;
-        while (letters < word.length() && canvas.width(em, word.substring(0, letters + 1)) <= width) {
+        int letters = 0;
+        double used = 0;
+        while (letters < word.length() && (letters == 0 || used <= width)) {
+            used += canvas.width(em, word.substring(letters, letters + 1));
             letters++;
         }
-        return letters;
+        return used <= width || letters == 1 ? letters : letters - 1;
     }
 }

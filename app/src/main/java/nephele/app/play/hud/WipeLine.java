@@ -1,5 +1,6 @@
 package nephele.app.play.hud;
 
+import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
@@ -30,32 +31,30 @@ final class WipeLine {
 
     private final OverlayCanvas canvas;
     private final Area area;
+    private final Box room;
     private final HudContent.Comparison comparison;
     private final double scale;
     private final double x;
 
-    /** A low window has smaller labels, as it has smaller messages. */
-    WipeLine(OverlayCanvas canvas, Area area, HudContent.Comparison comparison) {
+    /**
+     * A low window has smaller labels, as it has smaller messages.
+     *
+     * @param room where labels and handle may be
+     */
+    WipeLine(OverlayCanvas canvas, Area area, Box room, HudContent.Comparison comparison) {
         this.canvas = canvas;
         this.area = area;
+        this.room = room;
         this.comparison = comparison;
         scale = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
         x = comparison.wipe().share() * area.width();
     }
 
     /** @param sight the crosshair, for which the line has a gap; {@code null} for none */
-    void draw(HudContent.Sight sight) {
+    void drawLine(HudContent.Sight sight) {
         double gap = sight == null ? 0 : GAP;
         line(0, area.centreY() - gap);
         line(area.centreY() + gap, area.height());
-        handle();
-        labels();
-        if (!comparison.difference().isEmpty()) {
-            double wanted = plateWidth(SMALL_EM, comparison.difference());
-            double em = SMALL_EM * Math.min(1, area.width() / scale / (wanted + 2 * BESIDE));
-            double left = (area.width() - scale * plateWidth(em, comparison.difference())) / 2;
-            plate(left, area.height() - scale * (BOTTOM + height(em)), em, comparison.difference());
-        }
     }
 
     private void line(double top, double bottom) {
@@ -63,42 +62,88 @@ final class WipeLine {
         canvas.rectangle(x - LINE / 2, top, LINE, bottom - top, HudPalette.INK);
     }
 
-    private void handle() {
-        double width = scale * HANDLE_WIDTH;
-        double height = scale * HANDLE_HEIGHT;
+    Box handle() {
+        double width = scale * HANDLE_WIDTH + 2 * EDGE;
+        double height = scale * HANDLE_HEIGHT + 2 * EDGE;
+        double left = Math.max(room.left(), Math.min(x - width / 2, room.right() - width));
         double top = HANDLE_SHARE * area.height() - height / 2;
-        double centre = Math.max(width / 2 + EDGE, Math.min(x, area.width() - width / 2 - EDGE));
-        canvas.rectangle(centre - width / 2 - EDGE, top - EDGE, width + 2 * EDGE, height + 2 * EDGE, HudPalette.INK);
-        canvas.rectangle(centre - width / 2, top, width, height, HudPalette.HANDLE);
+        return new Box(left, top, left + width, top + height);
+    }
+
+    void drawHandle() {
+        Box box = handle();
+        canvas.rectangle(box.left(), box.top(), box.width(), box.height(), HudPalette.INK);
+        double height = box.height() - 2 * EDGE;
+        canvas.rectangle(box.left() + EDGE, box.top() + EDGE, box.width() - 2 * EDGE, height, HudPalette.HANDLE);
         double em = scale * ARROW_EM;
-        double baseline = top + height / 2 + 0.35 * em;
-        canvas.text(centre - canvas.width(em, ARROWS) / 2, baseline, em, HudPalette.ACCENT, ARROWS);
+        double baseline = box.top() + box.height() / 2 + 0.35 * em;
+        double left = box.left() + box.width() / 2 - canvas.width(em, ARROWS) / 2;
+        canvas.text(left, baseline, em, HudPalette.ACCENT, ARROWS);
     }
 
-    /** The labels flank the line; at an edge of the picture they stay side by side in it. */
-    private void labels() {
-        double leftWidth = scale * plateWidth(EM, comparison.left());
-        double rightWidth = scale * plateWidth(EM, comparison.right());
+    /** Returns the boxes of the labels: they flank the line; at an edge of the room they stay side by side in it. */
+    List<Box> labels() {
         double beside = scale * BESIDE;
-        double least = leftWidth + 2 * beside;
-        double most = area.width() - rightWidth - 2 * beside;
+        double em = labelEm();
+        double leftWidth = plateWidth(em, comparison.left());
+        double rightWidth = plateWidth(em, comparison.right());
+        double least = room.left() + leftWidth + 2 * beside;
+        double most = room.right() - rightWidth - 2 * beside;
         double middle = Math.max(least, Math.min(x, most));
-        plate(middle - beside - leftWidth, scale * TOP, EM, comparison.left());
-        plate(middle + beside, scale * TOP, EM, comparison.right());
+        double top = scale * TOP;
+        double bottom = top + height(em);
+        return List.of(
+                new Box(middle - beside - leftWidth, top, middle - beside, bottom),
+                new Box(middle + beside, top, middle + beside + rightWidth, bottom));
     }
 
-    /** Returns the width of a plate before it is scaled. */
+    /** Labels that are wider than the room are smaller. */
+    private double labelEm() {
+        double em = scale * EM;
+        double wanted = plateWidth(em, comparison.left()) + plateWidth(em, comparison.right()) + 4 * scale * BESIDE;
+        return em * Math.min(1, room.width() / wanted);
+    }
+
+    void drawLabels() {
+        List<Box> boxes = labels();
+        plate(boxes.get(0), labelEm(), comparison.left());
+        plate(boxes.get(1), labelEm(), comparison.right());
+    }
+
+    /** Returns the box of the difference; one that is wider than the room is smaller. */
+    Box difference() {
+        double em = differenceEm();
+        double width = plateWidth(em, comparison.difference());
+        double left = room.leftOf(width, area.centreX());
+        double bottom = area.height() - scale * BOTTOM;
+        return new Box(left, bottom - height(em), left + width, bottom);
+    }
+
+    private double differenceEm() {
+        double em = scale * SMALL_EM;
+        double wanted = plateWidth(em, comparison.difference()) + 2 * scale * BESIDE;
+        return em * Math.min(1, room.width() / wanted);
+    }
+
+    void drawDifference() {
+        plate(difference(), differenceEm(), comparison.difference());
+    }
+
     private double plateWidth(double em, String text) {
-        return canvas.width(em, text) + 2 * PADDING;
+        return canvas.width(em, text) + 2 * padding(em);
+    }
+
+    private static double padding(double em) {
+        return PADDING / EM * em;
     }
 
     private static double height(double em) {
-        return em + PADDING;
+        return em + padding(em);
     }
 
-    private void plate(double left, double top, double em, String text) {
-        canvas.rectangle(left, top, scale * plateWidth(em, text), scale * height(em), HudPalette.PANEL);
-        double baseline = top + scale * (PADDING / 2 + 0.82 * em);
-        canvas.text(left + scale * PADDING, baseline, scale * em, HudPalette.INK, text);
+    private void plate(Box box, double em, String text) {
+        canvas.rectangle(box.left(), box.top(), box.width(), box.height(), HudPalette.PANEL);
+        double baseline = box.top() + padding(em) / 2 + 0.82 * em;
+        canvas.text(box.left() + padding(em), baseline, em, HudPalette.INK, text);
     }
 }

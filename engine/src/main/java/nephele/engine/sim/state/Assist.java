@@ -1,5 +1,6 @@
 package nephele.engine.sim.state;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -9,7 +10,12 @@ import java.util.Locale;
 public enum Assist {
     FUNNEL,
     FLOOR_EXIT_SPEED,
-    SPEED_CAP;
+    SPEED_CAP,
+    /** A body that has fallen out of the world returns to its place in the level. */
+    BODY_RETURN;
+
+    /** The assists of the game where the player has chosen no others: all but the cap on speed. */
+    public static final List<Assist> USUAL = List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN);
 
     /** Returns the name as it is written in a replay file: {@code "floor-exit-speed"}. */
     public String text() {

@@ -60,6 +60,14 @@ public sealed interface TickEvent {
         }
     }
 
+    /** A body that had fallen out of the world is back in its place. */
+    record BodyReturned(int body) implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(Hash64.combine(seed, 6), body);
+        }
+    }
+
     /** The player tried to pick up a body and none was in reach. */
     record NothingInReach() implements TickEvent {
         @Override
