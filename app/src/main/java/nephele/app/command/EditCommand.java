@@ -69,6 +69,10 @@ final class EditCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) throws InterruptedException {
+        if (script == null) {
+            SystemDisplay.requireForSwing(
+                    "without a display, run the editor's actions from a file with --script F (docs/editor-keys.md)");
+        }
         EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
         EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;
         DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
@@ -79,10 +83,6 @@ final class EditCommand implements Command {
         session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {
             return runScript(session, terminal);
-        }
-        if (!SystemDisplay.isPresent()) {
-            throw CommandFailure.environment("the editor needs a display; without one, run its actions from a file"
-                    + " with --script F (docs/editor-keys.md)");
         }
         CountDownLatch ended = new CountDownLatch(1);
         new WindowedEditing(
