@@ -1,10 +1,10 @@
 package nephele.app.command;
 
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
@@ -55,10 +55,6 @@ final class CheckCommand implements Command {
     }
 
     private static boolean isFile(String file) {
-        try {
-            return Files.exists(Path.of(file));
-        } catch (InvalidPathException noPath) {
-            return false;
-        }
+        return FileName.objection(file) == null && Files.exists(Path.of(file));
     }
 }

@@ -9,6 +9,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.model.ModelFileException;
@@ -78,7 +79,7 @@ public record OpenedScene(Sources sources) {
         } catch (AssetException problem) {
             complaints.accept(problem.getMessage());
         } catch (InvalidPathException problem) {
-            complaints.accept(name + ": is no file name here");
+            complaints.accept(FileName.printable(name) + ": " + FileName.objection(name));
         }
         return null;
     }

@@ -3,7 +3,6 @@ package nephele.editor.action;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -21,13 +20,15 @@ import nephele.editor.session.FileRefusal;
 import nephele.editor.session.NewDocument;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 
 /** Opening, saving, pictures and leaving. */
 final class FileActions {
     private static final Words SAVED = Words.of("Saved %s", "%s foi salvo", "%s foi guardado");
     private static final Words NO_FILE = Words.of(
-            "'%s' is no file name: choose another",
-            "'%s' não é um nome de arquivo: escolha outro", "'%s' não é um nome de ficheiro: escolhe outro");
+            "'%s' is no file name in this locale: choose another, or start Nephele with LC_ALL=C.UTF-8",
+            "'%s' não é um nome de arquivo neste locale: escolha outro, ou inicie o Nephele com LC_ALL=C.UTF-8",
+            "'%s' não é um nome de ficheiro neste locale: escolhe outro, ou inicia o Nephele com LC_ALL=C.UTF-8");
 
     static final List<EditorAction> ALL = List.of(
             EditorAction.of(
@@ -106,11 +107,10 @@ final class FileActions {
 
     static Path path(ActionCall call) throws ActionFailure {
         String typed = call.needed("file");
-        try {
-            return Path.of(typed);
-        } catch (InvalidPathException noPath) {
-            throw new ActionFailure(NO_FILE.with(typed));
+        if (FileName.objection(typed) != null) {
+            throw new ActionFailure(NO_FILE.with(FileName.printable(typed)));
         }
+        return Path.of(typed);
     }
 
     private static void save(ActionCall call) throws ActionFailure {

@@ -253,7 +253,7 @@ public final class ProvingActions {
             return;
         }
         List<String> failures = new ArrayList<>();
-        Path file = Path.of(call.needed("file"));
+        Path file = FileActions.path(call);
         proving.explain(found -> written(file, found).ifPresent(failures::add));
         if (!failures.isEmpty()) {
             throw new ActionFailure(Words.same(failures.get(0)));
