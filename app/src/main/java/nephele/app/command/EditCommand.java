@@ -1,7 +1,6 @@
 package nephele.app.command;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +24,7 @@ import nephele.editor.start.WindowedEditing;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -116,7 +116,7 @@ final class EditCommand implements Command {
 
     private List<String> lines() {
         try {
-            return Files.readAllLines(script);
+            return TextFile.lines(script);
         } catch (IOException problem) {
             throw CommandFailure.input(script + ": can't be read: " + AtomicFile.reason(problem));
         }
