@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.DosFileAttributes;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import nephele.editor.text.Words;
@@ -116,7 +115,7 @@ public final class DocumentSaver {
 
     /** Returns the message of a failed write. */
     static Words message(Path path, IOException problem) {
-        if (isDiskFull(problem)) {
+        if (AtomicFile.isDiskFull(problem)) {
             return SaveText.DISK_FULL.with(path);
         }
         if (problem instanceof AccessDeniedException) {
@@ -129,8 +128,4 @@ public final class DocumentSaver {
     }
 
     /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */
-    private static boolean isDiskFull(IOException problem) {
-        String reason = AtomicFile.reason(problem).toLowerCase(Locale.ROOT);
-        return reason.contains("no space left") || reason.contains("not enough space") || reason.contains("quota");
-    }
 }

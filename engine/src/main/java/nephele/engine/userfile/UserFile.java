@@ -111,9 +111,9 @@ public final class UserFile {
         }
         try {
             parsed(path);
-            AtomicFile.write(beside(".bak"), Files.readAllBytes(path));
+            AtomicFile.copy(path, beside(".bak"));
         } catch (Unusable damaged) {
-            AtomicFile.write(brokenName(), Files.readAllBytes(path));
+            AtomicFile.copy(path, brokenName());
         }
     }
 
