@@ -13,6 +13,8 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] args) {
+        Utf8Locale.require();
+        MesaCache.protect();
         Locale.setDefault(Locale.ROOT);
         trustExtractedLibraries();
         var terminal = new Terminal(utf8(FileDescriptor.out), utf8(FileDescriptor.err));

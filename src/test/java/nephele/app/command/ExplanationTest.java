@@ -20,7 +20,7 @@ class ExplanationTest {
     void aFileThatCannotBeWrittenIsNoBug() {
         isEnvironment("build/x: access is denied", new AccessDeniedException("build/x"));
         isEnvironment(
-                "build/x: No space left on device",
+                "build/x: the disk is full; make room on it, or choose another place",
                 new FileSystemException("build/x", null, "No space left on device"));
         isEnvironment(
                 "a.png: can't be written: it is a folder", new IOException("a.png: can't be written: it is a folder"));

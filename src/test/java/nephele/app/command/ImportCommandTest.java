@@ -81,7 +81,7 @@ class ImportCommandTest {
                 .filter(line -> line.contains("a level's models stay"))
                 .toList();
         assertEquals(1, stays.size(), answer.err());
-        assertTrue(stays.get(0).endsWith("(2 places, this is the first)"), answer.err());
+        assertTrue(stays.get(0).endsWith("(2 times)"), answer.err());
     }
 
     @Test

@@ -72,15 +72,6 @@ class GameWindowSwingTest {
     }
 
     @Test
-    void aDisplayThatCannotBeOpenedIsExplained() throws Exception {
-        var run = ChildJvm.run(
-                folder, Map.of("DISPLAY", ":4242", "WAYLAND_DISPLAY", ""), Main.class.getName(), "play", sample());
-        assertEquals(3, run.exitCode(), run.err());
-        assertTrue(run.err().contains("no display can be opened"), run.err());
-        assertFalse(run.err().contains("\tat "), run.err());
-    }
-
-    @Test
     void anOldOpenGlIsExplained() throws Exception {
         var old = Map.of(
                 "DISPLAY", display.name(),

@@ -13,11 +13,11 @@ record FullDisk(Path folder) implements FileOperations {
     }
 
     @Override
-    public void write(Path file, byte[] bytes) throws IOException {
+    public void write(Path file, byte[] bytes, Path like) throws IOException {
         if (file.toAbsolutePath().startsWith(folder)) {
             throw new FileSystemException(file.toString(), null, "No space left on device");
         }
-        REAL.write(file, bytes);
+        REAL.write(file, bytes, like);
     }
 
     @Override

@@ -41,8 +41,10 @@ class LevelPackageTest {
         Path zip = folder.resolve("a.zip");
         LevelPackage.export(zip, "room.json", opened.level(), opened.assets());
         byte[] first = Files.readAllBytes(zip);
-        LevelPackage.export(zip, "room.json", opened.level(), opened.assets());
+        Path link = Files.createSymbolicLink(folder.resolve("link.zip"), zip);
+        LevelPackage.export(link, "room.json", opened.level(), opened.assets());
         assertArrayEquals(first, Files.readAllBytes(zip), "equal levels give equal packages");
+        assertTrue(Files.isSymbolicLink(link));
         Path level = LevelPackage.extract(zip, folder.resolve("there"));
         assertEquals(folder.resolve("there").resolve("room.json"), level);
         assertEquals(opened.level(), LevelFile.read(level));

@@ -16,6 +16,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -70,6 +71,42 @@ class AtomicFileTest {
         Files.delete(real);
         assertTrue(refusal(link).contains("link to a file that is missing"));
         assertEquals(List.of("link.png"), names());
+    }
+
+    @Test
+    void aFileKeepsItsModeAndOwnerAlsoThroughALink() throws IOException {
+        var file = Files.write(folder.resolve("a.png"), new byte[1]);
+        assumeTrue(Files.getFileStore(file).supportsFileAttributeView("posix"), "a system without modes");
+        var mode = PosixFilePermissions.fromString("rw-rw---x");
+        Files.setPosixFilePermissions(file, mode);
+        boolean isRoot = (int) Files.getAttribute(file, "unix:uid") == 0;
+        if (isRoot) {
+            Files.setAttribute(file, "unix:uid", 1234);
+            Files.setAttribute(file, "unix:gid", 4321);
+        }
+        var link = Files.createSymbolicLink(folder.resolve("link.png"), file);
+        var copy = folder.resolve("copy.png");
+        AtomicFile.write(link, NEW);
+        AtomicFile.copy(link, copy);
+        for (Path each : List.of(file, copy)) {
+            assertArrayEquals(NEW, Files.readAllBytes(each));
+            assertEquals(mode, Files.getPosixFilePermissions(each));
+            assertTrue(!isRoot || Files.getAttribute(each, "unix:uid").equals(1234));
+            assertTrue(!isRoot || Files.getAttribute(each, "unix:gid").equals(4321));
+        }
+        assertTrue(Files.isSymbolicLink(link));
+    }
+
+    @Test
+    void aFullOrReadOnlyDiskIsToldWithWhatToDo() {
+        for (String system :
+                List.of("No space left on device", "Disk quota exceeded", "Not enough space on the disk")) {
+            var problem = new FileSystemException("a.png", null, system);
+            assertEquals("the disk is full; make room on it, or choose another place", AtomicFile.reason(problem));
+        }
+        assertEquals(
+                "the disk is read-only; choose another place",
+                AtomicFile.reason(new FileSystemException("a.png", null, "Read-only file system")));
     }
 
     @Test

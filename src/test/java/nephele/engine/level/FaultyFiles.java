@@ -75,8 +75,8 @@ public final class FaultyFiles implements FileOperations {
     }
 
     @Override
-    public void write(Path file, byte[] bytes) throws IOException {
-        step(() -> REAL.write(file, bytes), () -> REAL.write(file, Arrays.copyOf(bytes, bytes.length / 2)));
+    public void write(Path file, byte[] bytes, Path like) throws IOException {
+        step(() -> REAL.write(file, bytes, like), () -> REAL.write(file, Arrays.copyOf(bytes, bytes.length / 2), like));
     }
 
     @Override

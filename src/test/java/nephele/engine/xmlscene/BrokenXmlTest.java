@@ -81,7 +81,7 @@ class BrokenXmlTest {
                 new Broken(("<scene>" + MODEL + "</scene>\n\u00e9").getBytes(ISO_8859_1), 2, "not UTF-8"),
                 new Broken(("<scene>" + MODEL + "</scene>").getBytes(UTF_16LE), 1, "UTF-16"),
                 new Broken("<scene>\n" + MODEL + "\n\0</scene>", 3, "zero bytes"),
-                new Broken(new byte[4096], 1, "no text at all"),
+                new Broken(new byte[4096], 1, "zero bytes"),
                 new Broken("<scene>" + "\n<group>".repeat(10_001) + MODEL, 10_002, "nested deeper"),
                 new Broken("<scene>\n<group " + "a='1' ".repeat(1000) + ">" + MODEL, 2, "more than 100 values"),
                 new Broken("<scene>" + "\n<group/>".repeat(500_000) + MODEL, 500_001, "more than 500000 tags"),

@@ -1,11 +1,16 @@
 package nephele.app.command;
 
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.MessageText;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
@@ -17,6 +22,8 @@ import picocli.CommandLine.Parameters;
 /** Prints the problems of levels, one a line, and says so if a level has no error. */
 @picocli.CommandLine.Command
 final class CheckCommand implements Command {
+    private static final int MOST_PLACES = 5;
+
     @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files.")
     private List<String> levels;
 
@@ -25,7 +32,7 @@ final class CheckCommand implements Command {
         boolean isEachGood = true;
         for (var level : levels) {
             var problems = problems(level);
-            problems.forEach(problem -> terminal.out().println(problem.line(level)));
+            lines(problems, level).forEach(terminal.out()::println);
             boolean isGood = problems.stream().noneMatch(Problem::isError);
             if (isGood) {
                 terminal.out().println(level + ": good" + warnings(problems.size()));
@@ -33,6 +40,24 @@ final class CheckCommand implements Command {
             isEachGood &= isGood;
         }
         return isEachGood ? ExitCode.DONE : ExitCode.INPUT;
+    }
+
+    /** Returns a line for each error and for each kind of warning: equal warnings about several places are counted. */
+    private static List<String> lines(List<Problem> problems, String level) {
+        Map<String, List<Problem>> kinds = new LinkedHashMap<>();
+        problems.forEach(problem -> kinds.computeIfAbsent(
+                        problem.isError() ? problem.line(level) : problem.message(), kind -> new ArrayList<>())
+                .add(problem));
+        return kinds.values().stream()
+                .map(equal -> equal.get(0).line(level) + MessageText.times(equal.size()) + others(equal))
+                .toList();
+    }
+
+    /** Returns the places of all but the first of equal problems, as far as they can be told. */
+    private static String others(List<Problem> equal) {
+        String places =
+                equal.stream().skip(1).limit(MOST_PLACES).map(Problem::path).collect(Collectors.joining(", "));
+        return places.isEmpty() ? "" : ", also at " + places + (equal.size() > 1 + MOST_PLACES ? ", …" : "");
     }
 
     private static String warnings(int count) {
@@ -55,10 +80,6 @@ final class CheckCommand implements Command {
     }
 
     private static boolean isFile(String file) {
-        try {
-            return Files.exists(Path.of(file));
-        } catch (InvalidPathException noPath) {
-            return false;
-        }
+        return FileName.objection(file) == null && Files.exists(Path.of(file));
     }
 }

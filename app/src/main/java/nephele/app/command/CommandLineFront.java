@@ -1,8 +1,10 @@
 package nephele.app.command;
 
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import nephele.engine.asset.FileName;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.fixed.LightTerm;
 import nephele.engine.render.fixed.Shading;
@@ -13,6 +15,7 @@ import nephele.engine.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
@@ -70,6 +73,7 @@ public final class CommandLineFront {
         commandLine
                 .addMixin("common", common)
                 .setExpandAtFiles(false)
+                .registerConverter(Path.class, CommandLineFront::path)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
                 .registerConverter(Shading.class, new WordConverter<>(SceneCommand.shadings()))
                 .registerConverter(LightTerm.class, new WordConverter<>(LightTerm.class))
@@ -96,6 +100,14 @@ public final class CommandLineFront {
             var explained = Explanation.of(failure, List.of(arguments));
             return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
         }
+    }
+
+    private static Path path(String typed) {
+        String objection = FileName.objection(typed);
+        if (objection != null) {
+            throw new TypeConversionException(FileName.printable(typed) + ": " + objection);
+        }
+        return Path.of(typed);
     }
 
     /** Returns a question about an unknown option that resembles a known one. */

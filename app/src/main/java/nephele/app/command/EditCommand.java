@@ -1,7 +1,6 @@
 package nephele.app.command;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +24,7 @@ import nephele.editor.start.WindowedEditing;
 import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -69,6 +69,10 @@ final class EditCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) throws InterruptedException {
+        if (script == null) {
+            SystemDisplay.requireForSwing(
+                    "without a display, run the editor's actions from a file with --script F (docs/editor-keys.md)");
+        }
         EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
         EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;
         DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
@@ -79,10 +83,6 @@ final class EditCommand implements Command {
         session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {
             return runScript(session, terminal);
-        }
-        if (!SystemDisplay.isPresent()) {
-            throw CommandFailure.environment("the editor needs a display; without one, run its actions from a file"
-                    + " with --script F (docs/editor-keys.md)");
         }
         CountDownLatch ended = new CountDownLatch(1);
         new WindowedEditing(
@@ -116,7 +116,7 @@ final class EditCommand implements Command {
 
     private List<String> lines() {
         try {
-            return Files.readAllLines(script);
+            return TextFile.lines(script);
         } catch (IOException problem) {
             throw CommandFailure.input(script + ": can't be read: " + AtomicFile.reason(problem));
         }

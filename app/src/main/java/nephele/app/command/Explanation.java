@@ -2,11 +2,13 @@ package nephele.app.command;
 
 import java.io.IOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.time.Instant;
 import java.util.List;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.gl.GlUnavailableException;
@@ -38,6 +40,10 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
         }
         if (failure instanceof IOException failed) {
             return new Explanation(ExitCode.ENVIRONMENT, AtomicFile.reason(failed), failure);
+        }
+        if (failure instanceof InvalidPathException noPath) {
+            var message = FileName.printable(noPath.getInput()) + ": " + FileName.objection(noPath.getInput());
+            return new Explanation(ExitCode.INPUT, message, failure);
         }
         if (failure instanceof UnsatisfiedLinkError) {
             return new Explanation(ExitCode.ENVIRONMENT, withoutLibrary(failure), failure);

@@ -1,12 +1,12 @@
 package nephele.app.command;
 
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.model.file.MeshText;
 import nephele.engine.model.shape.BezierPatches;
@@ -183,11 +183,11 @@ final class GenerateCommand implements Command {
     }
 
     private static Path path(String file) {
-        try {
-            return Path.of(file);
-        } catch (InvalidPathException noPath) {
-            throw CommandFailure.usage(file + ": " + noPath.getReason());
+        String objection = FileName.objection(file);
+        if (objection != null) {
+            throw CommandFailure.usage(FileName.printable(file) + ": " + objection);
         }
+        return Path.of(file);
     }
 
     /** Reports an illegal argument, which the numbers caused, as wrong usage. */

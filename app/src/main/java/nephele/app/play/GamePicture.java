@@ -72,7 +72,7 @@ final class GamePicture {
     void announce() {
         Language language = files.settings().get(Settings.LANGUAGE);
         Banner banner = Captions.preparing(current.session().request().level(), language);
-        display.drawEmpty(new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()));
+        display.drawEmpty(new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()), Display.Shot.NONE);
     }
 
     /**

@@ -5,12 +5,15 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.math.Vec3;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
@@ -29,16 +32,21 @@ public record OpenedScene(Sources sources) {
      *
      * @param entity {@code null} for none
      * @param background a file, or else an asset; {@code null} for none
-     * @param complaints receives a line for each oddity that is shown nevertheless, or left out
+     * @param complaints receives a line for each kind of oddity that is shown nevertheless, or left out
      */
     public static OpenedScene of(SceneName scene, SceneName entity, String background, Consumer<String> complaints) {
+        var counted = new CountedWarnings();
         try {
-            return new OpenedScene(new Sources(
-                    source(scene, complaints),
-                    entity == null ? null : source(entity, complaints),
-                    background == null ? null : picture(background, scene.assets(), complaints)));
+            var shown = new OpenedScene(new Sources(
+                    source(scene, counted),
+                    entity == null ? null : source(entity, counted),
+                    background == null ? null : picture(background, scene.assets(), counted)));
+            warnOfDarkness(scene, shown.scene(), counted);
+            return shown;
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
+        } finally {
+            counted.tell(complaints);
         }
     }
 
@@ -53,6 +61,19 @@ public record OpenedScene(Sources sources) {
         var files = new SceneFolder(name.typed(), name.assets(), complaints);
         requireModel(name, scene, files);
         return new Source(scene, files);
+    }
+
+    private static void warnOfDarkness(SceneName name, XmlScene scene, Consumer<String> complaints) {
+        PosedScene posed = PosedScene.of(scene);
+        boolean isDark = IntStream.range(0, posed.modelCount())
+                .allMatch(model -> posed.firstLight(model) == PosedScene.NONE
+                        && posed.model(model).colours().emissive().equals(Vec3.ZERO));
+        if (isDark) {
+            complaints.accept(name.typed() + ":" + scene.root().line() + ": it is dark, because no light reaches its"
+                    + " models; add <lights><light"
+                    + " type=\"directional\" dirx=\"1\" diry=\"2\""
+                    + " dirz=\"3\"/></lights> to its root element");
+        }
     }
 
     /** Rejects a scene without any model that can be shown; the reasons have been reported by then. */
@@ -78,7 +99,7 @@ public record OpenedScene(Sources sources) {
         } catch (AssetException problem) {
             complaints.accept(problem.getMessage());
         } catch (InvalidPathException problem) {
-            complaints.accept(name + ": is no file name here");
+            complaints.accept(FileName.printable(name) + ": " + FileName.objection(name));
         }
         return null;
     }

@@ -5,10 +5,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ProjectAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.model.ModelFileException;
+import nephele.engine.terminal.CommandFailure;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.engine.xmlscene.XmlSceneFile;
 
@@ -59,7 +61,7 @@ public record SceneName(String typed) {
         try {
             return Path.of(typed);
         } catch (InvalidPathException noPath) {
-            throw new ModelFileException(typed, 0, "is no file name here", "name an XML scene", noPath);
+            throw CommandFailure.input(FileName.printable(typed) + ": " + FileName.objection(typed));
         }
     }
 }

@@ -53,14 +53,18 @@ public final class GameWindow implements AutoCloseable {
             glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
         }
         if (!glfwInit()) {
-            throw unavailable("no display can be opened", complaints);
+            throw SystemDisplay.unavailable(
+                    complaints.text(),
+                    "without a display, unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         askForCoreContext();
         glfwWindowHint(GLFW_VISIBLE, visible);
         long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
         if (handle == NULL) {
             glfwTerminate();
-            throw unavailable("no window with OpenGL 4.1 core can be opened", complaints);
+            throw CommandFailure.environment("no window with OpenGL 4.1 core can be opened: " + complaints.text()
+                    + "; install a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
+                    + " libgl1-mesa-dri), or unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
@@ -74,13 +78,6 @@ public final class GameWindow implements AutoCloseable {
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
         glfwWindowHint(GLFW_DEPTH_BITS, 24);
-    }
-
-    private static CommandFailure unavailable(String what, Complaints complaints) {
-        return CommandFailure.environment(what + ": " + complaints.text()
-                + "\nNephele needs a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
-                + " libgl1-mesa-dri)."
-                + "\nWithout a display, unset DISPLAY: Nephele then draws offscreen.");
     }
 
     /** Processes the window events since the last call. */

@@ -1,6 +1,5 @@
 package nephele.editor.action;
 
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -9,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
+import nephele.engine.asset.FileName;
 import nephele.engine.level.json.NumberText;
 import nephele.engine.math.Vec3;
 
@@ -28,8 +28,9 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
             "%s must be true or false, not '%s'",
             "%s deve ser true ou false, não '%s'", "%s deve ser true ou false, não '%s'");
     private static final Words NO_FILE = Words.of(
-            "'%s' is no file name: choose another",
-            "'%s' não é um nome de arquivo: escolha outro", "'%s' não é um nome de ficheiro: escolhe outro");
+            "'%s' is no file name in this locale: choose another, or start Nephele with LC_ALL=C.UTF-8",
+            "'%s' não é um nome de arquivo neste locale: escolha outro, ou inicie o Nephele com LC_ALL=C.UTF-8",
+            "'%s' não é um nome de ficheiro neste locale: escolhe outro, ou inicia o Nephele com LC_ALL=C.UTF-8");
     private static final String FILE = "file";
     private static final Words NO_NUMBER = Words.of(
             "%s must be a number from %s to %s, not '%s'",
@@ -98,11 +99,10 @@ public record ActionCall(EditorSession session, Desk desk, Map<String, String> a
             return chooser.get();
         }
         String typed = needed(FILE);
-        try {
-            return Optional.of(Path.of(typed));
-        } catch (InvalidPathException noPath) {
-            throw new ActionFailure(NO_FILE.with(typed));
+        if (FileName.objection(typed) != null) {
+            throw new ActionFailure(NO_FILE.with(FileName.printable(typed)));
         }
+        return Optional.of(Path.of(typed));
     }
 
     /** Returns true or false as it is written, or {@code absent} if the argument is not given. */

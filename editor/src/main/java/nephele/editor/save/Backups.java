@@ -72,7 +72,7 @@ public final class Backups {
         try {
             List<Backup> kept = of(file);
             if (kept.isEmpty() || !Arrays.equals(Files.readAllBytes(kept.get(0).file()), content)) {
-                AtomicFile.write(fresh(own, kept), content);
+                AtomicFile.write(fresh(own, kept), content, file);
                 prune(of(file));
             }
             return Optional.empty();

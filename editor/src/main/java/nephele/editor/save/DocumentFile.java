@@ -2,10 +2,10 @@ package nephele.editor.save;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.FileName;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
@@ -47,13 +47,12 @@ public record DocumentFile(Optional<Path> path, String sha256) {
     }
 
     private static Optional<Path> typedPath(String typed) {
-        try {
-            Path path = Path.of(typed).toAbsolutePath().normalize();
-            boolean isThere = Files.exists(path) || Files.exists(path.resolveSibling(path.getFileName() + ".bak"));
-            return Optional.of(path).filter(file -> isThere);
-        } catch (InvalidPathException noPath) {
+        if (FileName.objection(typed) != null) {
             return Optional.empty();
         }
+        Path path = Path.of(typed).toAbsolutePath().normalize();
+        boolean isThere = Files.exists(path) || Files.exists(path.resolveSibling(path.getFileName() + ".bak"));
+        return Optional.of(path).filter(file -> isThere);
     }
 
     private static DocumentFile at(Path path) {

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.DosFileAttributes;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -141,7 +140,7 @@ public final class DocumentSaver {
 
     /** Returns the message of a failed write. */
     static Words message(Path path, IOException problem) {
-        if (isDiskFull(problem)) {
+        if (AtomicFile.isDiskFull(problem)) {
             return SaveText.DISK_FULL.with(path);
         }
         if (problem instanceof AccessDeniedException) {
@@ -154,8 +153,4 @@ public final class DocumentSaver {
     }
 
     /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */
-    private static boolean isDiskFull(IOException problem) {
-        String reason = AtomicFile.reason(problem).toLowerCase(Locale.ROOT);
-        return reason.contains("no space left") || reason.contains("not enough space") || reason.contains("quota");
-    }
 }

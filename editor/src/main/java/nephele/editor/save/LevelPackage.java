@@ -61,7 +61,7 @@ public final class LevelPackage {
     }
 
     private static void write(Path zip, Map<String, byte[]> entries) throws IOException {
-        Path target = zip.toAbsolutePath();
+        Path target = AtomicFile.target(zip);
         Path fresh = target.resolveSibling(target.getFileName() + ".tmp");
         try {
             try (var out = new ZipOutputStream(Files.newOutputStream(fresh))) {
@@ -73,6 +73,7 @@ public final class LevelPackage {
                     out.closeEntry();
                 }
             }
+            AtomicFile.adopt(fresh, target);
             FileOperations.REAL.force(fresh);
             Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE);
         } finally {

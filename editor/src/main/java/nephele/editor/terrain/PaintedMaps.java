@@ -110,7 +110,7 @@ public final class PaintedMaps {
     private static void copy(Path file, Path place) {
         try {
             if (!Files.exists(place)) {
-                AtomicFile.write(place, Files.readAllBytes(file));
+                AtomicFile.copy(file, place);
             }
         } catch (IOException missing) {
             // The check of the level names the file that is missing beside it; the map itself stays where it is.

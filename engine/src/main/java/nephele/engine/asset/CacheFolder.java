@@ -9,6 +9,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -54,7 +55,8 @@ public record CacheFolder(Path folder, String pattern, long mostBytes) {
     /** Writes a file atomically and deletes the least recently used ones above the limit. */
     public void store(String name, byte[] bytes) throws IOException {
         Files.createDirectories(folder);
-        Path temporary = Files.createTempFile(folder, name, ".tmp");
+        // Not createTempFile, whose files no other user could read.
+        Path temporary = folder.resolve(String.format(Locale.ROOT, "%s-%x.tmp", name, System.nanoTime()));
         try {
             Files.write(temporary, bytes);
             Files.move(temporary, folder.resolve(name), StandardCopyOption.REPLACE_EXISTING);

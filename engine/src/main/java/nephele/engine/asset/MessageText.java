@@ -1,11 +1,16 @@
 package nephele.engine.asset;
 
-/** Shortens texts for messages, because a text from a file may be as long as the file. */
+/** Keeps messages short: a text from a file may be as long as the file, and equal messages are counted. */
 public final class MessageText {
     private static final int MOST = 600;
     private static final int LAST = 150;
 
     private MessageText() {}
+
+    /** Returns what follows a message that stands for several equal ones, such as " (700 times)"; empty for one. */
+    public static String times(int count) {
+        return count == 1 ? "" : " (" + count + " times)";
+    }
 
     /** Returns the text, or its beginning and end with at most 600 characters; {@code null} for {@code null}. */
     public static String shortened(String text) {

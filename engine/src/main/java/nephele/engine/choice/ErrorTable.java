@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.TextFile;
 import nephele.engine.level.CloudTechnique;
 
 /**
@@ -133,8 +134,10 @@ public final class ErrorTable {
             return shipped;
         }
         try {
-            String text = new String(assets.bytes(FILE), StandardCharsets.UTF_8);
-            return shipped.refined(read(text.lines().toList(), FILE));
+            return shipped.refined(
+                    read(TextFile.text(assets.bytes(FILE)).lines().toList(), FILE));
+        } catch (TextFile.NotUtf8 noText) {
+            throw new AssetException(FILE, "can't be read", noText.getMessage());
         } catch (IllegalArgumentException failure) {
             throw new AssetException(
                     FILE, failure.getMessage(), "delete it, or make it again with `trade clouds --level`", failure);

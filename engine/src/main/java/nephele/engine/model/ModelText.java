@@ -3,6 +3,7 @@ package nephele.engine.model;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.TextFile;
 
 /**
  * Splits a text file into lines of words; errors name file and line. Lines end in LF, CRLF or CR; {@code #} begins a
@@ -13,7 +14,6 @@ public final class ModelText {
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
     private static final int LONGEST_WORD = 256;
-    private static final int MARK_BYTES = 3;
 
     private final String file;
     private final byte[] bytes;
@@ -28,7 +28,7 @@ public final class ModelText {
         for (char c : (" \t\f" + separators).toCharArray()) {
             separates[c] = true;
         }
-        this.at = beginsWithMark(bytes) ? MARK_BYTES : 0;
+        this.at = start(file, bytes);
         if (bytes.length > MeshLimits.MAX_TEXT_BYTES) {
             throw new ModelFileException(
                     file,
@@ -38,12 +38,12 @@ public final class ModelText {
         }
     }
 
-    /** Returns true if the file begins with the UTF-8 byte-order mark that some editors write. */
-    private static boolean beginsWithMark(byte[] bytes) {
-        return bytes.length >= MARK_BYTES
-                && bytes[0] == (byte) 0xef
-                && bytes[1] == (byte) 0xbb
-                && bytes[2] == (byte) 0xbf;
+    private static int start(String file, byte[] bytes) {
+        try {
+            return TextFile.textStart(bytes);
+        } catch (TextFile.NotUtf8 noText) {
+            throw new ModelFileException(file, noText.line(), "it can't be read", noText.getMessage());
+        }
     }
 
     public int line() {

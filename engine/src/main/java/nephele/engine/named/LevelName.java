@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
@@ -92,6 +93,9 @@ public record LevelName(String typed) {
      * @throws CommandFailure if it is unreadable, malformed or larger than 64 MiB
      */
     public static Replay replay(String file) {
+        if (FileName.objection(file) != null) {
+            throw CommandFailure.input(FileName.printable(file) + ": " + FileName.objection(file));
+        }
         try {
             byte[] bytes = AtomicFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
             if (bytes.length > LARGEST_REPLAY_BYTES) {

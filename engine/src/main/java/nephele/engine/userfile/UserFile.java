@@ -10,13 +10,12 @@ import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
 import java.io.IOException;
 import java.io.StringReader;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 
 /**
  * A JSON file with the head {@code {"format": …, "version": …}} that belongs to the user. Reading never fails: of a
@@ -112,9 +111,9 @@ public final class UserFile {
         }
         try {
             parsed(path);
-            AtomicFile.write(beside(".bak"), Files.readAllBytes(path));
+            AtomicFile.copy(path, beside(".bak"));
         } catch (Unusable damaged) {
-            AtomicFile.write(brokenName(), Files.readAllBytes(path));
+            AtomicFile.copy(path, brokenName());
         }
     }
 
@@ -181,12 +180,7 @@ public final class UserFile {
             if (bytes.length > LARGEST_BYTES) {
                 throw new Unusable("it is larger than " + (LARGEST_BYTES >> 20) + " MiB");
             }
-            return StandardCharsets.UTF_8
-                    .newDecoder()
-                    .decode(ByteBuffer.wrap(bytes))
-                    .toString();
-        } catch (CharacterCodingException noText) {
-            throw new Unusable("it is not UTF-8");
+            return TextFile.text(bytes);
         } catch (IOException unreadable) {
             throw new Unusable("it can't be read: " + AtomicFile.reason(unreadable));
         }

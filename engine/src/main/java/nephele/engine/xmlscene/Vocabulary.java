@@ -10,6 +10,9 @@ import java.util.TreeSet;
 
 /** The elements of one dialect, with their children and attributes, in any capitals. */
 final class Vocabulary {
+    /** What authors call an element, anywhere; nothing depends on it. */
+    private static final String NAME = "name";
+
     private static final String COORDINATES = "x y z";
     private static final String POSITION = "posx posy posz";
     private static final String LIGHT = "type cutoff exponent dirx diry dirz spotdirx spotdiry spotdirz " + POSITION;
@@ -71,6 +74,7 @@ final class Vocabulary {
         static Word of(String name, String children, String attributes) {
             Set<String> anyCapitals = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
             anyCapitals.addAll(words(attributes));
+            anyCapitals.add(NAME);
             return new Word(name, words(children), anyCapitals);
         }
 

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.ProofResult;
 
@@ -25,7 +26,7 @@ record ProofState(String commit, ProofResult soFar) {
             return fresh(commit);
         }
         var saved = new Properties();
-        saved.load(new StringReader(Files.readString(file)));
+        saved.load(new StringReader(TextFile.text(Files.readAllBytes(file))));
         if (!commit.equals(saved.getProperty("commit"))) {
             return fresh(commit);
         }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
@@ -56,7 +57,7 @@ public final class ProofTable {
         if (!Files.exists(file)) {
             return new ArrayList<>();
         }
-        return Files.readAllLines(file).stream()
+        return TextFile.lines(file).stream()
                 .filter(line -> line.startsWith("| ") && !line.startsWith("| proof |"))
                 .collect(Collectors.toCollection(ArrayList::new));
     }

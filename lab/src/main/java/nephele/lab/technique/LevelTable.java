@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
@@ -103,7 +104,7 @@ public final class LevelTable {
         ErrorTable all = table;
         if (Files.exists(file)) {
             try {
-                all = ErrorTable.read(Files.readAllLines(file), file.toString()).refined(table);
+                all = ErrorTable.read(TextFile.lines(file), file.toString()).refined(table);
             } catch (IllegalArgumentException failure) {
                 throw CommandFailure.input(failure.getMessage() + "; delete the file");
             }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleConsumer;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
 import nephele.engine.choice.TechniqueChoice;
@@ -35,8 +36,7 @@ public final class TableMaker {
         this.file = file;
         traced = TracedSkies.in(file.resolveSibling(TracedSkies.FILE));
         if (Files.exists(file)) {
-            rows.addAll(
-                    ErrorTable.read(Files.readAllLines(file), file.toString()).rows());
+            rows.addAll(ErrorTable.read(TextFile.lines(file), file.toString()).rows());
         }
     }
 

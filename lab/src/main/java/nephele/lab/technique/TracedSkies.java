@@ -18,6 +18,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.engine.asset.TextFile;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
@@ -66,7 +67,7 @@ public final class TracedSkies {
     static TracedSkies in(Path file) throws IOException {
         TracedSkies skies = shipped(file);
         if (Files.exists(file)) {
-            skies.add(Files.readAllLines(file));
+            skies.add(TextFile.lines(file));
         }
         return skies;
     }

@@ -200,7 +200,7 @@ class JournalTest {
             }
             assertEquals(1, told.size());
             String message = told.get(0).in(Language.EN);
-            assertTrue(message.contains(place.toString()) && message.contains("No space left"), message);
+            assertTrue(message.contains(place.toString()) && message.contains("the disk is full"), message);
             store.full(false);
             assertTrue(journal.flush());
             assertEquals(DraftLevel.after(4), recoverable().get(0).level());

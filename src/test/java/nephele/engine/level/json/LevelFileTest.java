@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import nephele.engine.level.FaultyFiles;
 import nephele.engine.level.Level;
@@ -39,6 +41,24 @@ class LevelFileTest {
     private static void truncate(Path path) throws IOException {
         byte[] bytes = Files.readAllBytes(path);
         Files.write(path, Arrays.copyOf(bytes, bytes.length / 2));
+    }
+
+    @Test
+    void aLevelAndItsBackupKeepTheModeAndALinkStays() throws IOException {
+        LevelFile.save(file, OLD);
+        assumeTrue(Files.getFileStore(file).supportsFileAttributeView("posix"), "a system without modes");
+        var mode = PosixFilePermissions.fromString("rw-------");
+        Files.setPosixFilePermissions(file, mode);
+        Path link = Files.createSymbolicLink(folder.resolve("link.json"), file);
+        LevelFile.save(link, NEW);
+        assertTrue(Files.isSymbolicLink(link));
+        assertEquals(NEW, LevelFile.read(file));
+        assertEquals(mode, Files.getPosixFilePermissions(file));
+        assertEquals(mode, Files.getPosixFilePermissions(folder.resolve("x.json.bak")));
+        Files.delete(file);
+        var refused = assertThrows(LevelSaveException.class, () -> LevelFile.save(link, NEW));
+        assertTrue(refused.getMessage().contains("a link to a file that is missing"), refused.getMessage());
+        assertTrue(Files.isSymbolicLink(link));
     }
 
     @Test

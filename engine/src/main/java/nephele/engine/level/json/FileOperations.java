@@ -13,8 +13,12 @@ public interface FileOperations {
     /** Returns the whole file, or its first {@code most + 1} bytes if it has more than {@code most}. */
     byte[] read(Path file, int most) throws IOException;
 
-    /** Creates or truncates the file and writes it. */
-    void write(Path file, byte[] bytes) throws IOException;
+    /**
+     * Creates or truncates the file and writes it.
+     *
+     * @param like whose mode, group and owner the file gets, if it exists
+     */
+    void write(Path file, byte[] bytes, Path like) throws IOException;
 
     /** Returns after a file's content, or a folder's entries, would survive a power failure. */
     void force(Path fileOrFolder) throws IOException;
@@ -34,8 +38,10 @@ public interface FileOperations {
         }
 
         @Override
-        public void write(Path file, byte[] bytes) throws IOException {
-            Files.write(file, bytes);
+        public void write(Path file, byte[] bytes, Path like) throws IOException {
+            Files.write(file, new byte[0]);
+            AtomicFile.adopt(file, like);
+            Files.write(file, bytes, StandardOpenOption.WRITE);
         }
 
         @Override

@@ -2,20 +2,17 @@ package nephele.engine.level.json;
 
 import com.google.gson.Strictness;
 import com.google.gson.stream.JsonReader;
-import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.CodingErrorAction;
-import java.nio.charset.StandardCharsets;
+import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.TextFile;
 
 /**
- * Parses UTF-8 bytes to a tree. It rejects duplicate keys, byte-order marks, unpaired surrogates and endless documents,
+ * Parses UTF-8 bytes to a tree. It rejects duplicate keys, unpaired surrogates and endless documents,
  * which Gson's strict mode accepts.
  */
 public final class JsonTree {
@@ -53,43 +50,22 @@ public final class JsonTree {
 
     /** Returns the document, or {@code null} after it has reported the reason. */
     static JsonValue read(byte[] utf8, Problems problems) {
-        String objection = encodingObjection(utf8);
-        if (objection != null) {
-            problems.error(objection);
+        if (utf8.length > MAX_FILE_BYTES) {
+            problems.error("the file has more than 16 MiB: split the level");
             return null;
         }
-        var decoder = StandardCharsets.UTF_8
-                .newDecoder()
-                .onMalformedInput(CodingErrorAction.REPORT)
-                .onUnmappableCharacter(CodingErrorAction.REPORT);
-        var reader = new JsonReader(new InputStreamReader(new ByteArrayInputStream(utf8), decoder));
-        reader.setStrictness(Strictness.STRICT);
-        reader.setNestingLimit(MAX_DEPTH + 1);
-        return new JsonTree(reader, problems, isBlank(utf8)).document();
-    }
-
-    private static boolean isBlank(byte[] bytes) {
-        for (byte each : bytes) {
-            if (!Character.isWhitespace(each)) {
-                return false;
-            }
+        try {
+            String text = TextFile.text(utf8);
+            var reader = new JsonReader(new StringReader(text));
+            reader.setStrictness(Strictness.STRICT);
+            reader.setNestingLimit(MAX_DEPTH + 1);
+            return new JsonTree(reader, problems, text.isBlank()).document();
+        } catch (TextFile.NotUtf8 noText) {
+            problems.error("the file can't be read: " + noText.getMessage());
+        } catch (OutOfMemoryError tooLarge) {
+            problems.error("the file does not fit into memory: split the level");
         }
-        return true;
-    }
-
-    private static String encodingObjection(byte[] bytes) {
-        if (bytes.length > MAX_FILE_BYTES) {
-            return "the file has more than 16 MiB: split the level";
-        }
-        int first = bytes.length > 0 ? bytes[0] & 0xff : ' ';
-        int second = bytes.length > 1 ? bytes[1] & 0xff : ' ';
-        if (first == 0xef && second == 0xbb) {
-            return "the file starts with a byte-order mark: save it as UTF-8 without one";
-        }
-        if (first >= 0xfe || second == 0 && first != 0) {
-            return "the file is not UTF-8 but UTF-16: save it as UTF-8";
-        }
-        return first == 0 ? "the file holds zero bytes instead of text: restore it from a copy or the .bak file" : null;
+        return null;
     }
 
     private JsonValue document() {
@@ -99,12 +75,8 @@ public final class JsonTree {
             return root;
         } catch (EOFException end) {
             problems.error(isBlank ? "the file is empty" : "the file ends too early" + where());
-        } catch (CharacterCodingException notUtf8) {
-            problems.error("the file is not UTF-8 text" + where());
         } catch (IOException | IllegalStateException syntax) {
             problems.error(plain(syntax.getMessage()) + where());
-        } catch (OutOfMemoryError tooLarge) {
-            problems.error("the file does not fit into memory: split the level");
         } catch (Abandoned reported) {
             return null;
         }

@@ -2,13 +2,13 @@ package nephele.engine.level.json;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.Level;
@@ -102,11 +102,10 @@ public final class LevelFile {
     }
 
     private static Path path(String typed) {
-        try {
-            return Path.of(typed);
-        } catch (InvalidPathException problem) {
-            throw new LevelFormatException(
-                    typed.replaceAll("\\p{Cntrl}", "?"), List.of(Problem.error("$", "this is no file name")));
+        String objection = FileName.objection(typed);
+        if (objection != null) {
+            throw new LevelFormatException(FileName.printable(typed), List.of(Problem.error("$", objection)));
         }
+        return Path.of(typed);
     }
 }

@@ -2,7 +2,6 @@ package nephele.engine.level.json;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
@@ -21,12 +20,12 @@ final class LevelSaver {
 
     void save(Path path, Level level) throws LevelSaveException {
         byte[] bytes = checkedText(path, level);
-        Path target = followed(path);
+        Path target = target(path);
         Path fresh = beside(target, ".tmp");
         Path backup = beside(target, ".bak");
         Path freshBackup = beside(target, ".bak.tmp");
         try {
-            files.write(fresh, bytes);
+            files.write(fresh, bytes, target);
             files.force(fresh);
             keepOld(target, freshBackup, backup);
             files.moveOver(fresh, target);
@@ -52,12 +51,11 @@ final class LevelSaver {
         return bytes;
     }
 
-    /** Resolves symbolic links, so that the link stays and its target is replaced. */
-    private static Path followed(Path path) {
+    private static Path target(Path path) {
         try {
-            return Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
-        } catch (IOException unreadable) {
-            return path.toAbsolutePath();
+            return AtomicFile.target(path);
+        } catch (IOException problem) {
+            throw new LevelSaveException(path.toString(), AtomicFile.reason(problem), problem);
         }
     }
 
@@ -70,7 +68,7 @@ final class LevelSaver {
         if (JsonTree.read(old, new Problems()) == null) {
             return;
         }
-        files.write(freshBackup, old);
+        files.write(freshBackup, old, target);
         files.force(freshBackup);
         files.moveOver(freshBackup, backup);
     }

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.stream.Collectors;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.lab.trade.Cost;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.SubjectState;
@@ -42,9 +43,9 @@ final class SubjectFile {
         }
         var saved = new Properties();
         try {
-            saved.load(new StringReader(Files.readString(file)));
+            saved.load(new StringReader(TextFile.text(Files.readAllBytes(file))));
             return isOfHere(saved) ? state(saved) : SubjectState.NOTHING;
-        } catch (IllegalArgumentException | java.nio.charset.MalformedInputException damaged) {
+        } catch (IllegalArgumentException | TextFile.NotUtf8 damaged) {
             return SubjectState.NOTHING;
         }
     }
