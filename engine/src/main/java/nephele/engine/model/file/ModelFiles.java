@@ -1,6 +1,7 @@
 package nephele.engine.model.file;
 
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.model.Mesh;
@@ -13,11 +14,21 @@ public final class ModelFiles {
     /**
      * Reads a mesh.
      *
-     * @param file its name, which decides the format: .3d, .obj, .gltf or .glb
-     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
-     * @throws ModelFileException if the file is malformed, too large or of unknown format
+     * @see #read(String, byte[], Function, Consumer)
      */
     public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour) {
+        return read(file, bytes, neighbour, note -> {});
+    }
+
+    /**
+     * Reads a mesh.
+     *
+     * @param file its name, which decides the format: .3d, .obj, .gltf or .glb
+     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
+     * @param notes receives warnings, which begin with the file's name
+     * @throws ModelFileException if the file is malformed, too large or of unknown format
+     */
+    public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour, Consumer<String> notes) {
         String name = file.toLowerCase(Locale.ROOT);
         if (name.endsWith(".3d")) {
             return new TextMeshFile(file, bytes).read();
@@ -26,7 +37,7 @@ public final class ModelFiles {
             return new ObjFile(file, bytes).read();
         }
         if (name.endsWith(".gltf") || name.endsWith(".glb")) {
-            return new GltfFile(file, bytes, neighbour).read();
+            return new GltfFile(file, bytes, neighbour).read(notes);
         }
         throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
     }
