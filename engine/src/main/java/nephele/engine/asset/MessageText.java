@@ -17,6 +17,9 @@ public final class MessageText {
 
     /** Returns the text with all letters of all scripts; what shows nothing or steers a terminal becomes "?". */
     public static String printable(String text) {
+        if (text.chars().allMatch(c -> c >= ' ' && c <= '~')) {
+            return text;
+        }
         StringBuilder shown = new StringBuilder(text.length());
         text.codePoints().forEach(c -> shown.appendCodePoint(shows(c) ? c : '?'));
         return shown.toString();

@@ -5,18 +5,25 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.FolderAssets;
+import nephele.engine.asset.ProjectAssets;
 import nephele.engine.model.GltfFiles;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class GltfFileTest {
     private static final float[] TRIANGLE = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -100,6 +107,23 @@ class GltfFileTest {
     void missingNormalsAreComputed() {
         Mesh mesh = read(GltfFiles.embedded("").replace("\"NORMAL\": 1,", ""));
         assertArrayEquals(new float[] {0, 0, 1, 0, 0, 1, 0, 0, 1}, mesh.normals());
+    }
+
+    /** A name outside of the grammar is called not allowed, as it is spelled, whether or not the file is there. */
+    @Test
+    void aNeighbourWhoseNameIsNotAllowedIsToldSo(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("q.gltf"), GltfFiles.json("pe%C3%A7a.bin", ""));
+        Files.createDirectory(folder.resolve("scenes"));
+        for (AssetSource assets :
+                List.of(new FolderAssets(folder), ProjectAssets.around(folder.resolve("scenes/s.xml")))) {
+            String file = assets instanceof FolderAssets ? "q.gltf" : "../q.gltf";
+            var problem = assertThrows(ModelFileException.class, () -> ModelFiles.read(file, assets, note -> {}));
+            assertEquals(
+                    file + ": buffers[0].uri names \"peça.bin\", which is not looked up: character 'ç' (U+00E7) is not"
+                            + " allowed in an asset id; rename the file, with letters from a to z, digits, '.', '_' and"
+                            + " '-'",
+                    problem.getMessage());
+        }
     }
 
     @Test

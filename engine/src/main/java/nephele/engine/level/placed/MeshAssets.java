@@ -34,9 +34,7 @@ public final class MeshAssets {
      */
     public Mesh mesh(String assetId, Consumer<String> notes) {
         try {
-            return assets.exists(assetId)
-                    ? ModelFiles.read(assetId, assets.bytes(assetId), ModelFiles.besides(assets, assetId), notes)
-                    : generated(assetId);
+            return assets.exists(assetId) ? ModelFiles.read(assetId, assets, notes) : generated(assetId);
         } catch (ModelFileException problem) {
             String where = problem.line() > 0 ? problem.file() + ":" + problem.line() : problem.file();
             throw new AssetException(where, problem.reason(), problem.remedy(), problem);

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.function.Function;
+import nephele.engine.asset.AssetException;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
 
@@ -72,9 +73,15 @@ record GltfBuffers(List<ByteBuffer> all) {
         if (elsewhere || ("/" + name + "/").contains("/../")) {
             throw uri.error("names no file beside this one", "put the buffer there, or embed it");
         }
-        byte[] bytes = neighbour.apply(name);
+        String named = "names " + ModelText.quoted(name) + ", which ";
+        byte[] bytes;
+        try {
+            bytes = neighbour.apply(name);
+        } catch (AssetException unusable) {
+            throw uri.error(named + unusable.reason(), unusable.remedy());
+        }
         if (bytes == null) {
-            throw uri.error("names " + ModelText.quoted(name) + ", which is not there", "put the file beside this one");
+            throw uri.error(named + "is not there", "put the file beside this one");
         }
         return bytes;
     }

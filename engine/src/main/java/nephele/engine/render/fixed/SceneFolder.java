@@ -71,11 +71,7 @@ public final class SceneFolder implements SceneFiles {
 
     private Mesh readMesh(XmlModel model, String file) {
         Mesh mesh = assets.exists(file)
-                ? ModelFiles.read(
-                        file,
-                        assets.bytes(file),
-                        ModelFiles.besides(assets, file),
-                        note -> complaints.accept(sceneFile + ":" + model.line() + ": " + note))
+                ? ModelFiles.read(file, assets, note -> complaints.accept(sceneFile + ":" + model.line() + ": " + note))
                 : generated(file);
         if (vertices + mesh.vertexCount() > MOST_VERTICES) {
             throw new ModelFileException(
