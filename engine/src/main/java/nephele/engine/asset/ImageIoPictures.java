@@ -112,7 +112,7 @@ final class ImageIoPictures {
     private static ImageReader reader(PictureFormat format) throws IOException {
         return switch (format) {
             case BMP -> new BMPImageReaderSpi().createReaderInstance(null);
-            case TGA -> throw new IllegalArgumentException("TgaFile reads it");
+            case TGA -> throw new IllegalArgumentException("TgaPixels reads it");
             case PNG, JPEG -> jdkReader(format.name().toLowerCase(Locale.ROOT));
         };
     }

@@ -43,7 +43,7 @@ public final class PictureDecoder {
                 case PNG -> png(bytes, limits.isColour());
                 case JPEG -> ImageIoPictures.jpeg(bytes);
                 case BMP -> bmp(bytes, limits.isColour());
-                case TGA -> TgaFile.decode(bytes);
+                case TGA -> TgaPixels.decode(bytes);
             };
         } catch (UnreadablePicture kind) {
             throw new AssetException(assetId, kind.getMessage(), kind.remedy(), kind);

@@ -9,7 +9,7 @@ import java.nio.ByteOrder;
  * reader, because the library's ignores the palette's first index and palettes of true-colour files, and mirrors files
  * that begin on the right.
  */
-final class TgaFile {
+final class TgaPixels {
     private static final int HEADER_BYTES = 18;
     private static final int FOOTER_BYTES = 26;
     private static final String SIGNATURE = "TRUEVISION-XFILE.";
@@ -37,7 +37,7 @@ final class TgaFile {
     /** What alpha means: 0 for none, or as in the extension area's attributes type. */
     private final int alpha;
 
-    private TgaFile(byte[] bytes) throws IOException {
+    private TgaPixels(byte[] bytes) throws IOException {
         file = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         type = bytes[2] & ~PACKED;
         isPacked = (bytes[2] & PACKED) != 0;
@@ -59,7 +59,7 @@ final class TgaFile {
     }
 
     static Picture decode(byte[] bytes) throws IOException {
-        TgaFile tga = new TgaFile(bytes);
+        TgaPixels tga = new TgaPixels(bytes);
         try {
             return tga.picture();
         } catch (IndexOutOfBoundsException cutOff) {
