@@ -83,6 +83,8 @@ record PictureEncodings(String name, byte[] bytes) {
         add(all, "profile-linear-alpha.png", png(6, 16, rows(4, 16, (x, y) -> linear(rgb(x, y))), pngProfile(LINEAR)));
         add(all, "profile-srgb.png", png(2, 8, eight, pngProfile(SRGB)));
         add(all, "gamma-1.png", png(2, 16, linear, chunk("gAMA", bigEndian(100_000))));
+        byte[] roots = rows(3, 8, (x, y) -> each(rgb(x, y), value -> (int) Math.rint(255 * Math.sqrt(light(value)))));
+        add(all, "gamma-half.png", png(2, 8, roots, chunk("gAMA", bigEndian(50_000))));
         add(all, "gamma-srgb.png", png(2, 8, eight, chunk("gAMA", bigEndian(45_455))));
         add(
                 all,
