@@ -90,7 +90,8 @@ final class CodeRules {
                     .resideInAPackage("nephele.engine.asset..")
                     .should()
                     .dependOnClassesThat(describe(
-                            "LWJGL but stb, or AWT but images", type -> isBeyondDecoding(type.getPackageName())))
+                            "LWJGL but stb, or AWT but images and colours",
+                            type -> isBeyondDecoding(type.getPackageName())))
                     .as("asset sees of LWJGL and AWT only what decodes images"),
             noClasses()
                     .that()
@@ -129,7 +130,7 @@ final class CodeRules {
 
     private static boolean isBeyondDecoding(String packageName) {
         boolean lwjgl = packageName.startsWith("org.lwjgl.") && !packageName.matches("org\\.lwjgl\\.(stb|system)");
-        return lwjgl || packageName.matches("javax\\.swing.*|java\\.awt(?!\\.image).*");
+        return lwjgl || packageName.matches("javax\\.swing.*|java\\.awt(?!\\.image|\\.color).*");
     }
 
     private static ArchCondition<JavaField> beFinalWhenStatic() {

@@ -2,6 +2,7 @@ package nephele.engine.asset;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntBinaryOperator;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -19,6 +23,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
 class HeightMapFileTest {
@@ -144,5 +149,46 @@ class HeightMapFileTest {
                         || told.getMessage().contains(reason),
                 told.getMessage());
         assertTrue(told.remedy().contains(remedy), told.getMessage());
+    }
+
+    private static HeightMap swapped(HeightMap map) {
+        short[] values = map.values().clone();
+        for (int i = 0; i < values.length; i++) {
+            values[i] = Short.reverseBytes(values[i]);
+        }
+        return new HeightMap(map.columns(), map.rows(), map.bits(), values);
+    }
+
+    /** No map that comes with the game seems to have exchanged bytes, and each does once it has. */
+    @ParameterizedTest
+    @ValueSource(strings = {"bench", "hills", "stones"})
+    void exchangedBytesOfShippedMapsAreTold(String name) {
+        String id = "terrain/" + name + ".png";
+        HeightMap map = HeightMapFile.read(id, new ResourceAssets("/assets").bytes(id));
+        assertEquals(16, map.bits());
+        assertFalse(map.seemsSwapped());
+        assertTrue(swapped(map).seemsSwapped());
+    }
+
+    /** Maps that are rough either way, or of few bits, are no proof. */
+    @Test
+    void roughMapsDoNotSeemSwapped() {
+        var random = new SplittableRandom(4);
+        List<IntBinaryOperator> all = List.of(
+                (x, y) -> random.nextInt(65_536),
+                (x, y) -> 256 * (x + y),
+                (x, y) -> 257 * (x + y),
+                (x, y) -> 64 * (x + y),
+                (x, y) -> 7,
+                (x, y) -> 300 * y,
+                (x, y) -> x < 16 ? 0 : 65_535,
+                (x, y) -> 20_000 + x * x + random.nextInt(200));
+        for (IntBinaryOperator heights : all) {
+            short[] values = new short[32 * 32];
+            for (int i = 0; i < values.length; i++) {
+                values[i] = (short) heights.applyAsInt(i % 32, i / 32);
+            }
+            assertFalse(new HeightMap(32, 32, 16, values).seemsSwapped(), "map " + all.indexOf(heights));
+        }
     }
 }

@@ -51,6 +51,11 @@ class QuadLawTest {
             assertEquals(100, at.count());
             for (int i = 0; i < at.count(); i++) {
                 assertEquals(0.2, at.get(i, ParticleArrays.HALF_WIDTH), 1e-6);
+                assertEquals(ParticlePicture.CLOUD.first(), (int) at.get(i, ParticleArrays.LOOK));
+                for (int channel = ParticleArrays.RED; channel < ParticleArrays.RED + 3; channel++) {
+                    assertEquals(
+                            at.get(i, ParticleArrays.OPACITY), at.get(i, channel), 1e-6, "white, as thick as it is");
+                }
                 assertTrue(at.get(i, ParticleArrays.OPACITY) >= 0.035, "opacity " + at.get(i, ParticleArrays.OPACITY));
             }
         }

@@ -23,6 +23,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VolFile;
@@ -167,6 +168,7 @@ public final class DroppedFile {
         List<FileRefusal> missing = new ArrayList<>();
         try {
             ModelFiles.read(file.getFileName().toString(), content, name -> {
+                ModelFiles.requireName(name, AssetId.rejectionReason(name));
                 try {
                     byte[] read = AssetFolder.read(file.resolveSibling(name));
                     neighbours.put(name, read);

@@ -1,6 +1,7 @@
 package nephele.engine.asset;
 
 import java.util.Locale;
+import java.util.OptionalInt;
 import java.util.Set;
 
 /**
@@ -23,10 +24,11 @@ public final class AssetId {
         if (id.isEmpty() || id.length() > MAX_CHARACTERS) {
             return "an asset id has 1 to " + MAX_CHARACTERS + " characters";
         }
-        for (int i = 0; i < id.length(); i++) {
-            if (!allowed(id.charAt(i))) {
-                return String.format(Locale.ROOT, "character U+%04X is not allowed in an asset id", (int) id.charAt(i));
-            }
+        OptionalInt other = id.codePoints().filter(c -> !allowed(c)).findFirst();
+        if (other.isPresent()) {
+            String shown = "'" + MessageText.printable(Character.toString(other.getAsInt())) + "'";
+            return String.format(
+                    Locale.ROOT, "character %s (U+%04X) is not allowed in an asset id", shown, other.getAsInt());
         }
         for (String segment : id.split("/", -1)) {
             String objection = segmentObjection(segment);
@@ -45,7 +47,7 @@ public final class AssetId {
         }
     }
 
-    private static boolean allowed(char c) {
+    private static boolean allowed(int c) {
         return c >= 'a' && c <= 'z'
                 || c >= 'A' && c <= 'Z'
                 || c >= '0' && c <= '9'
@@ -73,9 +75,9 @@ public final class AssetId {
         return DEVICES.contains(stem) || port ? "'" + stem + "' is a device name on Windows" : null;
     }
 
-    /** Returns an id shortened and in printable ASCII, for messages. */
+    /** Returns an id shortened and without control characters, for messages. */
     static String printable(String id) {
         String shortened = id.length() <= MAX_CHARACTERS ? id : id.substring(0, MAX_CHARACTERS) + "…";
-        return shortened.replaceAll("[^\\x20-\\x7e…]", "?");
+        return MessageText.printable(shortened);
     }
 }

@@ -24,10 +24,15 @@ public final class HeightMapFile {
      */
     public static HeightMap read(String assetId, byte[] bytes) throws AssetException {
         try {
-            return assetId.toLowerCase(Locale.ROOT).endsWith(RAW) ? raw(assetId, bytes) : picture(assetId, bytes);
+            return isRaw(assetId) ? raw(assetId, bytes) : picture(assetId, bytes);
         } catch (OutOfMemoryError tooLarge) {
             throw new AssetException(assetId, "does not fit into memory", "make the height map smaller");
         }
+    }
+
+    /** Returns true if the file holds numbers alone, as its extension says. */
+    public static boolean isRaw(String assetId) {
+        return assetId.toLowerCase(Locale.ROOT).endsWith(RAW);
     }
 
     /** Returns the file of a map: a grey PNG of 16 bits, which reads back as the same values. */

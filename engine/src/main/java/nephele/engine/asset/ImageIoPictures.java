@@ -1,8 +1,8 @@
 package nephele.engine.asset;
 
 import com.twelvemonkeys.imageio.plugins.bmp.BMPImageReaderSpi;
-import com.twelvemonkeys.imageio.plugins.tga.TGAImageReaderSpi;
 import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.ComponentColorModel;
@@ -19,35 +19,83 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Decodes pictures by {@code javax.imageio}, without a window toolkit. */
+/**
+ * Decodes pictures by {@code javax.imageio}, without a window toolkit. All rasters of the readers become pictures here, by
+ * their colour model: bands that are neither grey nor RGB, with or without alpha, are converted or refused.
+ */
 final class ImageIoPictures {
     /** Second bytes of markers (ITU-T T.81, table B.1). */
     private static final int JPEG_START_OF_SCAN = 0xda;
 
     private static final int JPEG_END_OF_IMAGE = 0xd9;
+    private static final int ADOBE_YCCK = 2;
 
     private ImageIoPictures() {}
 
+    /** Decodes a PNG or BMP file; the numbers are as stored. */
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
-        if (!isWhole(format, bytes)) {
-            throw new IOException("its content does not fill its pixels");
+        return read(format, bytes, reader -> picture(reader.read(0)));
+    }
+
+    /** Decodes a JPEG file to sRGB. */
+    static Picture jpeg(byte[] bytes) throws IOException {
+        if (lastMarker(bytes, JPEG_END_OF_IMAGE) <= lastMarker(bytes, JPEG_START_OF_SCAN)) {
+            // The reader would make the missing pixels up.
+            throw new IOException("cut off");
         }
-        ImageReader reader = reader(format);
-        try (ImageInputStream stream = new ByteArrayImageInputStream(padded(format, bytes))) {
-            reader.setInput(stream, false, true);
-            return picture(reader.read(0));
-        } finally {
-            reader.dispose();
+        JpegHeader header = JpegHeader.of(bytes);
+        if (header.objection() != null) {
+            throw new UnreadablePicture(header.objection(), "save it again as a plain JPEG in RGB, or as PNG");
+        }
+        byte[] profile = header.profile();
+        byte[] plain = header.withoutProfile();
+        if (header.components() < 4) {
+            return ColourProfile.toSrgb(decode(PictureFormat.JPEG, plain), profile);
+        }
+        byte[] inks = read(PictureFormat.JPEG, plain, reader -> bytes(reader.readRaster(0, null)))
+                .samples();
+        toInks(inks, header.adobeTransform() == ADOBE_YCCK);
+        return ColourProfile.ofInks(header.width(), header.height(), inks, profile);
+    }
+
+    /** Changes Adobe's four bands, which are stored as 255 − ink, to inks; YCCK is the YCbCr of the first three inks. */
+    private static void toInks(byte[] bands, boolean isYcck) {
+        for (int i = 0; i < bands.length; i += 4) {
+            bands[i + 3] = (byte) ~bands[i + 3];
+            if (!isYcck) {
+                bands[i] = (byte) ~bands[i];
+                bands[i + 1] = (byte) ~bands[i + 1];
+                bands[i + 2] = (byte) ~bands[i + 2];
+                continue;
+            }
+            double y = bands[i] & 0xff;
+            double blue = (bands[i + 1] & 0xff) - 128;
+            double red = (bands[i + 2] & 0xff) - 128;
+            // ITU-T T.871, 7; the three results are 255 − the stored band, which is the ink.
+            bands[i] = rounded(y + 1.402 * red);
+            bands[i + 1] = rounded(y - 0.344136 * blue - 0.714136 * red);
+            bands[i + 2] = rounded(y + 1.772 * blue);
         }
     }
 
-    /** Returns false for files whose missing pixels the readers would make up. */
-    private static boolean isWhole(PictureFormat format, byte[] bytes) {
-        return switch (format) {
-            case TGA -> TgaRuns.fit(bytes);
-            case JPEG -> lastMarker(bytes, JPEG_END_OF_IMAGE) > lastMarker(bytes, JPEG_START_OF_SCAN);
-            case PNG, BMP -> true;
-        };
+    private static byte rounded(double value) {
+        return (byte) Math.max(0, Math.min(255, Math.rint(value)));
+    }
+
+    /** Reads from an opened file. */
+    @FunctionalInterface
+    private interface Reading {
+        Picture read(ImageReader reader) throws IOException;
+    }
+
+    private static Picture read(PictureFormat format, byte[] bytes, Reading reading) throws IOException {
+        ImageReader reader = reader(format);
+        try (ImageInputStream stream = new ByteArrayImageInputStream(bytes)) {
+            reader.setInput(stream, false, true);
+            return reading.read(reader);
+        } finally {
+            reader.dispose();
+        }
     }
 
     /** Returns the offset of the last marker of a kind, −1 without one; compressed pixels contain none. */
@@ -60,18 +108,11 @@ final class ImageIoPictures {
         return -1;
     }
 
-    /** Pads a TGA file, because the reader reads a footer of 26 bytes without a check of the length. */
-    private static byte[] padded(PictureFormat format, byte[] bytes) {
-        return format == PictureFormat.TGA
-                ? Arrays.copyOf(bytes, Math.max(bytes.length, TgaRuns.begin(bytes) + 26))
-                : bytes;
-    }
-
-    /** Instantiates TwelveMonkeys' readers directly, because the fat jar does not merge provider lists. */
+    /** Instantiates TwelveMonkeys' reader directly, because the fat jar does not merge provider lists. */
     private static ImageReader reader(PictureFormat format) throws IOException {
         return switch (format) {
             case BMP -> new BMPImageReaderSpi().createReaderInstance(null);
-            case TGA -> new TGAImageReaderSpi().createReaderInstance(null);
+            case TGA -> throw new IllegalArgumentException("TgaPixels reads it");
             case PNG, JPEG -> jdkReader(format.name().toLowerCase(Locale.ROOT));
         };
     }
@@ -98,7 +139,14 @@ final class ImageIoPictures {
     }
 
     private static Picture picture(BufferedImage image) throws IOException {
-        boolean components = image.getColorModel() instanceof ComponentColorModel;
+        ColorModel model = image.getColorModel();
+        int space = model.getColorSpace().getType();
+        int colours = space == ColorSpace.TYPE_GRAY ? 1 : space == ColorSpace.TYPE_RGB ? 3 : 0;
+        if (colours == 0 || model.isAlphaPremultiplied()) {
+            throw new UnreadablePicture("has colours that are neither grey nor RGB", "save it again as a PNG in RGB");
+        }
+        boolean hasBands = model.getNumComponents() == colours + (model.hasAlpha() ? 1 : 0);
+        boolean components = model instanceof ComponentColorModel && hasBands;
         if (components && image.getSampleModel() instanceof PixelInterleavedSampleModel) {
             int type = image.getRaster().getDataBuffer().getDataType();
             if (type == DataBuffer.TYPE_BYTE) {

@@ -1,6 +1,6 @@
 package nephele.engine.asset;
 
-/** Keeps messages short: a text from a file may be as long as the file, and equal messages are counted. */
+/** Texts from files in messages: shortened, without control characters, and equal messages are counted. */
 public final class MessageText {
     private static final int MOST = 600;
     private static final int LAST = 150;
@@ -18,5 +18,28 @@ public final class MessageText {
             return text;
         }
         return text.substring(0, MOST - LAST - 1) + "…" + text.substring(text.length() - LAST);
+    }
+
+    /** Returns the text with all letters of all scripts; what shows nothing or steers a terminal becomes "?". */
+    public static String printable(String text) {
+        if (text.chars().allMatch(c -> c >= ' ' && c <= '~')) {
+            return text;
+        }
+        StringBuilder shown = new StringBuilder(text.length());
+        text.codePoints().forEach(c -> shown.appendCodePoint(shows(c) ? c : '?'));
+        return shown.toString();
+    }
+
+    private static boolean shows(int codePoint) {
+        return switch (Character.getType(codePoint)) {
+            case Character.CONTROL,
+                    Character.FORMAT,
+                    Character.SURROGATE,
+                    Character.PRIVATE_USE,
+                    Character.UNASSIGNED,
+                    Character.LINE_SEPARATOR,
+                    Character.PARAGRAPH_SEPARATOR -> false;
+            default -> true;
+        };
     }
 }

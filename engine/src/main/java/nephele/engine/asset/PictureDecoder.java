@@ -13,13 +13,23 @@ public final class PictureDecoder {
     private PictureDecoder() {}
 
     /**
-     * Decodes PNG, JPEG, BMP or TGA.
+     * Decodes PNG, JPEG, BMP or TGA to sRGB.
      *
      * @param assetId names the file in errors; TGA files are recognised by its extension
      * @throws AssetException if the format is unknown, or the picture is damaged or too large
      */
     public static Picture decode(String assetId, byte[] bytes) throws AssetException {
         return decode(assetId, bytes, PictureLimits.DRAWN);
+    }
+
+    /**
+     * Decodes a picture of numbers, such as normals or densities: whatever colours a PNG file says that its numbers are,
+     * they are as stored.
+     *
+     * @throws AssetException as {@link #decode} does
+     */
+    public static Picture decodeNumbers(String assetId, byte[] bytes) throws AssetException {
+        return decode(assetId, bytes, PictureLimits.NUMBERS);
     }
 
     static Picture decode(String assetId, byte[] bytes, PictureLimits limits) throws AssetException {
@@ -29,7 +39,14 @@ public final class PictureDecoder {
         }
         checkHeader(assetId, format, bytes, limits);
         try {
-            return format == PictureFormat.PNG ? png(bytes) : ImageIoPictures.decode(format, bytes);
+            return switch (format) {
+                case PNG -> png(bytes, limits.isColour());
+                case JPEG -> ImageIoPictures.jpeg(bytes);
+                case BMP -> bmp(bytes, limits.isColour());
+                case TGA -> TgaPixels.decode(bytes);
+            };
+        } catch (UnreadablePicture kind) {
+            throw new AssetException(assetId, kind.getMessage(), kind.remedy(), kind);
         } catch (IOException | RuntimeException problem) {
             throw new AssetException(
                     assetId,
@@ -41,11 +58,16 @@ public final class PictureDecoder {
         }
     }
 
-    private static Picture png(byte[] bytes) throws IOException {
+    private static Picture png(byte[] bytes, boolean isColour) throws IOException {
         PngFile file = PngFile.of(bytes);
-        return PngPixels.canDecode(file)
-                ? PngPixels.decode(file)
-                : ImageIoPictures.decode(PictureFormat.PNG, file.withoutAncillaryChunks());
+        PngColours colours = isColour ? file.colours() : PngColours.SRGB;
+        return colours.toSrgb(PngPixels.decode(file));
+    }
+
+    private static Picture bmp(byte[] bytes, boolean isColour) throws IOException {
+        Picture stored = ImageIoPictures.decode(PictureFormat.BMP, bytes);
+        byte[] profile = isColour ? PictureFormat.bmpProfile(bytes) : null;
+        return profile == null ? stored : ColourProfile.toSrgb(stored, profile);
     }
 
     private static void checkHeader(String assetId, PictureFormat format, byte[] bytes, PictureLimits limits) {

@@ -2,6 +2,7 @@ package nephele.engine.asset;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.Locale;
 
 /** The supported picture formats, recognised by content; TGA, which has no signature, by its file name. */
@@ -10,6 +11,12 @@ enum PictureFormat {
     JPEG,
     BMP,
     TGA;
+
+    private static final int BMP_HEADER = 14;
+    private static final int BMP_VERSION_5_BYTES = 124;
+
+    /** "MBED". */
+    private static final int BMP_EMBEDDED = 0x4d424544;
 
     /** The width and height in the header. */
     record Size(long width, long height) {}
@@ -34,7 +41,7 @@ enum PictureFormat {
         ByteBuffer little = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         return switch (this) {
             case PNG -> bytes.length < 33 ? null : new Size(unsigned(big.getInt(16)), unsigned(big.getInt(20)));
-            case JPEG -> jpegSize(big);
+            case JPEG -> jpegSize(bytes);
             case BMP -> bmpSize(little);
             case TGA -> bytes.length < 18 ? null : new Size(little.getShort(12) & 0xffff, little.getShort(14) & 0xffff);
         };
@@ -50,22 +57,21 @@ enum PictureFormat {
         return new Size(little.getInt(18), Math.abs((long) little.getInt(22)));
     }
 
-    /** Reads the marker segments up to the frame header (ITU-T T.81, B.1.1.4 and B.2.2). */
-    private static Size jpegSize(ByteBuffer big) {
-        int at = 2;
-        while (at + 9 <= big.limit()) {
-            int marker = big.getShort(at) & 0xffff;
-            if (marker >>> 8 != 0xff) {
-                return null;
-            }
-            boolean frame =
-                    marker >= 0xffc0 && marker <= 0xffcf && marker != 0xffc4 && marker != 0xffc8 && marker != 0xffcc;
-            if (frame) {
-                return new Size(big.getShort(at + 7) & 0xffff, big.getShort(at + 5) & 0xffff);
-            }
-            at += marker == 0xffff ? 1 : 2 + (big.getShort(at + 2) & 0xffff);
-        }
-        return null;
+    private static Size jpegSize(byte[] bytes) {
+        JpegHeader header = JpegHeader.of(bytes);
+        return header == null ? null : new Size(header.width(), header.height());
+    }
+
+    /** Returns the profile embedded in a BMP file with a header of version 5; {@code null} without one. */
+    static byte[] bmpProfile(byte[] bytes) {
+        ByteBuffer file = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        boolean isEmbedded = bytes.length >= BMP_HEADER + BMP_VERSION_5_BYTES
+                && file.getInt(BMP_HEADER) >= BMP_VERSION_5_BYTES
+                && file.getInt(BMP_HEADER + 56) == BMP_EMBEDDED;
+        int start = isEmbedded ? file.getInt(BMP_HEADER + 112) : 0;
+        int size = isEmbedded ? file.getInt(BMP_HEADER + 116) : 0;
+        boolean isThere = start > 0 && size > 0 && (long) BMP_HEADER + start + size <= bytes.length;
+        return isThere ? Arrays.copyOfRange(bytes, BMP_HEADER + start, BMP_HEADER + start + size) : null;
     }
 
     private static long unsigned(int value) {

@@ -1,6 +1,5 @@
 package nephele.engine.asset;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -8,14 +7,14 @@ import java.util.List;
 import java.util.zip.CRC32;
 
 /**
- * The chunks of a PNG file that determine its pixels (PNG, third edition, section 5). All others are skipped unread:
- * compressed texts and profiles can expand to any size, and a gamma would change the stored values.
+ * The chunks of a PNG file that determine its stored pixels (PNG, third edition, section 5); {@link PngColours} reads
+ * those that say what colours they are. All others are skipped unread: compressed texts can expand to any size.
  *
- * @param hasTransparency true if there is a {@code tRNS} chunk
+ * @param palette position of the {@code PLTE} contents, {@code null} without them
+ * @param transparency position of the {@code tRNS} contents, {@code null} without them
  * @param pixelData positions of the {@code IDAT} contents in {@code bytes}
- * @param kept positions of the whole chunks that determine the pixels
  */
-record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> pixelData, List<Span> kept) {
+record PngFile(byte[] bytes, Header header, Span palette, Span transparency, List<Span> pixelData) {
     private static final int SIGNATURE_BYTES = 8;
     private static final int HEADER_BYTES = 13;
     private static final int FIRST_AFTER_HEADER = SIGNATURE_BYTES + 8 + HEADER_BYTES + 4;
@@ -43,39 +42,36 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
     static PngFile of(byte[] bytes) throws IOException {
         ByteBuffer buffer = ByteBuffer.wrap(bytes);
         Header header = header(buffer);
-        boolean hasTransparency = false;
+        Span palette = null;
+        Span transparency = null;
         List<Span> pixelData = new ArrayList<>();
-        List<Span> kept = new ArrayList<>(List.of(new Span(SIGNATURE_BYTES, HEADER_BYTES + 12)));
         for (int at = FIRST_AFTER_HEADER; ; ) {
             int length = chunkLength(buffer, at);
             int type = buffer.getInt(at + 4);
             Span content = new Span(at + 8, length);
             switch (type) {
-                case TRNS -> hasTransparency = true;
+                case TRNS -> transparency = content;
+                case PLTE -> palette = content;
                 case IDAT -> pixelData.add(content);
                 default -> {
-                    if (type != PLTE && type != IEND && (type & 0x20000000) == 0) {
+                    if (type != IEND && (type & 0x20000000) == 0) {
                         throw new IOException("unknown critical chunk");
                     }
                 }
             }
             if (type == TRNS || (type & 0x20000000) == 0) {
                 checkSum(buffer, content);
-                kept.add(new Span(at, length + 12));
             }
             if (type == IEND) {
-                return new PngFile(bytes, header, hasTransparency, pixelData, kept);
+                return new PngFile(bytes, header, palette, transparency, pixelData);
             }
             at += length + 12;
         }
     }
 
-    /** Returns the file without the chunks that do not determine pixels. */
-    byte[] withoutAncillaryChunks() {
-        ByteArrayOutputStream essence = new ByteArrayOutputStream(bytes.length);
-        essence.write(bytes, 0, SIGNATURE_BYTES);
-        kept.forEach(span -> essence.write(bytes, span.offset(), span.length()));
-        return essence.toByteArray();
+    /** Returns what colours the pixels are. */
+    PngColours colours() throws UnreadablePicture {
+        return PngColours.of(ByteBuffer.wrap(bytes), FIRST_AFTER_HEADER);
     }
 
     private static int chunkLength(ByteBuffer buffer, int at) throws IOException {

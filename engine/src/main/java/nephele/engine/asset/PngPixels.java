@@ -5,23 +5,25 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
- * Decodes non-interlaced PNG of 8 or 16 bits, the kinds that levels use. Its twin {@link ImageIoPictures} decodes the
- * rest, but costs a start of java.desktop (about 70 ms and 180 classes) that this class avoids.
+ * Decodes all kinds of PNG. Its twin {@link ImageIoPictures} drops some keys of transparency, and costs a start of
+ * java.desktop (about 70 ms and 180 classes).
  */
 final class PngPixels {
+    static final int PALETTE = 3;
+
+    /** First column and row, and steps between columns and rows, of each pass (section 8.2). */
+    private static final int[][] ADAM_7 = {
+        {0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}
+    };
+
+    private static final int[][] WHOLE = {{0, 0, 1, 1}};
+
     private final PngFile file;
     private final Inflater inflater = new Inflater();
     private int nextSpan;
 
     private PngPixels(PngFile file) {
         this.file = file;
-    }
-
-    static boolean canDecode(PngFile file) {
-        PngFile.Header header = file.header();
-        boolean colours = header.colour() == 0 || header.colour() == 2 || header.colour() == 4 || header.colour() == 6;
-        boolean depth = header.bitDepth() == 8 || header.bitDepth() == 16;
-        return colours && depth && header.interlace() == 0 && !file.hasTransparency();
     }
 
     static Picture decode(PngFile file) throws IOException {
@@ -37,19 +39,56 @@ final class PngPixels {
 
     private Picture picture() throws IOException, DataFormatException {
         PngFile.Header header = file.header();
-        int pixelBytes = header.channels() * header.bitDepth() / 8;
-        int rowBytes = header.width() * pixelBytes;
-        byte[] samples = new byte[rowBytes * header.height()];
+        requireKnown(header);
+        boolean isPlain = header.interlace() == 0
+                && header.bitDepth() >= 8
+                && header.colour() != PALETTE
+                && file.transparency() == null;
+        if (isPlain) {
+            byte[] samples = pass(header.width(), header.height());
+            if (header.bitDepth() == 16) {
+                lowByteFirst(samples);
+            }
+            return new Picture(header.width(), header.height(), header.channels(), header.bitDepth(), samples);
+        }
+        PngExpansion expansion = PngExpansion.of(file);
+        for (int[] pass : header.interlace() == 0 ? WHOLE : ADAM_7) {
+            int columns = (header.width() - pass[0] + pass[2] - 1) / pass[2];
+            int rows = (header.height() - pass[1] + pass[3] - 1) / pass[3];
+            if (columns > 0 && rows > 0) {
+                expansion.add(pass(columns, rows), columns, rows, pass);
+            }
+        }
+        return expansion.picture();
+    }
+
+    /** Refuses what the specification's table 11.1 does not list. */
+    private static void requireKnown(PngFile.Header header) throws IOException {
+        int depth = header.bitDepth();
+        boolean isKnown =
+                switch (header.colour()) {
+                    case 0 -> depth == 1 || depth == 2 || depth == 4 || depth == 8 || depth == 16;
+                    case PALETTE -> depth == 1 || depth == 2 || depth == 4 || depth == 8;
+                    case 2, 4, 6 -> depth == 8 || depth == 16;
+                    default -> false;
+                };
+        if (!isKnown || header.interlace() < 0 || header.interlace() > 1) {
+            throw new IOException("unknown colours, depth or interlacing");
+        }
+    }
+
+    /** Returns the unfiltered rows of a pass. */
+    private byte[] pass(int columns, int rows) throws IOException, DataFormatException {
+        int pixelBits = file.header().channels() * file.header().bitDepth();
+        int rowBytes = (columns * pixelBits + 7) / 8;
+        byte[] packed = new byte[rowBytes * rows];
         byte[] filter = new byte[1];
-        for (int y = 0, row = 0; y < header.height(); y++, row += rowBytes) {
+        for (int y = 0, row = 0; y < rows; y++, row += rowBytes) {
             inflate(filter, 0, 1);
-            inflate(samples, row, rowBytes);
-            unfilter(filter[0], samples, row, y == 0, rowBytes, pixelBytes);
+            inflate(packed, row, rowBytes);
+            unfilter(filter[0], packed, row, y == 0, rowBytes, Math.max(1, pixelBits / 8));
         }
-        if (header.bitDepth() == 16) {
-            lowByteFirst(samples);
-        }
-        return new Picture(header.width(), header.height(), header.channels(), header.bitDepth(), samples);
+        return packed;
     }
 
     private void inflate(byte[] into, int offset, int length) throws IOException, DataFormatException {

@@ -12,7 +12,7 @@ public final class MeshLimits {
     /** Maximum bytes of a text file, read or written; larger ones take seconds to read. */
     public static final int MAX_TEXT_BYTES = 64 << 20;
 
-    /** Maximum bytes of a glTF file, and of all its buffers; reading needs several copies of them. */
+    /** Maximum bytes of a glTF file, and of all its buffers; a mesh in memory is larger. */
     public static final int MAX_GLTF_BYTES = 32 << 20;
 
     /** Maximum number of vertices, and of triangles, of all nodes of a glTF file. */

@@ -3,6 +3,7 @@ package nephele.engine.model;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.MessageText;
 import nephele.engine.asset.TextFile;
 
 /**
@@ -14,6 +15,7 @@ public final class ModelText {
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
     private static final int LONGEST_WORD = 256;
+    private static final int MOST_SHOWN = 64;
 
     private final String file;
     private final byte[] bytes;
@@ -154,10 +156,11 @@ public final class ModelText {
         }
     }
 
+    /** Returns a word of a file for a message, in quotation marks; only its beginning if it is long. */
     public static String quoted(String word) {
-        var shown = new StringBuilder("\"");
-        word.codePoints().limit(24).forEach(c -> shown.appendCodePoint(c < ' ' || c > '~' ? '?' : c));
-        return shown.append(word.length() > 24 ? "…\"" : "\"").toString();
+        boolean isLong = word.codePointCount(0, word.length()) > MOST_SHOWN;
+        String shown = isLong ? word.substring(0, word.offsetByCodePoints(0, MOST_SHOWN)) + "…" : word;
+        return '"' + MessageText.printable(shown) + '"';
     }
 
     private float nextNumber(int before) {

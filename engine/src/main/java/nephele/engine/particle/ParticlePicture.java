@@ -9,7 +9,9 @@ public enum ParticlePicture {
     /** A billow of smoke. */
     BILLOW(2, 4),
     /** A tongue of flame. */
-    TONGUE(6, 4);
+    TONGUE(6, 4),
+    /** A small cloud, without relief. */
+    CLOUD(10, 1);
 
     private final int first;
     private final int variants;

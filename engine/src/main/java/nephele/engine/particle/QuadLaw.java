@@ -6,7 +6,7 @@ import nephele.engine.math.Chance;
 
 /**
  * The report's particles. In each of 60 frames a second a place's life falls by its share of 0.005 to 0.015; below 0.05
- * the next particle takes the place. A particle moves by 1/250 of its speed, 1 to 9, which is then multiplied by 0.99;
+ * the next particle takes the place. A particle is white, with the picture of a cloud; it moves by 1/250 of its speed, 1 to 9, which is then multiplied by 0.99;
  * opacity is the life. Between whole frames the same formulas hold for the fraction. A box of 7.2 m has the report's
  * scale: what is fastest approaches 3.6 m.
  */
@@ -16,7 +16,7 @@ final class QuadLaw implements ParticleLaw {
     static final double LEAST_LIFE = 0.05;
     private static final double LOG_KEPT = Math.log(KEPT_SPEED);
     private static final double WIDTH = 0.4;
-    private static final int LIFE_NUMBERS = 6;
+    private static final int LIFE_NUMBERS = 3;
 
     private final Emitter emitter;
     private final double halfWidth;
@@ -70,27 +70,23 @@ final class QuadLaw implements ParticleLaw {
         out.halfWidth = halfWidth;
         out.stretch(0, 0, 0);
         out.opacity = Math.max(0, 1 - falls[place] * frame);
-        out.emission(begun[at + 3], begun[at + 4], begun[at + 5], out.opacity);
+        out.emission(1, 1, 1, out.opacity);
         out.albedo = 0;
-        out.picture = ParticlePicture.SPOT.first();
+        out.picture = ParticlePicture.CLOUD.first();
         out.turns = 0;
     }
 
-    /** Finds what stays the same during a life: how far it would fly along each axis, and the colour. */
+    /** Finds what stays the same during a life: how far it would fly along each axis. */
     private void begin(int place, long life) {
         long dice = Chance.dice(emitter.seed() + 31L * place, life);
         double up = Chance.signed(dice, 1);
         double level = Math.sqrt(Math.max(0, 1 - up * up));
         double turns = Chance.unit(dice, 2);
         double reach = (1 + 8 * Chance.unit(dice, 3)) / 18;
-        double hue = Chance.unit(dice, 4);
         int at = LIFE_NUMBERS * place;
         begun[at] = emitter.size().x() * reach * level * Waves.cosine(turns);
         begun[at + 1] = emitter.size().y() * reach * up;
         begun[at + 2] = emitter.size().z() * reach * level * Waves.sine(turns);
-        begun[at + 3] = 0.5 + 0.5 * Waves.cosine(hue);
-        begun[at + 4] = 0.5 + 0.5 * Waves.cosine(hue - 1.0 / 3);
-        begun[at + 5] = 0.5 + 0.5 * Waves.cosine(hue + 1.0 / 3);
         lives[place] = life;
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
@@ -56,17 +57,22 @@ final class MaterialTextures {
                     material.id(),
                     new Skin(
                             material,
-                            picture(material.texture(), assets, decoding, colours),
-                            picture(material.normalTexture(), assets, ColourDecoding.AS_STORED, normals)));
+                            picture(material.texture(), colours, id -> colour(id, assets, decoding)),
+                            picture(material.normalTexture(), normals, id -> normal(id, assets))));
         }
     }
 
     private static RepeatedPicture picture(
-            String id, AssetSource assets, ColourDecoding decoding, Map<String, RepeatedPicture> known) {
-        return id == null
-                ? null
-                : known.computeIfAbsent(
-                        id, name -> new RepeatedPicture(PictureDecoder.decode(name, assets.bytes(name)), decoding));
+            String id, Map<String, RepeatedPicture> known, Function<String, RepeatedPicture> read) {
+        return id == null ? null : known.computeIfAbsent(id, read);
+    }
+
+    private static RepeatedPicture colour(String id, AssetSource assets, ColourDecoding decoding) {
+        return new RepeatedPicture(PictureDecoder.decode(id, assets.bytes(id)), decoding);
+    }
+
+    private static RepeatedPicture normal(String id, AssetSource assets) {
+        return new RepeatedPicture(PictureDecoder.decodeNumbers(id, assets.bytes(id)), ColourDecoding.AS_STORED);
     }
 
     /** Returns the default grey for {@code null} and for unknown ids. */

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
@@ -57,8 +58,8 @@ public record SceneMaterials(
         if (!surfaces.isEmpty() && IdentityDiff.list(before, materials) == before) {
             return this;
         }
-        Arrays colours = new Arrays(assets, colourArrays);
-        Arrays normals = new Arrays(assets, normalArrays);
+        Arrays colours = new Arrays(assets, colourArrays, PictureDecoder::decode);
+        Arrays normals = new Arrays(assets, normalArrays, PictureDecoder::decodeNumbers);
         for (Surface surface : surfaces) {
             colours.know(surface.material().texture(), surface.colour());
             normals.know(surface.material().normalTexture(), surface.normal());
@@ -94,14 +95,17 @@ public record SceneMaterials(
     /** Collects pictures by size; each file is decoded once. */
     private static final class Arrays {
         private final AssetSource assets;
+        private final BiFunction<String, byte[], Picture> decode;
         private final List<PictureArray> before;
         private final Map<String, Picture> known = new HashMap<>();
         private final Map<String, Slot> slots = new HashMap<>();
         private final Map<List<Integer>, Integer> arrayBySize = new LinkedHashMap<>();
         private final List<List<Picture>> arrays = new ArrayList<>();
 
-        Arrays(AssetSource assets, List<PictureArray> before) {
+        /** @param decode reads a picture of an id and its bytes */
+        Arrays(AssetSource assets, List<PictureArray> before, BiFunction<String, byte[], Picture> decode) {
             this.assets = assets;
+            this.decode = decode;
             this.before = before;
         }
 
@@ -120,7 +124,7 @@ public record SceneMaterials(
 
         private Slot add(String assetId) {
             Picture picture = known.computeIfAbsent(
-                    assetId, id -> PictureDecoder.decode(id, assets.bytes(id)).toRgba8());
+                    assetId, id -> decode.apply(id, assets.bytes(id)).toRgba8());
             int array = arrayBySize.computeIfAbsent(List.of(picture.width(), picture.height()), size -> {
                 arrays.add(new ArrayList<>());
                 return arrays.size() - 1;

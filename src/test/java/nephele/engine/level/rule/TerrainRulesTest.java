@@ -96,6 +96,18 @@ class TerrainRulesTest {
     }
 
     @Test
+    void aRawMapWithTheHighByteFirstIsTold() {
+        Terrain said = TestTerrain.said("t", "map.r16");
+        assertEquals(List.of(), problems(TestTerrain.map(33, TestTerrain::wavy), said));
+        TestAssets swapped = TestTerrain.map(33, (x, y) -> Short.reverseBytes((short) TestTerrain.wavy(x, y)));
+        List<Problem> told = problems(swapped, said);
+        assertEquals(
+                List.of("terrains[0].heightMap: warning: map.r16 is as rough as noise, and would be smooth with the"
+                        + " two bytes of each number exchanged: write it with the low byte first"),
+                told.stream().map(problem -> problem.line("").substring(2)).toList());
+    }
+
+    @Test
     void aRangeThatIsUpsideDownIsAnError() {
         Terrain said = TestTerrain.said("t", "map.r16");
         Terrain turned = new Terrain(

@@ -44,13 +44,13 @@ sealed interface CloudFiles {
             return new Voxels(file, VolFile.parse(file, assets.bytes(file)), Meaning.DENSITY);
         }
         if (cloud.density() instanceof Cloud.Density.Image image) {
-            var picture = PictureDecoder.decode(image.file(), assets.bytes(image.file()));
+            var picture = PictureDecoder.decodeNumbers(image.file(), assets.bytes(image.file()));
             Meaning meaning = CloudPicture.hasAlpha(picture) ? Meaning.OPTICAL_DEPTH : Meaning.DENSITY;
             return new Voxels(image.file(), CloudPicture.densities(picture), meaning);
         }
         if (cloud.density() instanceof Cloud.Density.Noise noise) {
             Optional<VoxelGrid> coverage = Optional.ofNullable(noise.coverageMap())
-                    .map(map -> CloudPicture.greys(PictureDecoder.decode(map, assets.bytes(map))));
+                    .map(map -> CloudPicture.greys(PictureDecoder.decodeNumbers(map, assets.bytes(map))));
             return new OfNoise(noise, tables.apply(noise.seed()), coverage);
         }
         return new None();

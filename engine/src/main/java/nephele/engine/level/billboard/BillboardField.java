@@ -19,7 +19,7 @@ public final class BillboardField {
      */
     public static List<Vec3> plant(Billboards.Field field, Ground ground, AssetSource assets) {
         String map = field.densityMap();
-        Picture density = map == null ? null : PictureDecoder.decode(map, assets.bytes(map));
+        Picture density = map == null ? null : PictureDecoder.decodeNumbers(map, assets.bytes(map));
         Ground.Area area = ground.area();
         double leastUp = StrictMath.cos(StrictMath.toRadians(field.maxSlopeDegrees()));
         List<Vec3> places = new ArrayList<>();

@@ -1,6 +1,7 @@
 package nephele.engine.level.placed;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.model.Mesh;
@@ -23,10 +24,17 @@ public final class MeshAssets {
      * @throws AssetException if there is none, or the file cannot be used
      */
     public Mesh mesh(String assetId) {
+        return mesh(assetId, note -> {});
+    }
+
+    /**
+     * Returns the mesh, as {@link #mesh(String)} does.
+     *
+     * @param notes receives warnings about the file, which begin with its name
+     */
+    public Mesh mesh(String assetId, Consumer<String> notes) {
         try {
-            return assets.exists(assetId)
-                    ? ModelFiles.read(assetId, assets.bytes(assetId), ModelFiles.besides(assets, assetId))
-                    : generated(assetId);
+            return assets.exists(assetId) ? ModelFiles.read(assetId, assets, notes) : generated(assetId);
         } catch (ModelFileException problem) {
             String where = problem.line() > 0 ? problem.file() + ":" + problem.line() : problem.file();
             throw new AssetException(where, problem.reason(), problem.remedy(), problem);

@@ -38,7 +38,12 @@ final class ModelRules {
         for (int i = 0; i < level.models().size(); i++) {
             String file = level.models().get(i).file();
             if (!meshes.containsKey(file) && !objections.containsKey(file)) {
-                read(source, file, meshes, objections);
+                String path = "models[" + i + "].file";
+                try {
+                    meshes.put(file, source.mesh(file, note -> report.accept(Problem.warning(path, note))));
+                } catch (AssetException problem) {
+                    objections.put(file, problem.getMessage());
+                }
             }
             if (objections.containsKey(file)) {
                 report.accept(Problem.error("models[" + i + "].file", objections.get(file))
@@ -57,14 +62,6 @@ final class ModelRules {
     };
 
     private ModelRules() {}
-
-    private static void read(MeshAssets source, String file, Map<String, Mesh> meshes, Map<String, String> objections) {
-        try {
-            meshes.put(file, source.mesh(file));
-        } catch (AssetException problem) {
-            objections.put(file, problem.getMessage());
-        }
-    }
 
     private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
         try {

@@ -148,6 +148,9 @@ final class TerrainRules {
                 HeightMap map = HeightMapFile.read(file, assets.bytes(file));
                 TerrainField.requireSize(terrain, map);
                 steps(path, terrain, map, report);
+                if (map.seemsSwapped()) {
+                    report.accept(Problem.warning(path + ".heightMap", swapped(file)));
+                }
             }
         } catch (AssetException problem) {
             objections.put(file, problem.getMessage());
@@ -177,6 +180,11 @@ final class TerrainRules {
                             + " m the ground has steps of " + text(Math.rint(step * 100) / 100)
                             + " m; save it with 16 bits, or make heightRangeMetres smaller"));
         }
+    }
+
+    private static String swapped(String file) {
+        return file + " is as rough as noise, and would be smooth with the two bytes of each number exchanged: "
+                + (HeightMapFile.isRaw(file) ? "write it with the low byte first" : "save it again from its source");
     }
 
     private static String text(double number) {

@@ -1,145 +1,142 @@
 package nephele.engine.model.file;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
+import java.util.Set;
 import nephele.engine.model.MeshLimits;
+import nephele.engine.model.file.GltfAccessor.Elements;
+import nephele.engine.model.file.GltfAccessor.Format;
+import nephele.engine.model.file.GltfAccessor.Sparse;
 
-/** The accessors that meshes use; each is checked to be within its buffer view. */
+/** Finds the accessors that meshes use, and checks that each is of the right type and within its buffer views. */
 final class GltfAccessors {
-    private static final int UNSIGNED_BYTE = 5121;
-    private static final int UNSIGNED_SHORT = 5123;
-    private static final int UNSIGNED_INT = 5125;
-    private static final int FLOAT = 5126;
+    /** The extension that permits integers for all attributes. */
+    static final String QUANTIZATION = "KHR_mesh_quantization";
 
-    static final List<Integer> FLOATS = List.of(FLOAT);
+    private static final Set<Integer> WHOLE =
+            Set.of(GltfAccessor.UNSIGNED_BYTE, GltfAccessor.UNSIGNED_SHORT, GltfAccessor.UNSIGNED_INT);
+    private static final Set<Integer> FLOATS = Set.of(GltfAccessor.FLOAT);
+    private static final Set<Integer> SHARES =
+            Set.of(GltfAccessor.FLOAT, GltfAccessor.UNSIGNED_BYTE, GltfAccessor.UNSIGNED_SHORT);
+    private static final Set<Integer> QUANTIZED = Set.of(
+            GltfAccessor.FLOAT,
+            GltfAccessor.BYTE,
+            GltfAccessor.UNSIGNED_BYTE,
+            GltfAccessor.SHORT,
+            GltfAccessor.UNSIGNED_SHORT);
+    private static final int MOST_STRIDE_BYTES = 252;
 
-    /** Component types of numbers from 0 to 1, including normalized integers. */
-    static final List<Integer> FLOATS_OR_SHARES = List.of(FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT);
+    /** What an accessor is used for, with its type and permitted components, also under {@link #QUANTIZATION}. */
+    enum Use {
+        POSITION("VEC3", 3, FLOATS, QUANTIZED),
+        NORMAL("VEC3", 3, FLOATS, Set.of(GltfAccessor.FLOAT, GltfAccessor.BYTE, GltfAccessor.SHORT)),
+        TEXCOORD_0("VEC2", 2, SHARES, QUANTIZED),
+        INDICES("SCALAR", 1, WHOLE, WHOLE);
 
-    static final List<Integer> INDICES = List.of(UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT);
+        private final String type;
+        private final int width;
+        private final Set<Integer> plain;
+        private final Set<Integer> quantized;
+
+        Use(String type, int width, Set<Integer> plain, Set<Integer> quantized) {
+            this.type = type;
+            this.width = width;
+            this.plain = plain;
+            this.quantized = quantized;
+        }
+    }
 
     private final GltfValue root;
     private final GltfBuffers buffers;
-    private final JsonArray accessors = new JsonArray();
-    private final JsonArray views = new JsonArray();
-    private final Map<Integer, Integer> numbers = new HashMap<>();
+    private final boolean isQuantized;
 
     GltfAccessors(GltfValue root, GltfBuffers buffers) {
         this.root = root;
         this.buffers = buffers;
+        boolean quantized = false;
+        for (GltfValue extension : root.member("extensionsUsed").elements()) {
+            quantized |= extension.text("").equals(QUANTIZATION);
+        }
+        this.isQuantized = quantized;
     }
 
-    /** Checks an accessor and returns its index among those kept. */
-    int use(GltfValue index, String type, List<Integer> components) {
+    /** Returns the accessor of an index in the JSON. */
+    GltfAccessor use(GltfValue index, Use use) {
         GltfValue all = root.member("accessors");
-        int number = index.index(all.size(), "accessors");
-        GltfValue accessor = all.at(number);
-        int component = accessor.member("componentType").count();
-        if (!accessor.member("type").text("").equals(type) || !components.contains(component)) {
-            throw accessor.error("has not the type that " + index.path() + " needs");
-        }
-        if (components != INDICES
-                && component != FLOAT
-                && !accessor.member("normalized").flag()) {
-            throw accessor.member("normalized").error("has to be true for texture coordinates in whole numbers");
-        }
-        if (!numbers.containsKey(number)) {
-            numbers.put(number, accessors.size());
-            accessors.add(checked(accessor, type, component));
-        }
-        return numbers.get(number);
-    }
-
-    int count(int kept) {
-        return accessors.get(kept).getAsJsonObject().get("count").getAsInt();
-    }
-
-    JsonObject checked() {
-        JsonObject buffer = new JsonObject();
-        buffer.addProperty("byteLength", buffers.bytes().length);
-        JsonArray one = new JsonArray();
-        one.add(buffer);
-        JsonObject asset = new JsonObject();
-        asset.addProperty("version", "2.0");
-        JsonObject all = new JsonObject();
-        all.add("asset", asset);
-        all.add("buffers", one);
-        all.add("bufferViews", views);
-        all.add("accessors", accessors);
-        return all;
-    }
-
-    private JsonObject checked(GltfValue accessor, String type, int component) {
-        if (accessor.member("sparse").exists()) {
-            throw accessor.member("sparse").error("can't be read", "export without sparse accessors");
-        }
-        int size = component == UNSIGNED_BYTE ? 1 : component == UNSIGNED_SHORT ? 2 : 4;
-        int width = type.equals("VEC3") ? 3 : type.equals("VEC2") ? 2 : 1;
-        int count = accessor.member("count").count();
+        GltfValue said = all.at(index.index(all.size(), "accessors"));
+        Format format = format(said, index, use);
+        int count = said.member("count").count();
         if (count < 1 || count > 3 * MeshLimits.MAX_GLTF_VERTICES) {
-            throw accessor.member("count").error("is " + count, "keep within 1 to " + 3 * MeshLimits.MAX_GLTF_VERTICES);
+            throw said.member("count").error("is " + count, "keep within 1 to " + 3 * MeshLimits.MAX_GLTF_VERTICES);
         }
+        int bytes = use.width * format.bytes();
+        Elements dense = said.member("bufferView").exists() ? elements(said, format, count, bytes) : null;
+        GltfValue sparse = said.member("sparse");
+        return new GltfAccessor(
+                said, count, use.width, dense, sparse.exists() ? sparse(sparse, format, count, bytes) : null);
+    }
+
+    private Format format(GltfValue said, GltfValue index, Use use) {
+        int component = said.member("componentType").count();
+        Set<Integer> permitted = isQuantized ? use.quantized : use.plain;
+        if (!said.member("type").text("").equals(use.type) || !permitted.contains(component)) {
+            throw said.error("has not the type that " + index.path() + " needs");
+        }
+        boolean isNormalized = use != Use.INDICES && said.member("normalized").flag();
+        if (use == Use.TEXCOORD_0 && component != GltfAccessor.FLOAT && !isNormalized && !isQuantized) {
+            throw said.member("normalized").error("has to be true for texture coordinates in whole numbers");
+        }
+        return new Format(component, isNormalized);
+    }
+
+    private Sparse sparse(GltfValue said, Format format, int count, int bytes) {
+        GltfValue indices = said.member("indices");
+        GltfValue values = said.member("values");
+        if (!said.member("count").exists() || !indices.exists() || !values.exists()) {
+            throw said.error("lacks its count, indices or values");
+        }
+        int number = said.member("count").count();
+        if (number < 1 || number > count) {
+            throw said.member("count").error("is " + number + " of " + count + " elements");
+        }
+        var whole = new Format(indices.member("componentType").count(), false);
+        if (!WHOLE.contains(whole.component())) {
+            throw indices.member("componentType").error("is no type of indices");
+        }
+        return new Sparse(
+                said, number, elements(indices, whole, number, whole.bytes()), elements(values, format, number, bytes));
+    }
+
+    /** Returns the elements that {@code said} describes by {@code bufferView} and {@code byteOffset}. */
+    private Elements elements(GltfValue said, Format format, int count, int bytes) {
         GltfValue allViews = root.member("bufferViews");
-        GltfValue view = allViews.at(accessor.member("bufferView").index(allViews.size(), "buffer views"));
-        JsonObject part = view(view);
-        int stride = view.member("byteStride").count(size * width);
-        int offset = accessor.member("byteOffset").count(0);
-        checkRange(
-                accessor,
-                new Range(offset, stride, count, size * width),
-                part.get("byteLength").getAsInt());
-        if (stride % size != 0 || (offset + part.get("byteOffset").getAsInt()) % size != 0) {
-            throw accessor.error("does not begin or step at a multiple of its components' size");
-        }
-        JsonObject kept = new JsonObject();
-        kept.addProperty("bufferView", views.size());
-        kept.addProperty("byteOffset", offset);
-        kept.addProperty("componentType", component);
-        kept.addProperty("normalized", accessor.member("normalized").flag());
-        kept.addProperty("count", count);
-        kept.addProperty("type", type);
-        views.add(part);
-        return kept;
-    }
-
-    private record Range(int offset, int stride, int count, int elementBytes) {
-        long end() {
-            return offset + (long) stride * (count - 1) + elementBytes;
-        }
-    }
-
-    private static void checkRange(GltfValue accessor, Range range, int bytes) {
-        if (range.stride < range.elementBytes) {
-            throw accessor.error("steps by " + range.stride + " bytes over elements of " + range.elementBytes);
-        }
-        if (range.end() > bytes) {
-            throw accessor.error("ends at byte " + range.end() + " of a buffer view of " + bytes);
-        }
-    }
-
-    /** Returns the view relative to the one buffer into which all buffers are joined. */
-    private JsonObject view(GltfValue view) {
-        int buffer = view.member("buffer").index(buffers.starts().length, "buffers");
-        int offset = view.member("byteOffset").count(0);
+        GltfValue view = allViews.at(said.member("bufferView").index(allViews.size(), "buffer views"));
+        int buffer = view.member("buffer").index(buffers.all().size(), "buffers");
+        int start = view.member("byteOffset").count(0);
         int length = view.member("byteLength").count();
-        if ((long) offset + length > buffers.lengths()[buffer]) {
-            throw view.error(
-                    "ends at byte " + ((long) offset + length) + " of a buffer of " + buffers.lengths()[buffer]);
+        int available = buffers.all().get(buffer).limit();
+        if ((long) start + length > available) {
+            throw view.error("ends at byte " + ((long) start + length) + " of a buffer of " + available);
         }
-        JsonObject kept = new JsonObject();
-        kept.addProperty("buffer", 0);
-        kept.addProperty("byteOffset", buffers.starts()[buffer] + offset);
-        kept.addProperty("byteLength", length);
-        GltfValue stride = view.member("byteStride");
-        if (stride.exists()) {
-            if (stride.count() > 252) {
-                throw stride.error("is more than 252");
-            }
-            kept.addProperty("byteStride", stride.count());
+        int stride = stride(said, view, bytes);
+        int offset = said.member("byteOffset").count(0);
+        long end = offset + (long) stride * (count - 1) + bytes;
+        if (end > length) {
+            throw said.error("ends at byte " + end + " of a buffer view of " + length);
         }
-        return kept;
+        if (stride % format.bytes() != 0 || (start + offset) % format.bytes() != 0) {
+            throw said.error("does not begin or step at a multiple of its components' size");
+        }
+        return new Elements(buffers.all().get(buffer), start + offset, stride, format);
+    }
+
+    private static int stride(GltfValue said, GltfValue view, int bytes) {
+        GltfValue given = view.member("byteStride");
+        int stride = given.count(bytes);
+        if (given.exists() && stride > MOST_STRIDE_BYTES) {
+            throw given.error("is more than " + MOST_STRIDE_BYTES);
+        }
+        if (stride < bytes) {
+            throw said.error("steps by " + stride + " bytes over elements of " + bytes);
+        }
+        return stride;
     }
 }

@@ -1,48 +1,45 @@
 package nephele.engine.model.file;
 
-import java.io.ByteArrayOutputStream;
 import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
+import java.util.List;
 import java.util.function.Function;
+import nephele.engine.asset.AssetException;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
 
-/**
- * The concatenated buffers of a glTF file.
- *
- * @param starts offset of each buffer in bytes
- * @param lengths length of each buffer in bytes
- */
-record GltfBuffers(byte[] bytes, int[] starts, int[] lengths) {
+/** The buffers of a glTF file, little-endian, each as long as the file says. */
+record GltfBuffers(List<ByteBuffer> all) {
     private static final int MOST_BUFFERS = 64;
-    private static final int ALIGNMENT_BYTES = 4;
 
     /** @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none */
     static GltfBuffers of(GltfValue buffers, byte[] binary, Function<String, byte[]> neighbour) {
         if (buffers.size() > MOST_BUFFERS) {
             throw buffers.error("has more than " + MOST_BUFFERS + " elements");
         }
-        var bytes = new ByteArrayOutputStream();
-        int[] starts = new int[buffers.size()];
-        int[] lengths = new int[buffers.size()];
-        for (int i = 0; i < starts.length; i++) {
+        List<ByteBuffer> all = new ArrayList<>();
+        long total = 0;
+        for (int i = 0; i < buffers.size(); i++) {
             GltfValue buffer = buffers.at(i);
             byte[] data = bytesOf(buffer, i == 0 ? binary : null, neighbour);
-            starts[i] = bytes.size();
-            lengths[i] = buffer.member("byteLength").count();
-            if (lengths[i] > data.length) {
-                throw buffer.member("byteLength")
-                        .error("is " + lengths[i] + ", but there are " + data.length + " bytes");
+            int length = buffer.member("byteLength").count();
+            if (length > data.length) {
+                throw buffer.member("byteLength").error("is " + length + ", but there are " + data.length + " bytes");
             }
-            if ((long) bytes.size() + lengths[i] > MeshLimits.MAX_GLTF_BYTES) {
+            total += length;
+            if (total > MeshLimits.MAX_GLTF_BYTES) {
                 throw buffers.error(
                         "hold more than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB", "make the mesh coarser");
             }
-            bytes.write(data, 0, lengths[i]);
-            bytes.write(new byte[ALIGNMENT_BYTES], 0, -lengths[i] & (ALIGNMENT_BYTES - 1));
+            byte[] kept = length == data.length ? data : Arrays.copyOf(data, length);
+            all.add(ByteBuffer.wrap(kept).order(ByteOrder.LITTLE_ENDIAN));
         }
-        return new GltfBuffers(bytes.toByteArray(), starts, lengths);
+        return new GltfBuffers(all);
     }
 
     private static byte[] bytesOf(GltfValue buffer, byte[] binary, Function<String, byte[]> neighbour) {
@@ -76,9 +73,15 @@ record GltfBuffers(byte[] bytes, int[] starts, int[] lengths) {
         if (elsewhere || ("/" + name + "/").contains("/../")) {
             throw uri.error("names no file beside this one", "put the buffer there, or embed it");
         }
-        byte[] bytes = neighbour.apply(name);
+        String named = "names " + ModelText.quoted(name) + ", which ";
+        byte[] bytes;
+        try {
+            bytes = neighbour.apply(name);
+        } catch (AssetException unusable) {
+            throw uri.error(named + unusable.reason(), unusable.remedy());
+        }
         if (bytes == null) {
-            throw uri.error("names " + ModelText.quoted(name) + ", which is not there", "put the file beside this one");
+            throw uri.error(named + "is not there", "put the file beside this one");
         }
         return bytes;
     }

@@ -1,25 +1,22 @@
 package nephele.engine.model.file;
 
-import com.google.gson.JsonObject;
-import de.javagl.jgltf.model.GltfModel;
-import de.javagl.jgltf.model.GltfModels;
-import de.javagl.jgltf.model.io.v2.GltfAssetV2;
-import de.javagl.jgltf.model.io.v2.GltfReaderV2;
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import nephele.engine.model.Mesh;
-import nephele.engine.model.ModelFileException;
 import nephele.engine.model.ModelText;
 
 /**
- * Reads glTF 2.0. The parts that a mesh needs are validated first, every count against the bytes present. Only these
- * parts are passed to the library, so that no file can make it allocate too much or follow an address.
+ * Reads glTF 2.0: the triangles of the shown scene. Every count is validated against limits and the bytes present before
+ * anything of its size is made, so that no file can make it allocate too much, and no address is followed.
  */
 final class GltfFile {
+    /** Beginnings of the names of extensions that change no triangles: of materials, textures and lights. */
+    private static final List<String> WITHOUT_EFFECT =
+            List.of("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_");
+
+    private static final List<String> SERVED = List.of(GltfAccessors.QUANTIZATION);
+
     private final String file;
     private final byte[] bytes;
     private final Function<String, byte[]> neighbour;
@@ -31,13 +28,19 @@ final class GltfFile {
         this.neighbour = neighbour;
     }
 
-    Mesh read() {
+    /** @param notes receives one warning if the mesh differs from what the file asks for */
+    Mesh read(Consumer<String> notes) {
         GltfContainer container = GltfContainer.of(file, bytes);
         GltfValue root = new GltfJson(file, container.json()).read();
         checkVersion(root);
         GltfBuffers buffers = GltfBuffers.of(root.member("buffers"), container.binary(), neighbour);
-        JsonObject checked = new GltfScene(root, buffers).checked();
-        return new GltfTriangles(file, library(checked, buffers)).mesh();
+        GltfScene scene = new GltfScene(root, buffers);
+        Mesh mesh = scene.mesh();
+        if (!scene.skipped().isEmpty()) {
+            notes.accept(file + ": its " + String.join(" and ", scene.skipped())
+                    + " are not applied, the mesh is shown as it is stored; export it in the pose to be shown");
+        }
+        return mesh;
     }
 
     private static void checkVersion(GltfValue root) {
@@ -47,22 +50,11 @@ final class GltfFile {
         }
         for (GltfValue extension : root.member("extensionsRequired").elements()) {
             String name = extension.text("");
-            if (!name.startsWith("KHR_materials_") && !name.equals("KHR_texture_transform")) {
+            if (WITHOUT_EFFECT.stream().noneMatch(name::startsWith) && !SERVED.contains(name)) {
                 throw extension.error(
-                        "is " + ModelText.quoted(name) + ", which can't be read", "export without compression");
+                        "is " + ModelText.quoted(name) + ", which can't be read",
+                        name.contains("compression") ? "export without compression" : "export without it");
             }
-        }
-    }
-
-    private GltfModel library(JsonObject checked, GltfBuffers buffers) {
-        try {
-            byte[] json = checked.toString().getBytes(StandardCharsets.UTF_8);
-            var reader = new GltfReaderV2();
-            reader.setJsonErrorConsumer(error -> {});
-            var data = ByteBuffer.wrap(buffers.bytes()).order(ByteOrder.LITTLE_ENDIAN);
-            return GltfModels.create(new GltfAssetV2(reader.read(new ByteArrayInputStream(json)), data));
-        } catch (IOException | RuntimeException problem) {
-            throw new ModelFileException(file, 0, "can't be understood as glTF", "export the mesh again", problem);
         }
     }
 }

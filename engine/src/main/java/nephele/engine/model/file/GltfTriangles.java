@@ -1,55 +1,60 @@
 package nephele.engine.model.file;
 
-import de.javagl.jgltf.model.AccessorByteData;
-import de.javagl.jgltf.model.AccessorData;
-import de.javagl.jgltf.model.AccessorFloatData;
-import de.javagl.jgltf.model.AccessorIntData;
-import de.javagl.jgltf.model.AccessorModel;
-import de.javagl.jgltf.model.AccessorShortData;
-import de.javagl.jgltf.model.GltfModel;
-import de.javagl.jgltf.model.MeshModel;
-import de.javagl.jgltf.model.MeshPrimitiveModel;
-import de.javagl.jgltf.model.NodeModel;
-import java.util.IdentityHashMap;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import nephele.engine.math.Normals;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.model.NumberFormatting;
+import nephele.engine.model.file.GltfPrimitive.TextureMap;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
-/** Joins the meshes of a glTF scene's nodes into one, each transformed by its node. */
+/**
+ * Joins the meshes of nodes into one. Each mesh is checked once; its triangles are counted once for each node, before
+ * they are read.
+ */
 final class GltfTriangles {
-    private static final int TRIANGLES = 4;
-    private static final int TRIANGLE_STRIP = 5;
-    private static final double BYTE_RANGE = 255;
-    private static final double SHORT_RANGE = 65_535;
-
-    private final String file;
-    private final GltfModel model;
+    private final GltfValue root;
+    private final GltfAccessors accessors;
+    private final Set<String> skipped;
+    private final Map<Integer, List<GltfPrimitive>> meshes = new HashMap<>();
     private final FloatList positions = new FloatList();
     private final FloatList normals = new FloatList();
     private final FloatList textureCoordinates = new FloatList();
     private final IntList indices = new IntList();
+    private long cost;
 
-    GltfTriangles(String file, GltfModel model) {
-        this.file = file;
-        this.model = model;
+    /** @param skipped receives the names of what is not applied */
+    GltfTriangles(GltfValue root, GltfBuffers buffers, Set<String> skipped) {
+        this.root = root;
+        this.skipped = skipped;
+        this.accessors = new GltfAccessors(root, buffers);
     }
 
-    /** Returns the joined mesh; {@link GltfScene} orders parents before children. */
-    Mesh mesh() {
-        Map<NodeModel, Matrix4d> frames = new IdentityHashMap<>();
-        for (NodeModel node : model.getNodeModels()) {
-            Matrix4d parent = node.getParent() == null ? new Matrix4d() : frames.get(node.getParent());
-            Matrix4d frame = parent.mul(new Matrix4d().set(node.computeLocalTransform(null)), new Matrix4d());
-            frames.put(node, frame);
-            add(node, frame);
+    /** Adds a node's mesh; {@code index} is its number in the JSON. */
+    void add(GltfValue index, Matrix4d frame) {
+        GltfValue all = root.member("meshes");
+        int number = index.index(all.size(), "meshes");
+        List<GltfPrimitive> primitives = meshes.computeIfAbsent(number, key -> primitives(all.at(key)));
+        for (GltfPrimitive primitive : primitives) {
+            cost += primitive.cost();
+            if (cost > MeshLimits.MAX_GLTF_VERTICES) {
+                throw index.error(
+                        "makes it more than " + MeshLimits.MAX_GLTF_VERTICES + " vertices or triangles",
+                        "make the mesh coarser");
+            }
+            add(primitive, frame);
         }
+    }
+
+    Mesh mesh() {
         if (indices.size() == 0) {
             throw wrong("holds no triangles", "export a mesh of triangles");
         }
@@ -60,26 +65,46 @@ final class GltfTriangles {
         return new Mesh(places, unit, textureCoordinates.toArray(), corners);
     }
 
-    private void add(NodeModel node, Matrix4d frame) {
-        for (MeshModel mesh : node.getMeshModels()) {
-            for (MeshPrimitiveModel primitive : mesh.getMeshPrimitiveModels()) {
-                add(primitive, frame);
+    /** Notes the morph targets of a mesh, or of the node that uses it, if its weights show any. */
+    static void tellMorphed(GltfValue weighted, Set<String> skipped) {
+        for (GltfValue weight : weighted.member("weights").elements()) {
+            if (weight.number() != 0) {
+                skipped.add("morph targets");
             }
         }
     }
 
-    private void add(MeshPrimitiveModel primitive, Matrix4d frame) {
+    private List<GltfPrimitive> primitives(GltfValue mesh) {
+        tellMorphed(mesh, skipped);
+        List<GltfPrimitive> primitives = new ArrayList<>();
+        for (GltfValue primitive : mesh.member("primitives").elements()) {
+            int mode = primitive.member("mode").count(GltfPrimitive.TRIANGLES);
+            if (mode > GltfPrimitive.TRIANGLE_FAN) {
+                throw primitive.member("mode").error("is " + mode + ", which draws nothing known");
+            }
+            if (mode >= GltfPrimitive.TRIANGLES) {
+                primitives.add(GltfPrimitive.of(root, primitive, mode, accessors));
+            }
+        }
+        return primitives;
+    }
+
+    private void add(GltfPrimitive primitive, Matrix4d frame) {
         int first = positions.size() / 3;
-        AccessorModel position = primitive.getAttributes().get("POSITION");
-        addPositions((AccessorFloatData) position.getAccessorData(), frame);
-        addNormals(primitive.getAttributes().get("NORMAL"), position.getCount(), frame);
-        addTexture(primitive.getAttributes().get("TEXCOORD_0"), position.getCount());
+        int count = primitive.positions().count();
+        addPositions(primitive.positions().numbers(), frame);
+        addNormals(
+                primitive.normals() == null
+                        ? new double[3 * count]
+                        : primitive.normals().numbers(),
+                frame);
+        addTexture(primitive.texture() == null ? null : primitive.texture().numbers(), count, primitive.map());
         boolean mirrored = Normals.flipsWinding(frame.get3x3(new Matrix3d()));
-        int[] corners = corners(primitive.getIndices(), position.getCount());
-        int mode = primitive.getMode();
-        for (int i = 0; i + 2 < corners.length; i += mode == TRIANGLES ? 3 : 1) {
-            boolean odd = mode == TRIANGLE_STRIP && i % 2 == 1;
-            int a = mode > TRIANGLE_STRIP ? corners[0] : corners[i];
+        int[] corners = corners(primitive.indices(), count);
+        int mode = primitive.mode();
+        for (int i = 0; i + 2 < corners.length; i += mode == GltfPrimitive.TRIANGLES ? 3 : 1) {
+            boolean odd = mode == GltfPrimitive.TRIANGLE_STRIP && i % 2 == 1;
+            int a = mode == GltfPrimitive.TRIANGLE_FAN ? corners[0] : corners[i];
             addTriangle(first + a, first + corners[i + 1], first + corners[i + 2], mirrored != odd);
         }
     }
@@ -90,21 +115,20 @@ final class GltfTriangles {
         indices.add(turned ? b : c);
     }
 
-    private void addPositions(AccessorFloatData data, Matrix4d frame) {
+    private void addPositions(double[] numbers, Matrix4d frame) {
         Vector3d point = new Vector3d();
-        for (int i = 0; i < data.getNumElements(); i++) {
-            frame.transformPosition(point.set(data.get(i, 0), data.get(i, 1), data.get(i, 2)));
+        for (int i = 0; i < numbers.length; i += 3) {
+            frame.transformPosition(point.set(numbers[i], numbers[i + 1], numbers[i + 2]));
             addCoordinate(positions, point.x);
             addCoordinate(positions, point.y);
             addCoordinate(positions, point.z);
         }
     }
 
-    private void addNormals(AccessorModel normal, int count, Matrix4d frame) {
+    private void addNormals(double[] numbers, Matrix4d frame) {
         Matrix3d linear = frame.get3x3(new Matrix3d());
-        AccessorFloatData data = normal == null ? null : (AccessorFloatData) normal.getAccessorData();
-        for (int i = 0; i < count; i++) {
-            Vec3 unit = data == null ? Vec3.ZERO : transformed(linear, data, i);
+        for (int i = 0; i < numbers.length; i += 3) {
+            Vec3 unit = transformed(linear, new Vec3(numbers[i], numbers[i + 1], numbers[i + 2]));
             normals.add(unit.x());
             normals.add(unit.y());
             normals.add(unit.z());
@@ -112,18 +136,20 @@ final class GltfTriangles {
     }
 
     /** Returns the transformed normal; zero if it has no direction, so that it is computed from the triangles later. */
-    private static Vec3 transformed(Matrix3d linear, AccessorFloatData data, int i) {
-        Vec3 normal = new Vec3(data.get(i, 0), data.get(i, 1), data.get(i, 2));
+    private static Vec3 transformed(Matrix3d linear, Vec3 normal) {
         double squared = normal.toVector().lengthSquared();
         return squared > 0 && Double.isFinite(squared) ? Normals.transformed(linear, normal) : Vec3.ZERO;
     }
 
-    /** Adds texture coordinates; glTF's origin is the top of the image, the mesh's the bottom. */
-    private void addTexture(AccessorModel texture, int count) {
-        AccessorData data = texture == null ? null : texture.getAccessorData();
+    /**
+     * Adds texture coordinates; glTF's origin is the top of the image, the mesh's the bottom.
+     *
+     * @param numbers {@code null} without any
+     */
+    private void addTexture(double[] numbers, int count, TextureMap map) {
         for (int i = 0; i < count; i++) {
-            addCoordinate(textureCoordinates, data == null ? 0 : share(data, i, 0));
-            addCoordinate(textureCoordinates, data == null ? 0 : 1 - share(data, i, 1));
+            addCoordinate(textureCoordinates, numbers == null ? 0 : map.s() + map.scaleS() * numbers[2 * i]);
+            addCoordinate(textureCoordinates, numbers == null ? 0 : 1 - map.t() - map.scaleT() * numbers[2 * i + 1]);
         }
     }
 
@@ -134,23 +160,15 @@ final class GltfTriangles {
         list.add(value + 0.0);
     }
 
-    private static double share(AccessorData data, int i, int component) {
-        if (data instanceof AccessorFloatData floats) {
-            return floats.get(i, component);
-        }
-        return data instanceof AccessorByteData bytes
-                ? bytes.getInt(i, component) / BYTE_RANGE
-                : ((AccessorShortData) data).getInt(i, component) / SHORT_RANGE;
-    }
-
-    private int[] corners(AccessorModel listed, int vertices) {
-        int[] corners = new int[listed == null ? vertices : listed.getCount()];
-        AccessorData data = listed == null ? null : listed.getAccessorData();
+    /** @param listed {@code null} for the vertices in their order */
+    private int[] corners(GltfAccessor listed, int vertices) {
+        int[] corners = new int[listed == null ? vertices : listed.count()];
+        double[] numbers = listed == null ? null : listed.numbers();
         for (int i = 0; i < corners.length; i++) {
-            long corner = data == null ? i : index(data, i);
+            double corner = numbers == null ? i : numbers[i];
             if (corner >= vertices) {
                 throw wrong(
-                        "index " + corner + " in a buffer names no vertex; there are " + vertices,
+                        "index " + (long) corner + " in a buffer names no vertex; there are " + vertices,
                         "export the mesh again");
             }
             corners[i] = (int) corner;
@@ -158,14 +176,7 @@ final class GltfTriangles {
         return corners;
     }
 
-    private static long index(AccessorData data, int i) {
-        if (data instanceof AccessorIntData ints) {
-            return ints.getLong(i);
-        }
-        return data instanceof AccessorShortData shorts ? shorts.getInt(i) : ((AccessorByteData) data).getInt(i);
-    }
-
     private ModelFileException wrong(String reason, String remedy) {
-        return new ModelFileException(file, 0, reason, remedy);
+        return new ModelFileException(root.file(), 0, reason, remedy);
     }
 }

@@ -25,6 +25,11 @@ record GltfValue(String file, String path, JsonElement json) {
         return new GltfValue(file, path.isEmpty() ? name : path + "." + name, object.get(name));
     }
 
+    /** Returns a member, missing if this value is. */
+    GltfValue memberIfAny(String name) {
+        return exists() ? member(name) : this;
+    }
+
     /** Returns the number of elements of an array; 0 if it is missing. */
     int size() {
         if (json == null) {
@@ -65,6 +70,14 @@ record GltfValue(String file, String path, JsonElement json) {
             throw error("is no number that a float holds");
         }
         return value;
+    }
+
+    /** Returns a number of an array of {@code size} numbers; {@code missing} if there is no array. */
+    double numberAt(int i, int size, double missing) {
+        if (exists() && size() != size) {
+            throw error("has " + size() + " numbers instead of " + size);
+        }
+        return exists() ? at(i).number() : missing;
     }
 
     /** Returns a non-negative integer; {@code missing} if there is none. */

@@ -44,7 +44,7 @@ public final class SceneFolder implements SceneFiles {
 
     @Override
     public Mesh mesh(XmlModel model) {
-        return meshes.computeIfAbsent(model.file(), file -> found(model, () -> readMesh(file)))
+        return meshes.computeIfAbsent(model.file(), file -> found(model, () -> readMesh(model, file)))
                 .orElse(null);
     }
 
@@ -69,9 +69,9 @@ public final class SceneFolder implements SceneFiles {
         }
     }
 
-    private Mesh readMesh(String file) {
+    private Mesh readMesh(XmlModel model, String file) {
         Mesh mesh = assets.exists(file)
-                ? ModelFiles.read(file, assets.bytes(file), ModelFiles.besides(assets, file))
+                ? ModelFiles.read(file, assets, note -> complaints.accept(sceneFile + ":" + model.line() + ": " + note))
                 : generated(file);
         if (vertices + mesh.vertexCount() > MOST_VERTICES) {
             throw new ModelFileException(

@@ -129,6 +129,32 @@ class ParticleGlTest {
         assertTrue(kind != Kind.SMOKE || least < 0.95, "is too thin: " + least);
     }
 
+    /** One square of the report is white, and has the picture of a cloud: wider than high, and no disc. */
+    @Test
+    void theReportsSquaresAreWhiteClouds() {
+        Emitter one = new Emitter("e", Kind.QUADS, CENTRE, new Vec3(0.01, 0.01, 0.01), 0.7, 5, -0.2, 0, 3);
+        Level level =
+                new TestLevel().sky(new Sky.Constant(Vec3.ZERO)).emitter(one).level();
+        float[] seen = radiance(level, ahead(Vec3.ZERO), 0.9);
+        boolean[] columns = new boolean[SIZE];
+        boolean[] rows = new boolean[SIZE];
+        for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+            assertEquals(seen[3 * pixel], seen[3 * pixel + 2], 1e-3 + 1e-3 * seen[3 * pixel]);
+            columns[pixel % SIZE] |= seen[3 * pixel] > 0.05;
+            rows[pixel / SIZE] |= seen[3 * pixel] > 0.05;
+        }
+        assertTrue(count(columns) > 1.2 * count(rows), count(columns) + " columns of " + count(rows) + " rows");
+        assertTrue(count(rows) > 5, count(rows) + " rows");
+    }
+
+    private static int count(boolean[] any) {
+        int count = 0;
+        for (boolean each : any) {
+            count += each ? 1 : 0;
+        }
+        return count;
+    }
+
     @Test
     void throughAPortalItIsThePictureOfTheMovedEye() {
         Vec3 away = new Vec3(100, 0, 0);
@@ -165,11 +191,12 @@ class ParticleGlTest {
         }
     }
 
-    /** Squares that a black floor cuts fade towards it: their light differs by little from row to row. */
+    /** Flames that a black floor cuts fade towards it: their light differs by little from row to row. */
     @Test
     void particlesFadeWhereTheyMeetAFloor() {
         Vec3 low = new Vec3(0, -1, -5);
-        Emitter wide = new Emitter("e", Kind.QUADS, low, new Vec3(0.2, 0.2, 0.2), 4, 5, -20, 0, 3);
+        Emitter wide =
+                new Emitter("e", Kind.FIRE, low.plus(new Vec3(0, 0.1, 0)), new Vec3(2, 0.5, 2), 10, 5, -20, 0, 4);
         Level level = new TestLevel()
                 .emitter(wide)
                 .box(null, low.plus(new Vec3(0, -0.5, 0)), new Vec3(40, 1, 40))

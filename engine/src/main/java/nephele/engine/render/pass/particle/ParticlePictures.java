@@ -10,18 +10,23 @@ import nephele.engine.render.gl.Texture;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * The pictures of billows and tongues in their squares, from noise: coverage, which is zero along the edges, and the
+ * The pictures of billows, tongues and clouds in their squares, from noise: coverage, which is zero along the edges, and the
  * slope of a billow's front, 0.5 for none.
  */
 final class ParticlePictures {
     private static final int TEXELS = 96;
     private static final int FIRST = ParticlePicture.BILLOW.first();
 
+    /** Middle and radius of the parts of a cloud. */
+    private static final double[][] BALLS = {
+        {-0.5, -0.2, 0.36}, {-0.18, 0.02, 0.46}, {0.22, -0.04, 0.44}, {0.54, -0.22, 0.32}, {0.02, 0.26, 0.36}
+    };
+
     private ParticlePictures() {}
 
     /** Returns an array texture: a layer for each variant from the first billow on. */
     static Texture texture(GlContext gl) {
-        int layers = ParticlePicture.BILLOW.variants() + ParticlePicture.TONGUE.variants();
+        int layers = ParticlePicture.CLOUD.first() + ParticlePicture.CLOUD.variants() - FIRST;
         Texture texture = new Texture(
                 gl,
                 "particles",
@@ -35,7 +40,7 @@ final class ParticlePictures {
             for (int i = 0; i < TEXELS * TEXELS; i++) {
                 double u = 2 * (i % TEXELS + 0.5) / TEXELS - 1;
                 double v = 2 * (i / TEXELS + 0.5) / TEXELS - 1;
-                double cover = isBillow ? billow(u, v, layer) : tongue(u, v, layer);
+                double cover = cover(FIRST + layer, u, v);
                 texels.put(4 * i, unsigned(cover));
                 texels.put(4 * i + 1, unsigned(0.5 + 0.5 * (isBillow ? slope(u, v, 1, 0, layer) : 0)));
                 texels.put(4 * i + 2, unsigned(0.5 + 0.5 * (isBillow ? slope(u, v, 0, 1, layer) : 0)));
@@ -45,6 +50,14 @@ final class ParticlePictures {
         }
         MemoryUtil.memFree(texels);
         return texture;
+    }
+
+    private static double cover(int picture, double u, double v) {
+        int variant = picture - FIRST;
+        if (picture >= ParticlePicture.CLOUD.first()) {
+            return cloud(u, v, variant);
+        }
+        return picture >= ParticlePicture.TONGUE.first() ? tongue(u, v, variant) : billow(u, v, variant);
     }
 
     private static byte unsigned(double share) {
@@ -80,6 +93,19 @@ final class ParticlePictures {
         double left = Math.max(0, 1 - radius);
         double body = left * left * (3 - 2 * left);
         return body * (0.55 + 0.75 * lobes) * edge(u, v);
+    }
+
+    /** A heap of balls whose edges are eaten by noise, on a nearly flat base. */
+    private static double cloud(double u, double v, int variant) {
+        double lobes = noise(u, v, variant, 3.1) - 0.47;
+        double clear = 1;
+        for (double[] ball : BALLS) {
+            double x = u - ball[0];
+            double y = (v - ball[1]) * (v < ball[1] ? 1.5 : 1);
+            double left = 1 - Math.sqrt(x * x + y * y) / ball[2] - 1.1 * lobes;
+            clear *= 1 - 0.75 * Math.min(1, Math.max(0, 1.5 * left));
+        }
+        return (1 - clear) * edge(u, v);
     }
 
     /** A drop, round below and pointed above, with threads along it. */

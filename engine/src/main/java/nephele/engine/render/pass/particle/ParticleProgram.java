@@ -58,8 +58,8 @@ final class ParticleProgram {
 
     private static boolean isPictured(Emitter.Kind kind) {
         return switch (kind) {
-            case FIRE, SMOKE, EXPLOSION -> true;
-            case RAIN, SNOW, SPARKS, QUADS -> false;
+            case FIRE, SMOKE, EXPLOSION, QUADS -> true;
+            case RAIN, SNOW, SPARKS -> false;
         };
     }
 
