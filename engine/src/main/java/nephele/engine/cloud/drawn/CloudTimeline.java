@@ -14,7 +14,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
-import nephele.engine.cloud.cells.ShadingCloud;
+import nephele.engine.cloud.cells.ShadingClouds;
 import nephele.engine.cloud.drawn.CloudInterval.Sample;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
@@ -66,6 +66,7 @@ public final class CloudTimeline implements AutoCloseable {
     private final ForkJoinPool worker = new ForkJoinPool(1);
     private final Map<Key, Future<Sample>> samples = new LinkedHashMap<>(16, 0.75f, true);
     private List<List<Column>> columns;
+    private double firstSeconds = Double.NaN;
 
     /** What a sample depends on. @param columns the middles of each cloud's boxes, then those of the shafts' shade */
     private record Key(long step, Vec3 towardsSun, List<List<Column>> columns) {}
@@ -183,10 +184,16 @@ public final class CloudTimeline implements AutoCloseable {
         follow(now, step, share, seconds, focus);
         Sample from = sample(key(now, seconds, step, columns));
         Sample to = share == 0 ? from : sample(key(now, seconds, step + 1, columns));
-        if (stepSeconds < Double.POSITIVE_INFINITY) {
+        if (hasMoved(seconds)) {
             prefetch(key(now, seconds, share == 0 ? step + 1 : step + 2, columns));
         }
         return new CloudInterval(from, to, share, seconds);
+    }
+
+    /** Returns true once time passes, for then the next samples are wanted: those of a single picture never are. */
+    private boolean hasMoved(double seconds) {
+        firstSeconds = Double.isNaN(firstSeconds) ? seconds : firstSeconds;
+        return stepSeconds < Double.POSITIVE_INFINITY && seconds != firstSeconds;
     }
 
     /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
@@ -280,10 +287,11 @@ public final class CloudTimeline implements AutoCloseable {
         List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
                 .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))
                 .toList();
+        ShadingClouds shading = shading(sampled, seconds, key.towardsSun);
         List<DrawnCloud> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
-            var around = new LightCells.Around(key.towardsSun, shading(i, sampled, seconds), lightDivisor);
+            var around = new LightCells.Around(key.towardsSun, shading.on(i), lightDivisor);
             all.add(new DrawnCloud(
                     source,
                     source.lit(sampled.get(i).density(), around),
@@ -307,22 +315,14 @@ public final class CloudTimeline implements AutoCloseable {
                 : 1;
     }
 
-    /** Returns the clouds that shade one: all others. */
-    private List<ShadingCloud> shading(int shaded, List<CloudSource.Sampled> sampled, double seconds) {
-        List<ShadingCloud> others = new ArrayList<>();
-        Vec3 drift = sources.get(shaded).drift(seconds);
+    private ShadingClouds shading(List<CloudSource.Sampled> sampled, double seconds, Vec3 towardsSun) {
+        List<ShadingClouds.Cast> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
-            if (i != shaded) {
-                double own = straightened(sources.get(shaded));
-                others.add(new ShadingCloud(
-                        sampled.get(i).density(),
-                        source.grid() != null,
-                        drift.minus(source.drift(seconds)),
-                        own > 1e-3 ? straightened(source) / own : 1));
-            }
+            all.add(new ShadingClouds.Cast(
+                    sampled.get(i).density(), source.grid() != null, source.drift(seconds), straightened(source)));
         }
-        return others;
+        return new ShadingClouds(all, towardsSun);
     }
 
     private static double straightened(CloudSource source) {
