@@ -36,7 +36,8 @@ final class LayerCrossing {
             upright[level] = columns(level, new Vec3(0, 1, 0));
             slanted[level] = columns(level, up);
         }
-        farthestMetres = LayerGrid.WALK * density.get(density.size() - 1).cells().sizeX();
+        farthestMetres =
+                LayerGrid.WALK * density.get(density.size() - 1).cells().sizeX();
     }
 
     private float[] columns(int level, Vec3 direction) {

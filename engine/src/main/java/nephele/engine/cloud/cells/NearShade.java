@@ -71,6 +71,9 @@ final class NearShade {
 
     /** Returns how many pairs of a block of cells and a cloud in a direction are regarded. */
     long pairs() {
-        return Arrays.stream(near).flatMap(Arrays::stream).mapToLong(met -> met.length).sum();
+        return Arrays.stream(near)
+                .flatMap(Arrays::stream)
+                .mapToLong(met -> met.length)
+                .sum();
     }
 }
