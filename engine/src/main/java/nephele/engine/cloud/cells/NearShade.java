@@ -1,6 +1,5 @@
 package nephele.engine.cloud.cells;
 
-import java.util.Arrays;
 import java.util.List;
 import nephele.engine.cloud.cells.ShadingCloud.Towards;
 import nephele.engine.math.Aabb;
@@ -67,13 +66,5 @@ final class NearShade {
             sum += clouds[cloud].from(towards, cells.centreX(i), cells.centreY(j), cells.centreZ(k), edgeMetres);
         }
         return sum;
-    }
-
-    /** Returns how many pairs of a block of cells and a cloud in a direction are regarded. */
-    long pairs() {
-        return Arrays.stream(near)
-                .flatMap(Arrays::stream)
-                .mapToLong(met -> met.length)
-                .sum();
     }
 }

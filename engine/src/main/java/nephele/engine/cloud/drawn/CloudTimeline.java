@@ -26,6 +26,7 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -99,18 +100,26 @@ public final class CloudTimeline implements AutoCloseable {
         this(authored, LoadedClouds.of(authored, assets), region, Sampling.of(lightDivisor));
     }
 
-    /** @param loaded those of the environment, each with the technique that draws it */
+    /**
+     * Prepares loaded clouds.
+     *
+     * @param loaded those of the environment, each with the technique that draws it
+     * @throws nephele.engine.asset.AssetException if memory does not suffice for their cells
+     */
     public CloudTimeline(Environment authored, LoadedClouds loaded, Aabb region, Sampling sampling) {
         this.authored = causes(authored);
         lightDivisor = sampling.lightDivisor;
         this.region = region;
         this.loaded = loaded;
         LoadedClouds still = loaded.withoutWind();
+        CloudDemand demand = CloudDemand.of(loaded.clouds());
+        demand.requireMemory(Runtime.getRuntime().maxMemory());
+        var division = new CloudSource.Division(demand, sampling.octaves);
         List<CloudSource> all = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
             CloudLight physics = sampling.physics.apply(CloudOptics.of(cloud));
-            var source = new CloudSource(loaded, still, i, physics, sampling.octaves);
+            var source = new CloudSource(loaded, still, i, physics, division);
             if (source.exists()) {
                 all.add(source);
             }
