@@ -84,6 +84,7 @@ final class EditCommand implements Command {
             throw CommandFailure.environment("the editor needs a display; without one, run its actions from a file"
                     + " with --script F (docs/editor-keys.md)");
         }
+        terminal.shown().run();
         CountDownLatch ended = new CountDownLatch(1);
         new WindowedEditing(
                         session,
