@@ -6,6 +6,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import nephele.app.command.CommandLineFront;
+import nephele.engine.terminal.LongWork;
 import nephele.engine.terminal.Terminal;
 
 /** The main class of the jar. */
@@ -17,8 +18,10 @@ public final class Main {
         MesaCache.protect();
         Locale.setDefault(Locale.ROOT);
         trustExtractedLibraries();
-        var terminal = new Terminal(utf8(FileDescriptor.out), utf8(FileDescriptor.err));
+        var work = LongWork.begin(new FileOutputStream(FileDescriptor.err), named(args));
+        var terminal = new Terminal(utf8(FileDescriptor.out), work.err(), work::done);
         var exitCode = new CommandLineFront(terminal).run(args);
+        work.done();
         terminal.out().flush();
         terminal.err().flush();
         System.exit(exitCode.number());
@@ -32,6 +35,10 @@ public final class Main {
         if (System.getProperty("org.lwjgl.util.NoHashChecks") == null) {
             System.setProperty("org.lwjgl.util.NoHashChecks", "true");
         }
+    }
+
+    private static String named(String[] args) {
+        return args.length == 0 ? "nephele" : "nephele " + args[0];
     }
 
     private static PrintStream utf8(FileDescriptor descriptor) {

@@ -84,6 +84,7 @@ final class EditCommand implements Command {
         if (script != null) {
             return runScript(session, terminal);
         }
+        terminal.shown().run();
         CountDownLatch ended = new CountDownLatch(1);
         new WindowedEditing(
                         session,

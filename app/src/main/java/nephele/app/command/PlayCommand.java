@@ -131,11 +131,12 @@ final class PlayCommand implements Command {
             throw CommandFailure.environment("to play from the editor, a display is needed: there is none");
         }
         if (warm) {
+            terminal.shown().run();
             WaitingGame.run(request, System.in, terminal.out());
         } else if (windowed && profileStart) {
             new WindowedGame(request).profileStart(profile, terminal.out());
         } else if (windowed) {
-            new WindowedGame(request).run();
+            new WindowedGame(request).run(terminal.shown());
         } else if (profileStart) {
             new OffscreenWalk(request, terminal.out(), PICTURES).profileStart(profile);
         } else {

@@ -92,6 +92,7 @@ final class SceneCommand implements Command {
         if (out != null) {
             savePicture(start, pixels);
         } else if (SystemDisplay.isPresent()) {
+            terminal.shown().run();
             SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()));
         } else {
             new OffscreenTour(start, terminal.out()).save(PICTURES, name.stem(), pixels.width(), pixels.height());

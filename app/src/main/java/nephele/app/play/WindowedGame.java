@@ -16,12 +16,13 @@ public final class WindowedGame {
         this.request = request;
     }
 
-    /** Plays until the player quits. */
-    public void run() {
+    /** Plays until the player quits. @param shown is called when the level is loaded */
+    public void run(Runnable shown) {
         var input = new Input();
         try (var window = open(input);
                 var gl = GlContext.ofCurrent();
                 var loop = new GameLoop(request, window, gl, input)) {
+            shown.run();
             loop.run();
         }
     }

@@ -12,6 +12,8 @@ final class AirIntegral {
     static final GaussLegendre FINE = new GaussLegendre(10);
     /** For rays that are cut into short pieces. */
     static final GaussLegendre SHORT = new GaussLegendre(3);
+    /** For light that is scattered often, where it is to be quick. */
+    static final GaussLegendre SHORTEST = new GaussLegendre(2);
     /** For light that is smooth along the ray. */
     static final GaussLegendre COARSE = new GaussLegendre(5);
 

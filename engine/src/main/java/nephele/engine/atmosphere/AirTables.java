@@ -33,7 +33,7 @@ public final class AirTables {
                 .flatMap(bytes -> LightFieldFile.decode(air, bytes))
                 .orElse(null);
         if (field == null) {
-            field = ScatteringOrders.sum(air, sun, progress);
+            field = ScatteringOrders.sum(air, sun, ScatteringOrders.Accuracy.QUICK, progress);
             files.store(name, LightFieldFile.encode(air, field));
         }
         return new AirTables(air, sun, field.refined());

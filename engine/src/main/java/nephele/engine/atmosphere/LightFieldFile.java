@@ -16,6 +16,7 @@ import java.util.HexFormat;
 import java.util.Optional;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
+import nephele.engine.atmosphere.ScatteringOrders.Accuracy;
 import nephele.engine.math.Vec3;
 
 /**
@@ -27,7 +28,7 @@ public final class LightFieldFile {
     public static final String NAMES = "air-*.field";
 
     /** Part of every name: raise it whenever the same air would have another field. */
-    private static final int VERSION = 1;
+    private static final int VERSION = 2;
 
     private static final String CLEAR = "clear-air.field";
 
@@ -87,7 +88,16 @@ public final class LightFieldFile {
 
     /** Writes the field of clear air, computed anew: the file of the program. */
     public static void write(OutputStream out) throws IOException {
-        LightField field = ScatteringOrders.sum(Air.CLEAR, new SunTransmittance(Air.CLEAR), done -> {});
+        write(out, Accuracy.FINE);
+    }
+
+    /** Writes the field of clear air, computed as quickly as that of other air. */
+    public static void writeQuick(OutputStream out) throws IOException {
+        write(out, Accuracy.QUICK);
+    }
+
+    private static void write(OutputStream out, Accuracy accuracy) throws IOException {
+        LightField field = ScatteringOrders.sum(Air.CLEAR, new SunTransmittance(Air.CLEAR), accuracy, done -> {});
         try (DataOutputStream numbers = new DataOutputStream(new GZIPOutputStream(out))) {
             write(field, numbers);
         }
@@ -95,13 +105,20 @@ public final class LightFieldFile {
 
     /** Returns the greatest difference between the numbers of the program's field of clear air and those of another file. */
     public static double differenceFromClear(InputStream file) throws IOException {
+        return differenceFromClear(file, Double.NEGATIVE_INFINITY);
+    }
+
+    /** Does the same for the nodes that are not darker. @param darkest natural logarithm of the light in the program's field */
+    public static double differenceFromClear(InputStream file, double darkest) throws IOException {
         float[][] own = clear().arrays();
         float[][] other = read(compressed(file)).arrays();
+        int[] perNode = {DirectionMoments.count(ScatteringOrders.FIRST_DEGREE), 1};
         double greatest = 0;
         for (int array = 0; array < own.length; array++) {
             for (int i = 0; i < own[array].length; i++) {
                 double difference = Math.abs(own[array][i] - other[array][i]);
-                greatest = difference <= greatest ? greatest : difference;
+                boolean isDark = own[array][i - i % perNode[array]] < darkest;
+                greatest = isDark || difference <= greatest ? greatest : difference;
             }
         }
         return greatest;

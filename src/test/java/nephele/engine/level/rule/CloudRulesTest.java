@@ -8,6 +8,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJsonTest;
@@ -188,5 +189,24 @@ class CloudRulesTest {
                 "warning: only air shows shadows: choose the environment.sky kind atmosphere");
         assertEquals(List.of(), lines("\"sky\": {\"kind\": \"atmosphere\"}, " + deck));
         assertEquals(List.of(), lines(clouds(layer("c", ", 'shafts': false"))));
+    }
+
+    /** What is too dear is said before anybody waits for it; what is not, is not. */
+    @Test
+    void cloudsThatTakeLongAreAWarningWithAnEstimate() {
+        assertEquals(List.of(), lines(clouds(small(101))));
+        assertEquals(
+                List.of("clouds: warning: 400 clouds need some 591 s of a processor's time and 972 MB of memory before"
+                        + " the first picture: use fewer of them, fewer layers, or the same seed of noise for several"),
+                lines(clouds(IntStream.range(0, 400)
+                        .mapToObj(i -> layer("c" + i, ", 'density': {'kind': 'noise', 'seed': " + i + "}"))
+                        .toArray(String[]::new))));
+    }
+
+    private static String[] small(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> "{\"id\": \"c" + i + "\", \"kind\": \"volume\", \"centre\": [" + 4 * i
+                        + ", 5, 0], \"size\": [3, 3, 3]}")
+                .toArray(String[]::new);
     }
 }

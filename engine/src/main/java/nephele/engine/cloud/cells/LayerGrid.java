@@ -2,6 +2,7 @@ package nephele.engine.cloud.cells;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.math.Aabb;
 
 /**
@@ -17,7 +18,7 @@ import nephele.engine.math.Aabb;
 public record LayerGrid(
         double baseMetres, double topMetres, double cellMetres, int rows, int levels, int across, int reach) {
     /** The width of a cloud's boxes. */
-    static final int ACROSS = 64;
+    static final int ACROSS = CloudDemand.LAYER_ACROSS;
     /** Reach of a cloud's boxes, in their cells: rays towards the sun begin in a box and go on in it for a while. */
     static final int REACH = 18;
     /** How far the focus may be from a box's middle, in its cells. */

@@ -2,6 +2,7 @@ package nephele.engine.cloud.cells;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import nephele.engine.cloud.cells.ShadingCloud.Towards;
 import nephele.engine.cloud.light.AxisDepths;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.math.Vec3;
@@ -13,9 +14,6 @@ public final class LightCells {
 
     /** The usual number of cells of density along each edge of a cell of light. */
     public static final int DIVISOR = 2;
-
-    private static final Vec3 UP = new Vec3(0, 1, 0);
-    private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
     private final CellBox cells;
     private final float[] values;
@@ -50,12 +48,12 @@ public final class LightCells {
         float[] values = new float[VALUES * cells.count()];
         var sums = new CellDepths(dense, cells);
         float[] shades = isLayer || around.others.isEmpty() ? null : new float[cells.count()];
+        var found = new Finding(cells, sums, new StackDepths(density, isLayer), isLayer, around);
         IntStream.range(0, cells.nz()).parallel().forEach(k -> {
-            var slice = new Slice(cells, sums, new StackDepths(density, isLayer), isLayer, around);
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
                     if (isNear(dense, cells, around.divisor, i, j, k)) {
-                        put(values, VALUES * cells.index(i, j, k), slice.at(i, j, k, physics, shades));
+                        put(values, VALUES * cells.index(i, j, k), found.at(i, j, k, physics, shades));
                     }
                 }
             }
@@ -77,24 +75,27 @@ public final class LightCells {
         return density.distances()[dense.index(x, y, z)] < farthest;
     }
 
-    /** Finds the light in a slice of cells. For one thread. */
-    private static final class Slice {
+    /** Finds the light in cells. Immutable. */
+    private static final class Finding {
         private final CellBox cells;
         private final CellDepths sums;
         private final StackDepths depths;
         private final boolean isLayer;
-        private final Around around;
-        private final List<ShadingCloud.Walk> others;
+        private final Vec3 sun;
+        /** {@code null} if no cloud shades it. */
+        private final NearShade others;
+
         private final double axisCosine;
 
-        private Slice(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, Around around) {
+        private Finding(CellBox cells, CellDepths sums, StackDepths depths, boolean isLayer, Around around) {
             this.cells = cells;
             this.sums = sums;
             this.depths = depths;
             this.isLayer = isLayer;
-            this.around = around;
-            others = around.others().stream().map(ShadingCloud::walk).toList();
-            Vec3 sun = around.towardsSun();
+            sun = around.towardsSun();
+            others = around.others().isEmpty()
+                    ? null
+                    : new NearShade(cells, around.others(), sun, cells.sizeX() / around.divisor());
             axisCosine = -CellStack.diffuseAxis(isLayer, cells, sun).dot(sun);
         }
 
@@ -104,18 +105,16 @@ public final class LightCells {
             double y = cells.centreY(j);
             double z = cells.centreZ(k);
             AxisDepths axes = axes(i, j, k, x, y, z);
-            Vec3 sun = around.towardsSun();
             double sunDepth = depths.from(0, x, y, z, sun.x(), sun.y(), sun.z());
             double shadeDepth = depths.from(0, x, y, z, -sun.x(), -sun.y(), -sun.z());
-            double ownDepth = sunDepth;
-            for (ShadingCloud.Walk other : others) {
-                double edge = cells.sizeX() / around.divisor();
-                axes = axes.with(other.from(x, y, z, edge, UP), other.from(x, y, z, edge, DOWN));
-                sunDepth += other.from(x, y, z, edge, sun);
-                shadeDepth += other.from(x, y, z, edge, sun.negated());
-            }
-            if (shades != null) {
-                shades[cells.index(i, j, k)] = (float) (sunDepth - ownDepth);
+            if (others != null) {
+                axes = axes.with(others.from(Towards.SKY, i, j, k), others.from(Towards.GROUND, i, j, k));
+                double shade = others.from(Towards.LIGHT, i, j, k);
+                sunDepth += shade;
+                shadeDepth += others.from(Towards.SHADE, i, j, k);
+                if (shades != null) {
+                    shades[cells.index(i, j, k)] = (float) shade;
+                }
             }
             return physics.at(axes, sunDepth, shadeDepth, axisCosine);
         }

@@ -5,21 +5,21 @@ import nephele.engine.math.Aabb;
 
 /**
  * Optical depths of rays through a cloud's cells, a sample a cell. In a layer a walk begins in the boxes of one level
- * and goes on in the next wider ones after fixed distances, so that it does not depend on where the boxes' sides are. For
- * one thread.
+ * and goes on in the next wider ones after fixed distances, so that it does not depend on where the boxes' sides are.
+ * Immutable.
  */
 final class StackDepths {
     private static final int NEAR_LEVELS = 2;
 
     private final List<DensityCells> density;
-    private final List<CellPlace> places;
+    private final List<DepthWalk> walks;
     private final boolean isLayer;
 
     /** @param isLayer whether the cells end at no side */
     StackDepths(List<DensityCells> density, boolean isLayer) {
         this.density = density;
         this.isLayer = isLayer;
-        places = density.stream().map(cells -> new CellPlace(cells.cells())).toList();
+        walks = density.stream().map(DepthWalk::new).toList();
     }
 
     /** Returns the level whose cells are as wide as these, or the narrowest wider one that contains a point. */
@@ -77,20 +77,7 @@ final class StackDepths {
 
     private double along(
             int level, double x, double y, double z, double dx, double dy, double dz, double from, double to) {
-        DensityCells cells = density.get(level);
-        CellBox box = cells.cells();
-        double perMetre =
-                Math.max(Math.abs(dx) / box.sizeX(), Math.max(Math.abs(dy) / box.sizeY(), Math.abs(dz) / box.sizeZ()));
-        int steps = (int) Math.max(1, Math.ceil((to - from) * perMetre));
-        double step = (to - from) / steps;
-        CellPlace place = places.get(level);
-        double sum = 0;
-        for (int n = 0; n < steps; n++) {
-            double at = from + (n + 0.5) * step;
-            place.at(x + at * dx, y + at * dy, z + at * dz);
-            sum += place.of(cells.densities(), 1, 0);
-        }
-        return sum * step * cells.greatestPerMetre();
+        return walks.get(level).along(x, y, z, dx, dy, dz, from, to);
     }
 
     private static double entry(double from, double direction, double min, double max) {

@@ -26,6 +26,7 @@ import nephele.engine.cloud.octave.OctaveSheet;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -34,17 +35,10 @@ import nephele.engine.math.Vec3;
  * stands still or takes another shape, and the eye moves.
  */
 public final class CloudSource {
-    /** Cells along the longest edge of a finite cloud. */
-    private static final int CELLS = 96;
-
-    private static final int LAYER_LEVELS = 6;
     /** The box in which the mean of a layer is taken, 36 km wide. */
     private static final int MEAN_LEVEL = 2;
 
     private static final double LAYER_CELL_METRES = 62.5;
-    private static final double ROW_METRES = 60;
-    private static final int FEWEST_ROWS = 20;
-    private static final int MOST_ROWS = 48;
     /** Sampled boxes that are kept, in whole clouds. */
     private static final int KEPT = 3;
 
@@ -75,7 +69,15 @@ public final class CloudSource {
      */
     private record SampledBox(DensityCells density, PlanCells plan, SheetColumns columns) {}
 
-    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics, ProceduralNoise octaves) {
+    /**
+     * How clouds are divided.
+     *
+     * @param demand tells into how many cells
+     * @param octaves of clouds that are drawn by technique {@code procedural}
+     */
+    record Division(CloudDemand demand, ProceduralNoise octaves) {}
+
+    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics, Division division) {
         cloud = loaded.clouds().get(index);
         this.still = still;
         this.index = index;
@@ -83,17 +85,17 @@ public final class CloudSource {
         isShell = still.field(index, 0) instanceof ShellField;
         ExtinctionField field = flat(0);
         boolean isFinite = Double.isFinite(field.bounds().maxX());
-        cells = isFinite ? cells(field) : null;
-        grid = isFinite ? null : grid(field.bounds());
+        cells = isFinite ? cells(field, division.demand().longest()) : null;
+        grid = isFinite ? null : grid(field.bounds(), division.demand());
         bounds = isFinite ? cells.box() : field.bounds();
-        sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, octaves) : null;
+        sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, division.octaves()) : null;
         isProfiled = sheet == null && noise(0) != null;
         litBoxes = new LitBoxes(!isFinite, physics, KEPT * levels());
     }
 
     /** An ellipsoid's cells end outside of it: at its tips, an eye would otherwise meet half a cell's density at once. */
-    private static CellBox cells(ExtinctionField field) {
-        CellBox inBounds = CellBox.of(field.bounds(), CELLS);
+    private static CellBox cells(ExtinctionField field, int longest) {
+        CellBox inBounds = CellBox.of(field.bounds(), longest);
         return field instanceof EllipsoidField ? inBounds.padded() : inBounds;
     }
 
@@ -105,10 +107,9 @@ public final class CloudSource {
         return OctaveSheet.of(cloud, octaves, bounds.maxY() - bounds.minY(), depth);
     }
 
-    private static LayerGrid grid(Aabb bounds) {
-        double height = bounds.maxY() - bounds.minY();
-        int rows = (int) Math.max(FEWEST_ROWS, Math.min(MOST_ROWS, Math.round(height / ROW_METRES)));
-        return LayerGrid.ofCloud(bounds.minY(), bounds.maxY(), LAYER_CELL_METRES, rows, LAYER_LEVELS);
+    private static LayerGrid grid(Aabb bounds, CloudDemand demand) {
+        int rows = demand.rows(bounds.maxY() - bounds.minY());
+        return LayerGrid.ofCloud(bounds.minY(), bounds.maxY(), LAYER_CELL_METRES, rows, CloudDemand.LAYER_BOXES);
     }
 
     public Cloud cloud() {

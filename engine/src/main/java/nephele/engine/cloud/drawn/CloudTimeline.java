@@ -14,7 +14,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
-import nephele.engine.cloud.cells.ShadingCloud;
+import nephele.engine.cloud.cells.ShadingClouds;
 import nephele.engine.cloud.drawn.CloudInterval.Sample;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
@@ -26,6 +26,7 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -66,6 +67,7 @@ public final class CloudTimeline implements AutoCloseable {
     private final ForkJoinPool worker = new ForkJoinPool(1);
     private final Map<Key, Future<Sample>> samples = new LinkedHashMap<>(16, 0.75f, true);
     private List<List<Column>> columns;
+    private double firstSeconds = Double.NaN;
 
     /** What a sample depends on. @param columns the middles of each cloud's boxes, then those of the shafts' shade */
     private record Key(double instant, Vec3 towardsSun, List<List<Column>> columns) {}
@@ -98,18 +100,26 @@ public final class CloudTimeline implements AutoCloseable {
         this(authored, LoadedClouds.of(authored, assets), region, Sampling.of(lightDivisor));
     }
 
-    /** @param loaded those of the environment, each with the technique that draws it */
+    /**
+     * Prepares loaded clouds.
+     *
+     * @param loaded those of the environment, each with the technique that draws it
+     * @throws nephele.engine.asset.AssetException if memory does not suffice for their cells
+     */
     public CloudTimeline(Environment authored, LoadedClouds loaded, Aabb region, Sampling sampling) {
         this.authored = causes(authored);
         lightDivisor = sampling.lightDivisor;
         this.region = region;
         this.loaded = loaded;
         LoadedClouds still = loaded.withoutWind();
+        CloudDemand demand = CloudDemand.of(loaded.clouds());
+        demand.requireMemory(Runtime.getRuntime().maxMemory());
+        var division = new CloudSource.Division(demand, sampling.octaves);
         List<CloudSource> all = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
             CloudLight physics = sampling.physics.apply(CloudOptics.of(cloud));
-            var source = new CloudSource(loaded, still, i, physics, sampling.octaves);
+            var source = new CloudSource(loaded, still, i, physics, division);
             if (source.exists()) {
                 all.add(source);
             }
@@ -183,10 +193,16 @@ public final class CloudTimeline implements AutoCloseable {
         Sample from = sample(key(now, seconds, span.from(), columns));
         Sample to = span.share() == 0 ? from : sample(key(now, seconds, span.to(), columns));
         double next = span.share() == 0 ? span.to() : instants.after(span.to());
-        if (next > span.from()) {
+        if (next > span.from() && hasMoved(seconds)) {
             prefetch(key(now, seconds, next, columns));
         }
         return new CloudInterval(from, to, span.share(), seconds);
+    }
+
+    /** Returns true once time passes, for then the next samples are wanted: those of a single picture never are. */
+    private boolean hasMoved(double seconds) {
+        firstSeconds = Double.isNaN(firstSeconds) ? seconds : firstSeconds;
+        return seconds != firstSeconds;
     }
 
     /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
@@ -280,10 +296,11 @@ public final class CloudTimeline implements AutoCloseable {
         List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
                 .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))
                 .toList();
+        ShadingClouds shading = shading(sampled, seconds, key.towardsSun);
         List<DrawnCloud> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
-            var around = new LightCells.Around(key.towardsSun, shading(i, sampled, seconds), lightDivisor);
+            var around = new LightCells.Around(key.towardsSun, shading.on(i), lightDivisor);
             all.add(new DrawnCloud(
                     source,
                     source.lit(sampled.get(i).density(), around),
@@ -307,22 +324,14 @@ public final class CloudTimeline implements AutoCloseable {
                 : 1;
     }
 
-    /** Returns the clouds that shade one: all others. */
-    private List<ShadingCloud> shading(int shaded, List<CloudSource.Sampled> sampled, double seconds) {
-        List<ShadingCloud> others = new ArrayList<>();
-        Vec3 drift = sources.get(shaded).drift(seconds);
+    private ShadingClouds shading(List<CloudSource.Sampled> sampled, double seconds, Vec3 towardsSun) {
+        List<ShadingClouds.Cast> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
-            if (i != shaded) {
-                double own = straightened(sources.get(shaded));
-                others.add(new ShadingCloud(
-                        sampled.get(i).density(),
-                        source.grid() != null,
-                        drift.minus(source.drift(seconds)),
-                        own > 1e-3 ? straightened(source) / own : 1));
-            }
+            all.add(new ShadingClouds.Cast(
+                    sampled.get(i).density(), source.grid() != null, source.drift(seconds), straightened(source)));
         }
-        return others;
+        return new ShadingClouds(all, towardsSun);
     }
 
     private static double straightened(CloudSource source) {

@@ -14,6 +14,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherClouds.ChangingCloud;
 import nephele.engine.level.appearance.WeatherCourse;
@@ -53,12 +54,13 @@ public final class LoadedClouds {
      * Loads clouds with given tables.
      *
      * @param tables makes or remembers the tables of a seed
-     * @throws AssetException if a picture or grid is unusable
+     * @throws AssetException if a picture or grid is unusable, or memory does not suffice
      */
     public static LoadedClouds of(Environment environment, AssetSource assets, LongFunction<CloudTables> tables)
             throws AssetException {
         List<ChangingCloud> changing = WeatherClouds.changing(environment);
         List<Cloud> clouds = changing.stream().map(ChangingCloud::cloud).toList();
+        CloudDemand.of(clouds).requireMemoryOfTables(Runtime.getRuntime().maxMemory());
         List<Weather> weathers = new ArrayList<>();
         changing.forEach(cloud -> weathers.add(cloud.weather()));
         List<CloudFiles> files = new ArrayList<>();

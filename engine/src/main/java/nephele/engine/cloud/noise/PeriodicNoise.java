@@ -105,12 +105,13 @@ final class PeriodicNoise {
         int cellsUp = cellsUp(cells);
         int perCellUp = layers / cellsUp;
         float[] near = new float[81];
+        float[] inReach = new float[near.length];
         for (int k = 0; k < cells; k++) {
             for (int j = 0; j < cellsUp; j++) {
                 for (int i = 0; i < cells; i++) {
                     gather(points, cells, i, j, k, near);
                     int corner = (k * perCell * layers + j * perCellUp) * size + i * perCell;
-                    addCellularCell(sum, corner, perCell, near, weight);
+                    addCellularCell(sum, corner, perCell, near, inReach, weight);
                 }
             }
         }
@@ -151,26 +152,43 @@ final class PeriodicNoise {
         }
     }
 
-    private void addCellularCell(float[] sum, int corner, int perCell, float[] near, float weight) {
+    /** @param inReach is overwritten */
+    private void addCellularCell(float[] sum, int corner, int perCell, float[] near, float[] inReach, float weight) {
         int perCellUp = layers == 1 ? 1 : perCell;
         for (int k = 0; k < perCell; k++) {
             float z = (k + 0.5f) / perCell;
             for (int j = 0; j < perCellUp; j++) {
                 float y = (j + 0.5f) / perCellUp;
+                int count = putInReach(near, y, z, inReach);
                 int at = corner + (k * layers + j) * size;
                 for (int i = 0; i < perCell; i++) {
-                    sum[at + i] += weight * nearest(near, (i + 0.5f) / perCell, y, z);
+                    sum[at + i] += weight * nearest(inReach, count, (i + 0.5f) / perCell, y, z);
                 }
             }
         }
     }
 
-    private static float nearest(float[] near, float x, float y, float z) {
-        float least = 1;
+    /** Keeps the points that are less than a cell from a row: of 27 some nine. Returns how many numbers they are. */
+    private static int putInReach(float[] near, float y, float z, float[] inReach) {
+        int count = 0;
         for (int at = 0; at < near.length; at += 3) {
-            float dx = near[at] - x;
             float dy = near[at + 1] - y;
             float dz = near[at + 2] - z;
+            if (dy * dy + dz * dz <= 1) {
+                inReach[count++] = near[at];
+                inReach[count++] = near[at + 1];
+                inReach[count++] = near[at + 2];
+            }
+        }
+        return count;
+    }
+
+    private static float nearest(float[] points, int count, float x, float y, float z) {
+        float least = 1;
+        for (int at = 0; at < count; at += 3) {
+            float dx = points[at] - x;
+            float dy = points[at + 1] - y;
+            float dz = points[at + 2] - z;
             least = Math.min(least, dx * dx + dy * dy + dz * dz);
         }
         return (float) Math.sqrt(least);

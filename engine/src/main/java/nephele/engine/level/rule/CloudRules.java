@@ -11,11 +11,17 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherCourse;
 
 /** Rules for clouds that show nothing, or other than what their author means. */
 final class CloudRules {
+    /** Processor's time of a picture from which on somebody waits. */
+    private static final double LONG_SECONDS = 10;
+
+    private static final double MUCH_MEMORY_BYTES = 450e6;
+
     /** Every cloud has something to show, and its keys have an effect on it. */
     static final LevelRule MEANT = (level, assets, report) -> {
         Check check = new Check(level.environment(), report);
@@ -47,6 +53,17 @@ final class CloudRules {
                         .about(Topic.DUPLICATE_ID));
             }
         });
+    };
+
+    /** The clouds are not so many that a picture of them takes long. */
+    static final LevelRule COST = (level, assets, report) -> {
+        CloudDemand demand = CloudDemand.of(level.environment());
+        if (demand.seconds() > LONG_SECONDS || demand.bytes() > MUCH_MEMORY_BYTES) {
+            report.accept(Problem.warning(
+                    "environment.clouds",
+                    demand.clouds() + " clouds need " + demand.words() + " before the first picture: "
+                            + "use fewer of them, fewer layers, or the same seed of noise for several"));
+        }
     };
 
     /** Puffs of a fill from which on random walks through them are slow. */

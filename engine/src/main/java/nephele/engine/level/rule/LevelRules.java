@@ -20,6 +20,7 @@ public final class LevelRules {
             EnvironmentRules.SKY_FILES,
             CloudRules.MEANT,
             CloudRules.WEATHER,
+            CloudRules.COST,
             PortalRules.LINKS,
             PortalRules.COUNT,
             PortalRules.ON_SURFACE,
