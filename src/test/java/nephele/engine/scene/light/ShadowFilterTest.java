@@ -118,6 +118,19 @@ class ShadowFilterTest {
         assertEquals(1, ofMapped(new double[] {-1, -1, -1, -1}, EVENLY, 0.2));
     }
 
+    /** The farthest caster shades what is behind it, however near to the end of depth it is; empty texels shade nothing. */
+    @Test
+    void aReceiverBeyondAllDepthIsShaded() {
+        var four = ShadowFilter.Footprint.at(3, 5);
+        double[] behindEdge = {1, 0.999, 0.999, 1};
+        double[] nearerBy = ShadowFilter.nearerThanPlane(behindEdge, 40, 0.01, 0.02, four);
+        assertEquals(0.5, ShadowFilter.litShare(nearerBy, EVENLY, HALF_TEXEL, 0.03), 1e-12);
+        assertEquals(0.5, ofMapped(nearerBy, EVENLY, 0.03), 1e-12);
+        double[] before = ShadowFilter.nearerThanPlane(behindEdge, -40, 0.01, 0.02, four);
+        assertEquals(1, ShadowFilter.litShare(before, EVENLY, HALF_TEXEL, 0.03), 1e-12);
+        assertEquals(1, ofMapped(before, EVENLY, 0.03), 1e-12);
+    }
+
     @Test
     void theSixFacesOfAnUprightBoxDiffer() {
         long octants = IntStream.range(0, 6)

@@ -14,7 +14,6 @@ public final class DetailTiles {
     private final double[] bounds = new double[6];
     private float[] values = new float[FLOATS * 256];
     private float[] rises = new float[256];
-    private boolean[] clipped = new boolean[256];
     private int count;
     private DetailRanges ranges;
     private DetailView view;
@@ -32,12 +31,11 @@ public final class DetailTiles {
     private void select(int level, int column, int row) {
         HeightField field = ranges.detail().field();
         writeBounds(field, level, column, row, bounds);
-        int crossed = seen.classify(bounds, 0, seen.allPlanes());
-        if (crossed == Frustum.OUTSIDE) {
+        if (seen.classify(bounds, 0, seen.allPlanes()) == Frustum.OUTSIDE) {
             return;
         }
         if (level == 0 || view.leastRange(bounds) >= ranges.finerRange(level, column, row)) {
-            add(level, column, row, crossed != 0);
+            add(level, column, row);
             return;
         }
         int nearX = view.eye().x() > (bounds[0] + bounds[3]) / 2 ? 1 : 0;
@@ -52,14 +50,12 @@ public final class DetailTiles {
         }
     }
 
-    private void add(int level, int column, int row, boolean isClipped) {
+    private void add(int level, int column, int row) {
         int at = FLOATS * count++;
         if (at == values.length) {
             values = Arrays.copyOf(values, 2 * values.length);
             rises = Arrays.copyOf(rises, 2 * rises.length);
-            clipped = Arrays.copyOf(clipped, 2 * clipped.length);
         }
-        clipped[at / FLOATS] = isClipped;
         rises[at / FLOATS] = ranges.detail().rise(level, column, row);
         values[at] = column * (HeightFieldDetail.TILE_CELLS << level);
         values[at + 1] = row * (HeightFieldDetail.TILE_CELLS << level);
@@ -81,11 +77,6 @@ public final class DetailTiles {
     /** Returns the greatest rise of the smooth surface over a tile along x or z, up or down, metres a metre. */
     public float rise(int tile) {
         return rises[tile];
-    }
-
-    /** Returns whether a tile may reach out of the picture. */
-    public boolean isClipped(int tile) {
-        return clipped[tile];
     }
 
     static void writeBounds(HeightField field, int level, int column, int row, double[] bounds) {

@@ -8,16 +8,33 @@ import nephele.engine.render.resource.BillboardQuads.Cluster;
 
 /** The images of billboards that are drawn, in their order. */
 public final class BillboardList implements GlObject {
-    /** A multiple of the four images that a texel names. */
+    /** Images of one cell in an instance; a multiple of the four that a texel names, as is a sixteenth of it. */
     public static final int PER_SHEET = 256;
+
+    private static final int FINE_CELLS = 4;
 
     private static final int NONE = -1;
 
     private final SquareSheet squares;
+    private final int perSheet;
+    private final int vertices;
     private int count;
 
-    public BillboardList(GlContext gl) {
-        squares = new SquareSheet(gl, "billboards", PER_SHEET, 1);
+    /** @param cells along a side of each image */
+    public BillboardList(GlContext gl, int cells) {
+        perSheet = cells < FINE_CELLS ? PER_SHEET : PER_SHEET / 16;
+        vertices = SquareSheet.vertices(cells);
+        squares = new SquareSheet(gl, "billboards", perSheet, 1, cells);
+    }
+
+    /** Returns the number of images of an instance. */
+    public int perSheet() {
+        return perSheet;
+    }
+
+    /** Returns the number of vertices of an image. */
+    public int vertices() {
+        return vertices;
     }
 
     /** Begins a list. */

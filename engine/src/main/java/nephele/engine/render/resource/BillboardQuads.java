@@ -23,6 +23,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 public final class BillboardQuads implements GlObject {
     private static final int PER_CLUSTER = 64;
     private static final int FLOATS = 8;
+    private static final int BALL = 4;
 
     private final Vec3 anchor;
     private final BillboardSprites sprites;
@@ -30,8 +31,8 @@ public final class BillboardQuads implements GlObject {
     private final BufferTexture texels;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] arrays;
-    /** The middles, three numbers each, from the anchor. */
-    private final float[] middles;
+    /** The middles from the anchor, and half of the longer sides. */
+    private final float[] balls;
 
     /**
      * Images from {@code first} to before {@code end} that have pictures of one array.
@@ -60,7 +61,7 @@ public final class BillboardQuads implements GlObject {
         groups = new BillboardGroups(gl, said, sprites);
         List<Image> images = images(drawn);
         arrays = images.stream().mapToInt(Image::array).toArray();
-        middles = new float[3 * images.size()];
+        balls = new float[BALL * images.size()];
         float[] values = new float[FLOATS * images.size()];
         BillboardSky sky = new BillboardSky(statics, source.isSkyLit(), images.size());
         for (int i = 0; i < images.size(); i++) {
@@ -115,9 +116,8 @@ public final class BillboardQuads implements GlObject {
         values[to + 5] = (float) image.group().phase(image.index());
         values[to + 6] = sky.seenFrom(image.foot().plus(new Vec3(0, half, 0)));
         values[to + 7] = (float) image.turn();
-        middles[3 * at] = (float) foot.x();
-        middles[3 * at + 1] = (float) (foot.y() + half);
-        middles[3 * at + 2] = (float) foot.z();
+        double width = image.group().said().sizeMetres().width() * scale;
+        foot.plus(new Vec3(0, half, 0)).put(balls, BALL * at, (float) Math.max(half, width / 2));
     }
 
     private void cluster(List<Image> images) {
@@ -158,7 +158,7 @@ public final class BillboardQuads implements GlObject {
     }
 
     public int count() {
-        return middles.length / 3;
+        return balls.length / BALL;
     }
 
     /** Returns the array that holds an image's picture. */
@@ -168,7 +168,12 @@ public final class BillboardQuads implements GlObject {
 
     /** Returns a coordinate of an image's middle from the anchor, metres. */
     public float middle(int image, int axis) {
-        return middles[3 * image + axis];
+        return balls[BALL * image + axis];
+    }
+
+    /** Returns half of an image's longer side, metres. */
+    public float half(int image) {
+        return balls[BALL * image + 3];
     }
 
     /** Moves them to a time. */

@@ -18,11 +18,14 @@ import org.lwjgl.system.MemoryUtil;
  */
 public final class SquareSheet implements GlObject {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);
-    private static final float[] CORNERS = {-1, -1, 1, -1, 1, 1, -1, 1};
-    private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
+    /** The triangles of a cell whose corners are 0 to 3: lower left and right, upper left and right. */
+    private static final int[] RISING = {0, 1, 3, 3, 2, 0};
+
+    private static final int[] FALLING = {0, 1, 2, 1, 3, 2};
 
     private final int perSheet;
     private final int floats;
+    private final int cells;
     private final GpuMesh sheet;
     private final BufferTexture texels;
     private FloatBuffer staging;
@@ -30,20 +33,19 @@ public final class SquareSheet implements GlObject {
     /**
      * @param perSheet squares of an instance
      * @param floats numbers of each square
+     * @param cells along a side of each square, each divided into two triangles: one, or an even number of them, whose
+     *     triangles are symmetric about the middle, as is then everything that is interpolated
      */
-    public SquareSheet(GlContext gl, String name, int perSheet, int floats) {
+    public SquareSheet(GlContext gl, String name, int perSheet, int floats, int cells) {
         this.perSheet = perSheet;
         this.floats = floats;
-        ByteBuffer corners = MemoryUtil.memAlloc(perSheet * 4 * FORMAT.strideBytes());
-        IntBuffer triangles = MemoryUtil.memAllocInt(perSheet * TRIANGLES.length);
+        this.cells = cells;
+        ByteBuffer corners = MemoryUtil.memAlloc(perSheet * vertices(cells) * FORMAT.strideBytes());
+        IntBuffer triangles = MemoryUtil.memAllocInt(perSheet * indices());
         try {
-            for (int quad = 0; quad < perSheet; quad++) {
-                for (float corner : CORNERS) {
-                    corners.putFloat(corner);
-                }
-                for (int corner : TRIANGLES) {
-                    triangles.put(4 * quad + corner);
-                }
+            for (int square = 0; square < perSheet; square++) {
+                putCorners(corners);
+                putTriangles(square * vertices(cells), triangles);
             }
             sheet = new GpuMesh(gl, name, FORMAT, corners.flip(), triangles.flip());
         } finally {
@@ -52,6 +54,34 @@ public final class SquareSheet implements GlObject {
         }
         texels = BufferTexture.changing(gl, name);
         staging = MemoryUtil.memAllocFloat(floats * perSheet);
+    }
+
+    /** Returns the number of vertices of a square of so many cells along a side. */
+    public static int vertices(int cells) {
+        return (cells + 1) * (cells + 1);
+    }
+
+    private int indices() {
+        return 6 * cells * cells;
+    }
+
+    private void putCorners(ByteBuffer to) {
+        for (int row = 0; row <= cells; row++) {
+            for (int column = 0; column <= cells; column++) {
+                to.putFloat(2f * column / cells - 1).putFloat(2f * row / cells - 1);
+            }
+        }
+    }
+
+    private void putTriangles(int first, IntBuffer to) {
+        int[] corners = {0, 1, cells + 1, cells + 2};
+        for (int row = 0; row < cells; row++) {
+            for (int column = 0; column < cells; column++) {
+                for (int corner : column < cells / 2 == row < cells / 2 ? RISING : FALLING) {
+                    to.put(first + row * (cells + 1) + column + corners[corner]);
+                }
+            }
+        }
     }
 
     /** Returns where the numbers of so many squares go; those of an earlier list are kept. */
@@ -79,7 +109,7 @@ public final class SquareSheet implements GlObject {
         texels.upload(staging);
         staging.clear();
         texels.bind(unit);
-        sheet.drawInstanced(0, perSheet * TRIANGLES.length, sheets);
+        sheet.drawInstanced(0, perSheet * indices(), sheets);
     }
 
     @Override

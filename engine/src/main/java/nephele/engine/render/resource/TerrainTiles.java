@@ -107,18 +107,15 @@ public final class TerrainTiles implements GlObject {
         return tiles.rise(tile) <= GroundProjections.GENTLE_RISE;
     }
 
-    /**
-     * Draws those selected tiles that have some slopes, with the current program: the ones within the picture, or the ones
-     * that its border clips.
-     */
-    public void draw(Slopes slopes, boolean clipped) {
+    /** Draws those selected tiles that have some slopes, with the current program. */
+    public void draw(Slopes slopes) {
         int floats = DetailTiles.FLOATS * tiles.count();
         if (values.capacity() < floats) {
             values = MemoryUtil.memRealloc(values, 2 * floats);
         }
         values.clear();
         for (int tile = 0; tile < tiles.count(); tile++) {
-            if (tiles.isClipped(tile) == clipped && slopes.has(isGentle(tile))) {
+            if (slopes.has(isGentle(tile))) {
                 values.put(tiles.values(), DetailTiles.FLOATS * tile, DetailTiles.FLOATS);
             }
         }

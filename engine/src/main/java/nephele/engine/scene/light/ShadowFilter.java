@@ -42,7 +42,7 @@ public final class ShadowFilter {
     }
 
     /**
-     * Returns the depth by which each texel is nearer to the light than a plane; the plane's depth is clamped to 1.
+     * Returns the depth by which each texel is nearer to the light than a plane; an empty one, of depth 1, is never nearer.
      *
      * @param gradientX change of the plane's depth per column
      */
@@ -51,7 +51,7 @@ public final class ShadowFilter {
         double[] nearerBy = new double[4];
         for (int i = 0; i < 4; i++) {
             double plane = planeDepth + gradientX * four.dx()[i] + gradientY * four.dy()[i];
-            nearerBy[i] = Math.min(plane, 1) - depths[i];
+            nearerBy[i] = depths[i] < 1 ? plane - depths[i] : Math.min(plane - depths[i], 0);
         }
         return nearerBy;
     }

@@ -28,8 +28,14 @@ public record ShadowFrame(
     /** Smaller texels are indistinguishable from a distance of 3 m at 1280 × 720. */
     public static final double FINEST_TEXEL_METRES = 0.01;
 
-    /** Empty texels around the casters: a filter at the border reads lit ones. */
-    private static final int MARGIN_TEXELS = 3;
+    /**
+     * Texels at the map's border in which nothing is drawn. A lookup outside the map reads the nearest of them, which must
+     * not show a ground that reaches out of the map: that ground is elsewhere nearer to the sun or farther away.
+     */
+    public static final int BORDER_TEXELS = 1;
+
+    /** Texels between the casters and the map's side: a filter within the border reads lit ones. */
+    private static final int MARGIN_TEXELS = BORDER_TEXELS + 2;
 
     /**
      * Fits a projection.

@@ -1,7 +1,7 @@
 // The corner of a billboard's image in the world. The twins are level.billboard.FacingAxes and Sway; the numbers come from
 // render.resource.BillboardQuads, BillboardGroups and BillboardList.
 
-layout(location = 0) in vec2 corner; // -1 or 1
+layout(location = 0) in vec2 corner; // -1 to 1
 
 // Two texels an image: foot, metres from the anchor, and group; share of the size, random number, share of the sky that is
 // seen, and turn of crossed ones, radians.
@@ -29,7 +29,7 @@ struct Billboard {
 
 // Returns the number of the image that this vertex belongs to; -1 for none.
 int billboardNumber() {
-    int place = gl_InstanceID * PER_SHEET + gl_VertexID / 4;
+    int place = gl_InstanceID * PER_SHEET + gl_VertexID / VERTICES;
     return int(texelFetch(billboardOrder, place / 4)[place % 4]);
 }
 

@@ -25,7 +25,7 @@ float dynamicSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
 #ifdef NEAREST_SHADOW
     ivec2 nearest = nearestTexel(texel, size);
     float depth = texelFetch(dynamicSunMap, ivec3(nearest, 0), 0).r;
-    float nearerBy = min(m.z + dot(gradient, vec2(nearest) + 0.5 - texel), 1.0) - depth;
+    float nearerBy = nearestNearerThanPlane(depth, m.z + dot(gradient, vec2(nearest) + 0.5 - texel));
     return litByNearest(nearerBy, dynamicMapUp.w, slope);
 #else
     Footprint four = footprintAt(texel);

@@ -2,6 +2,9 @@
 // each texel's own centre, so a lit plane of any slope never shades itself, and no offset moves the shadow's edge.
 // Twin: nephele.engine.scene.light.ShadowFilter.
 
+// Exceeds the depth of every receiver, in depths of a map.
+const float FARTHEST = 1e9;
+
 // The four texels around a position, in the order in which textureGather returns them.
 struct Footprint {
     vec4 dx; // from the position to their centres, texels
@@ -21,10 +24,11 @@ vec2 gatherPoint(vec2 texelPosition) {
     return floor(texelPosition - 0.5) + 1.0;
 }
 
-// Returns the depth by which each texel is nearer to the light than a plane; the far value of depth is never nearer.
-// gradient: change of the plane's depth from texel to texel.
+// Returns the depth by which each texel is nearer to the light than a plane; an empty one, of the far value of depth, is
+// never nearer. gradient: change of the plane's depth from texel to texel.
 vec4 nearerThanPlane(vec4 depths, float planeDepth, vec2 gradient, Footprint four) {
-    return min(planeDepth + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+    vec4 nearerBy = planeDepth + gradient.x * four.dx + gradient.y * four.dy - depths;
+    return min(nearerBy, FARTHEST - FARTHEST * step(1.0, depths));
 }
 
 // Returns the same for depth that is distance over range: over the picture of a plane, 1 / distance is linear.
@@ -77,6 +81,11 @@ float litShareOfMapped(vec4 nearerBy, vec4 isLike, vec4 weight, float halfTexelD
 // Returns the column and row of the texel that contains a position, within the picture.
 ivec2 nearestTexel(vec2 texelPosition, vec2 size) {
     return ivec2(clamp(texelPosition, vec2(0.0), size - 1.0));
+}
+
+// As nearerThanPlane, of one texel. planeDepth: at its centre
+float nearestNearerThanPlane(float depth, float planeDepth) {
+    return min(planeDepth - depth, FARTHEST - FARTHEST * step(1.0, depth));
 }
 
 // As litShare, of one texel.

@@ -13,7 +13,7 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
 #ifdef NEAREST_SHADOW
     ivec2 nearest = nearestTexel(texel, size);
     float depth = texelFetch(sunShadowMap, ivec3(nearest, 0), 0).r;
-    float nearerBy = min(m.z + dot(gradient, vec2(nearest) + 0.5 - texel), 1.0) - depth;
+    float nearerBy = nearestNearerThanPlane(depth, m.z + dot(gradient, vec2(nearest) + 0.5 - texel));
 #if defined(MOVING_RECEIVER) || defined(CURVED_RECEIVER)
     return litByNearest(nearerBy, sunMapUp.w, slope);
 #else

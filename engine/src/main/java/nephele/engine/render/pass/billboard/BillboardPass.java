@@ -37,6 +37,14 @@ public final class BillboardPass implements Pass {
     public static final RenderFeature BLENDED = new RenderFeature(
             "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED));
 
+    /** Cells along a side of a billboard over which light varies. */
+    private static final int CELLS = 2;
+
+    /** The same of large ones, over which the edges of shadows are seen. */
+    private static final int LARGE_CELLS = 8;
+
+    private static final double LARGE_PIXELS = 64;
+
     private final GlContext gl;
     private final Kind kind;
     private final Blend blend;
@@ -45,8 +53,14 @@ public final class BillboardPass implements Pass {
     private final BillboardQuads quads;
     private final BillboardProgram program;
     private final BillboardList list;
+    /** Those that are large in the picture. */
+    private final BillboardList large;
+
     private final List<Cluster> seen = new ArrayList<>();
     private final BackToFront order = new BackToFront();
+    private final float[] eye = new float[3];
+    /** The tangent of half the angle of large billboards. */
+    private double largeTangent;
 
     private BillboardPass(LoadContext context, Kind kind, TargetReads reads) {
         this.kind = kind;
@@ -59,7 +73,8 @@ public final class BillboardPass implements Pass {
                 : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         quads = context.billboards(kind);
         program = new BillboardProgram(context, kind);
-        list = context.own(new BillboardList(gl));
+        list = context.own(new BillboardList(gl, program.varies() ? CELLS : 1));
+        large = context.own(new BillboardList(gl, LARGE_CELLS));
     }
 
     private static List<Required> requiredBy(FrameRequest request, Kind kind) {
@@ -101,43 +116,78 @@ public final class BillboardPass implements Pass {
         light.bind(reads);
         program.use(frame.view(), frame.frameState().observer());
         quads.bind();
+        setEye(frame.view(), frame.surface().height());
         if (kind == Kind.BLENDED) {
-            drawSorted(frame.view());
+            drawSorted();
         } else {
-            list.draw(seen, quads);
+            drawByClusters();
         }
     }
 
-    private void drawSorted(View view) {
-        float eyeX = (float) (view.eyeX() - light.anchor().x());
-        float eyeY = (float) (view.eyeY() - light.anchor().y());
-        float eyeZ = (float) (view.eyeZ() - light.anchor().z());
+    private void drawByClusters() {
+        for (int i = 0; i < seen.size(); i++) {
+            Cluster cluster = seen.get(i);
+            for (int image = cluster.first(); image < cluster.end(); image++) {
+                listOf(image).add(image);
+            }
+            if (i + 1 == seen.size() || seen.get(i + 1).array() != cluster.array()) {
+                draw(list, cluster.array());
+                draw(large, cluster.array());
+            }
+        }
+    }
+
+    /** @param pictureHeight pixels */
+    private void setEye(View view, int pictureHeight) {
+        largeTangent = program.varies()
+                ? LARGE_PIXELS * view.projection().tanHalfHeight() / pictureHeight
+                : Double.POSITIVE_INFINITY;
+        eye[0] = (float) (view.eyeX() - light.anchor().x());
+        eye[1] = (float) (view.eyeY() - light.anchor().y());
+        eye[2] = (float) (view.eyeZ() - light.anchor().z());
+    }
+
+    private BillboardList listOf(int image) {
+        double half = quads.half(image);
+        return half * half > largeTangent * largeTangent * squareDistance(image) ? large : list;
+    }
+
+    private float squareDistance(int image) {
+        float x = quads.middle(image, 0) - eye[0];
+        float y = quads.middle(image, 1) - eye[1];
+        float z = quads.middle(image, 2) - eye[2];
+        return x * x + y * y + z * z;
+    }
+
+    private void drawSorted() {
         order.begin(quads.count());
         for (Cluster cluster : seen) {
             for (int image = cluster.first(); image < cluster.end(); image++) {
-                float x = quads.middle(image, 0) - eyeX;
-                float y = quads.middle(image, 1) - eyeY;
-                float z = quads.middle(image, 2) - eyeZ;
-                order.add(image, x * x + y * y + z * z);
+                order.add(image, squareDistance(image));
             }
         }
         order.sort();
         int array = quads.array(order.at(0));
-        list.begin();
+        BillboardList run = listOf(order.at(0));
         for (int i = 0; i < order.count(); i++) {
             int image = order.at(i);
-            if (quads.array(image) != array) {
-                draw(array);
+            if (quads.array(image) != array || listOf(image) != run) {
+                draw(run, array);
                 array = quads.array(image);
-                list.begin();
+                run = listOf(image);
             }
-            list.add(image);
+            run.add(image);
         }
-        draw(array);
+        draw(run, array);
     }
 
-    private void draw(int array) {
-        quads.bindSprites(array);
-        list.draw();
+    /** Draws a list of images with pictures of one array, and empties it. */
+    private void draw(BillboardList images, int array) {
+        if (images.count() > 0) {
+            quads.bindSprites(array);
+            program.follow(images);
+            images.draw();
+            images.begin();
+        }
     }
 }

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.billboard;
 
+import java.util.Collections;
+import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
@@ -21,11 +23,20 @@ import nephele.engine.scene.View;
 final class BillboardProgram {
     private static final String FOLDER = "/nephele/engine/render/pass/billboard/";
 
-    /** @param observer {@code null} if billboards face the eye */
-    private record Eye(Uniforms.Vector3 high, Uniforms.Vector3 low, Uniforms.Vector3 observer) {}
+    /** The defines of what varies over a billboard and is interpolated between vertices. */
+    private static final Set<String> VARYING = Set.of("SUN", "SKY_AMBIENT", "FLASH", "FOG", "AIR");
 
-    private final GlProgram<Eye> program;
+    /** @param observer {@code null} if billboards face the eye */
+    private record Numbers(
+            Uniforms.Vector3 high,
+            Uniforms.Vector3 low,
+            Uniforms.Vector3 observer,
+            Uniforms.Whole perSheet,
+            Uniforms.Whole vertices) {}
+
+    private final GlProgram<Numbers> program;
     private final Vec3 anchor;
+    private final boolean varies;
     private final float[] eye = new float[6];
 
     BillboardProgram(LoadContext context, Kind kind) {
@@ -35,9 +46,9 @@ final class BillboardProgram {
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
         boolean fades = kind == Kind.BLENDED && context.request().fadesAtSurfaces();
         boolean isObserved = context.scene().level().observerStart() != null;
-        var defines = light.addForDynamicObjects(Defines.of(context))
-                .with("LAMBERT")
-                .with("PER_SHEET", BillboardList.PER_SHEET)
+        Defines lit = light.addForDynamicObjects(Defines.of(context));
+        varies = !Collections.disjoint(lit.values().keySet(), VARYING);
+        var defines = lit.with("LAMBERT")
                 .withIf(kind == Kind.BLENDED, "BLENDED")
                 .withIf(isAnimated, "ANIMATED")
                 .withIf(fades, "SURFACES")
@@ -55,11 +66,24 @@ final class BillboardProgram {
                     if (fades) {
                         uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     }
-                    return new Eye(
+                    return new Numbers(
                             uniforms.vector3("eyeHigh"),
                             uniforms.vector3("eyeLow"),
-                            isObserved ? uniforms.vector3("observer") : null);
+                            isObserved ? uniforms.vector3("observer") : null,
+                            uniforms.whole("perSheet"),
+                            uniforms.whole("verticesEach"));
                 });
+    }
+
+    /** Returns true if the light at the vertices of a billboard, or the air before them, can differ. */
+    boolean varies() {
+        return varies;
+    }
+
+    /** Prepares for the images of a list. */
+    void follow(BillboardList list) {
+        program.uniforms().perSheet().set(list.perSheet());
+        program.uniforms().vertices().set(list.vertices());
     }
 
     /** @param observer {@code null} if billboards face the eye */

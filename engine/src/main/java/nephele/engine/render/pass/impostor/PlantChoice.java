@@ -30,7 +30,7 @@ final class PlantChoice implements GlObject {
     PlantChoice(GlContext gl, PlantedScene scene, PlantSizes sizes) {
         this.scene = scene;
         this.sizes = sizes;
-        impostors = new BillboardList(gl);
+        impostors = new BillboardList(gl, 1);
         scene.meshes().forEach(mesh -> meshes.add(new PlantList(gl)));
         order = new long[scene.clusters().size()];
     }

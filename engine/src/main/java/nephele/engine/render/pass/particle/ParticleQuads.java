@@ -16,7 +16,7 @@ final class ParticleQuads implements GlObject {
     private int count;
 
     ParticleQuads(GlContext gl) {
-        squares = new SquareSheet(gl, "particles", PER_SHEET, FLOATS);
+        squares = new SquareSheet(gl, "particles", PER_SHEET, FLOATS, 1);
     }
 
     /**

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.shadow;
 import java.util.Map;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -14,6 +15,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.SquareSheet;
 import nephele.engine.scene.light.ShadowFrame;
 
 /** Draws the depth of billboards with edges into the sun's picture, turned to the sun as they are to an eye, or to the level's observer. */
@@ -35,13 +37,16 @@ final class BillboardDepth {
     BillboardDepth(LoadContext context) {
         gl = context.gl();
         quads = context.billboards(Kind.WITH_EDGES);
-        list = context.own(new BillboardList(gl));
+        list = context.own(new BillboardList(gl, 1));
         boolean isObserved = context.scene().level().observerStart() != null;
-        Map<String, String> perSheet = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET));
-        Map<String, String> observed = Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET), "OBSERVER", "");
+        Map<String, String> defines = new Defines()
+                .with("PER_SHEET", BillboardList.PER_SHEET)
+                .with("VERTICES", SquareSheet.vertices(1))
+                .withIf(isObserved, "OBSERVER")
+                .values();
         program = new GlProgram<>(
                 gl,
-                ShaderSource.load(FOLDER + "billboard-depth.vert", isObserved ? observed : perSheet),
+                ShaderSource.load(FOLDER + "billboard-depth.vert", defines),
                 ShaderSource.load(FOLDER + "billboard-depth.frag", Map.of()),
                 uniforms -> {
                     BillboardQuads.tie(uniforms);

@@ -51,10 +51,14 @@ final class DepthDraw {
                 () -> new DepthLayers(context.gl(), name));
     }
 
-    /** Draws a sun's picture. @param clipFromAnchor clip space from metres relative to {@code anchor} */
-    void drawAll(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor) {
+    /**
+     * Draws a sun's picture into the bound target.
+     *
+     * @param clipFromAnchor clip space from metres relative to {@code anchor}
+     */
+    void drawAll(Matrix4d clipFromAnchor, Vec3 anchor) {
         visible.selectAll();
-        draw(target, clipFromAnchor, anchor, 0);
+        drawSolids(clipFromAnchor, anchor, 0);
         terrains.draw(Frustum.everything(), clipFromAnchor, anchor, 0);
     }
 
@@ -79,13 +83,9 @@ final class DepthDraw {
     void drawInFrustum(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         Frustum lit = Frustum.of(clipFromAnchor, anchor);
         visible.find(lit);
-        draw(target, clipFromAnchor, anchor, depthPerMetre);
-        terrains.draw(lit, clipFromAnchor, anchor, depthPerMetre);
-    }
-
-    private void draw(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         target.clearDepth();
         drawSolids(clipFromAnchor, anchor, depthPerMetre);
+        terrains.draw(lit, clipFromAnchor, anchor, depthPerMetre);
     }
 
     private void drawSolids(Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {

@@ -48,7 +48,7 @@ final class PlantDepth {
         gl = context.gl();
         plants = context.plants();
         list = context.own(new PlantList(gl));
-        quads = context.own(new BillboardList(gl));
+        quads = context.own(new BillboardList(gl, 1));
         isMesh = meshKinds(plants, context.quality().impostorPixels() == 0 ? Long.MAX_VALUE : MOST_TRIANGLES);
         meshes = meshes();
         impostors = IntStream.range(0, isMesh.length).allMatch(kind -> isMesh[kind]) ? null : impostors();

@@ -79,6 +79,7 @@ record ShadowPart(Texture.Region texels, Frustum within) {
     }
 
     private static int texel(double share, int texels, int more) {
-        return (int) Math.max(0, Math.min(Math.floor(share * texels) + more, texels));
+        int border = ShadowFrame.BORDER_TEXELS;
+        return (int) Math.max(border, Math.min(Math.floor(share * texels) + more, texels - border));
     }
 }

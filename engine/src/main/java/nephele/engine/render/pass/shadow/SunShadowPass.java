@@ -135,7 +135,10 @@ public final class SunShadowPass implements Pass {
         if (part.isPresent()) {
             depth.drawPart(target, part.get().texels(), part.get().within(), frame.clipFromAnchor(), frame.anchor());
         } else {
-            depth.drawAll(target, frame.clipFromAnchor(), frame.anchor());
+            int border = ShadowFrame.BORDER_TEXELS;
+            target.clearDepth();
+            gl.state().scissor(border, border, frame.width() - 2 * border, frame.height() - 2 * border);
+            depth.drawAll(frame.clipFromAnchor(), frame.anchor());
         }
         if (billboards != null) {
             billboards.draw(frame, light.towardsSun(), contents.get(0).observer);

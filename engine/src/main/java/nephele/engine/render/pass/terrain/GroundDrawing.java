@@ -3,8 +3,6 @@ package nephele.engine.render.pass.terrain;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
-import nephele.engine.math.heightfield.HeightField;
-import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
@@ -13,10 +11,6 @@ import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
-import nephele.engine.render.gl.DrawState.Blend;
-import nephele.engine.render.gl.DrawState.Cull;
-import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
@@ -34,7 +28,6 @@ import nephele.engine.scene.light.LightRequirements;
 final class GroundDrawing {
     private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
 
-    private final GlContext gl;
     private final TerrainMesh mesh;
     /** {@code null} if all triangles are drawn. */
     private final TerrainTiles tiles;
@@ -58,7 +51,6 @@ final class GroundDrawing {
     private final Texture normals;
 
     GroundDrawing(LoadContext context, StaticShape.HeightGrid grid, TerrainMesh mesh) {
-        gl = context.gl();
         this.mesh = mesh;
         errorPixels = context.quality().terrainErrorPixels();
         tiles = context.quality().terrainDetail() == TerrainDetail.LOD
@@ -172,32 +164,11 @@ final class GroundDrawing {
             GroundUniforms uniforms = part.program().uniforms();
             set(uniforms, frame);
             if (tiles != null) {
-                drawTiles(part.slopes(), frame);
+                tiles.draw(part.slopes());
             } else {
                 mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
             }
         }
-    }
-
-    /**
-     * Where all other samples of a triangle have slid, one that only has risen lies on its edge, and a triangle without width
-     * joins both. A software renderer that clips it at the picture's border, and culls by unrounded corners, may then leave
-     * a pixel open. So what the border clips is drawn without culling, where no triangle can be seen from below.
-     */
-    private void drawTiles(Slopes slopes, FrameContext frame) {
-        tiles.draw(slopes, false);
-        boolean isAbove = frame.clipDistances() == 0 && isAbove(mesh.field(), frame.view());
-        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, isAbove ? Cull.NONE : Cull.BACK, frame.clipDistances());
-        tiles.draw(slopes, true);
-        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK, frame.clipDistances());
-    }
-
-    private static boolean isAbove(HeightField field, View view) {
-        boolean isWithin = view.eyeX() >= field.x(0)
-                && view.eyeX() <= field.x(field.cellColumns())
-                && view.eyeZ() >= field.z(0)
-                && view.eyeZ() <= field.z(field.cellRows());
-        return isWithin && view.eyeY() > HeightFieldSurface.y(field, view.eyeX(), view.eyeZ());
     }
 
     private void bind() {
@@ -226,7 +197,10 @@ final class GroundDrawing {
         }
         if (tiles != null) {
             uniforms.place().chunk(mesh.field(), 0, 0);
-            uniforms.setDetail(TerrainTiles.seenFrom(view));
+            uniforms.setDetail(
+                    TerrainTiles.seenFrom(view),
+                    frame.surface().width(),
+                    frame.surface().height());
         }
     }
 

@@ -21,6 +21,7 @@ import nephele.engine.render.resource.TerrainUniforms;
  *
  * @param detailView absent if all triangles are drawn
  * @param detailAlong the same
+ * @param halfSteps the same
  * @param cell absent if no picture or light needs it
  * @param bakedPerMetre absent unless layers are mixed into one picture
  * @param texelsPerMetre of the layer map; absent without one
@@ -33,6 +34,7 @@ record GroundUniforms(
         TerrainUniforms place,
         Optional<Vector4> detailView,
         Optional<Vector3> detailAlong,
+        Optional<Vector2> halfSteps,
         Optional<Vector2> cell,
         Optional<Vector3> originFromAnchor,
         Optional<Vector2> bakedPerMetre,
@@ -40,6 +42,9 @@ record GroundUniforms(
         List<Vector4> heights,
         List<Vector4> slopes,
         List<Vector3> origins) {
+    /** Of the grid to which rasterisers round corners; OpenGL demands 16, all known ones have 256. */
+    private static final float STEPS_PER_PIXEL = 256;
+
     static GroundUniforms of(Uniforms uniforms, int layers, SurfaceLight light, TerrainDetail detail) {
         List<Vector4> heights = new ArrayList<>();
         List<Vector4> slopes = new ArrayList<>();
@@ -58,6 +63,7 @@ record GroundUniforms(
                 TerrainUniforms.of(uniforms),
                 isDetailed ? Optional.of(uniforms.vector4("detailView")) : Optional.empty(),
                 isDetailed ? Optional.of(uniforms.vector3("detailAlong")) : Optional.empty(),
+                isDetailed ? Optional.of(uniforms.vector2("halfSteps")) : Optional.empty(),
                 vector2(uniforms, "cellMetres"),
                 light.needsPositions() ? Optional.of(uniforms.vector3("originFromAnchor")) : Optional.empty(),
                 vector2(uniforms, "bakedPerMetre"),
@@ -94,7 +100,13 @@ record GroundUniforms(
         texelsPerMetre.ifPresent(perMetre -> perMetre.set((float) columns, (float) rows));
     }
 
-    void setDetail(DetailView view) {
+    /**
+     * Sets the view of a terrain of few triangles.
+     *
+     * @param width of its picture, pixels; {@code height} likewise
+     */
+    void setDetail(DetailView view, int width, int height) {
+        halfSteps.ifPresent(half -> half.set(STEPS_PER_PIXEL * width / 2, STEPS_PER_PIXEL * height / 2));
         Vec3 forward = view.forward();
         detailView.ifPresent(
                 at -> at.set((float) forward.x(), (float) forward.y(), (float) forward.z(), (float) view.leastShare()));

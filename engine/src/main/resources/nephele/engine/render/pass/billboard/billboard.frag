@@ -1,5 +1,9 @@
 // A billboard's picture: with edges where alpha is half or more, or blended.
 #include "output.glsl"
+#ifdef PUNCTUAL_LIGHTS
+#define MOVING_RECEIVER
+#include "surface-light.glsl"
+#endif
 
 #ifdef SURFACES
 #include "view-distance.glsl"
@@ -19,8 +23,33 @@ in vec3 airPassing;
 #endif
 flat in vec4 oneColour;
 
+#ifdef PUNCTUAL_LIGHTS
+in vec3 lampPlace;
+flat in vec3 toFront;
+flat in vec3 bulgeRight;
+flat in vec3 bulgeUp;
+
+// Returns the light of lamps, which may be nearer than the vertices are to each other.
+vec3 lampLight() {
+    Surface s;
+    s.baseColour = vec3(1.0);
+    s.normal = normalize(toFront + (2.0 * st.x - 1.0) * bulgeRight + (1.0 - 2.0 * st.y) * bulgeUp);
+    s.faceNormal = s.normal;
+    s.anchorPosition = lampPlace;
+    REFLECTANCE r = reflectanceOf(s);
+#ifdef LIGHT_PARTS
+    r = shown(r);
+#endif
+    return min(allLights(r, s), vec3(MAX_RADIANCE));
+}
+#endif
+
 vec3 seenRadiance(vec3 colour) {
-    vec3 radiance = mix(colour, oneColour.rgb, oneColour.a) * litRadiance;
+    vec3 lit = litRadiance;
+#ifdef PUNCTUAL_LIGHTS
+    lit += lampLight();
+#endif
+    vec3 radiance = mix(colour, oneColour.rgb, oneColour.a) * lit;
 #ifdef AIR
     radiance *= airPassing;
 #endif

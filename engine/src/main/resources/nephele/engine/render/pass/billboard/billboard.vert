@@ -1,4 +1,5 @@
 // A billboard, turned to the eye of its view and lit as a bush is: the parts of its image face where those of a ball would.
+// The light of sun and sky varies slowly and comes from the vertices, that of lamps from the fragments.
 #define MOVING_RECEIVER
 #include "frame.glsl"
 #include "view-clip.glsl"
@@ -9,6 +10,11 @@
 #include "air.glsl"
 #endif
 #include "surface-light.glsl"
+
+uniform int perSheet; // images of an instance
+uniform int verticesEach; // of an image
+#define PER_SHEET perSheet
+#define VERTICES verticesEach
 #include "billboard.glsl"
 
 uniform vec3 eyeHigh; // from the anchor
@@ -26,6 +32,12 @@ out float passing; // share of the light behind fog
 out vec3 airPassing;
 #endif
 flat out vec4 oneColour;
+#ifdef PUNCTUAL_LIGHTS
+out vec3 lampPlace; // from the anchor
+flat out vec3 toFront; // unit
+flat out vec3 bulgeRight; // from there to the direction of the right border
+flat out vec3 bulgeUp;
+#endif
 #ifdef SURFACES
 flat out float fadeMetres; // in front of a surface, over which the picture fades
 
@@ -48,9 +60,6 @@ vec3 lightAt(Surface s) {
 #ifdef LIGHT_PARTS
     r = shown(r);
 #endif
-#ifdef PUNCTUAL_LIGHTS
-    sum += allLights(r, s);
-#endif
 #ifdef FLASH
     sum += flashLight(r, s);
 #endif
@@ -62,12 +71,12 @@ vec3 lightAt(Surface s) {
     return min(sum, vec3(MAX_RADIANCE));
 }
 
-// toFront: towards the eye. The shadow is that of a place outside of the billboard on the sun's side, so that it is not in
+// ahead: towards the eye. The shadow is that of a place outside of the billboard on the sun's side, so that it is not in
 // its own.
-vec3 lightOf(Billboard b, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3 toFront, float width) {
+vec3 lightOf(Billboard b, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3 ahead, float width) {
     Surface s;
     s.baseColour = vec3(1.0);
-    s.normal = normalize(toFront + BULGE * (corner.x * axes.right + corner.y * axes.up));
+    s.normal = normalize(ahead + BULGE * (corner.x * axes.right + corner.y * axes.up));
     s.faceNormal = s.normal;
 #ifdef ANCHOR_POSITION
     vec3 outside = vec3(0.0);
@@ -115,8 +124,14 @@ void main() {
     oneColour = billboardGroup(b.group, 3);
 
     vec3 front = cross(axes.right, axes.up);
-    vec3 toFront = dot(front, relative) > 0.0 ? -front : front;
-    litRadiance = lightOf(b, fromMiddle, middle, axes, toFront, size.x) + billboardGroup(b.group, 4).rgb;
+    vec3 ahead = dot(front, relative) > 0.0 ? -front : front;
+#ifdef PUNCTUAL_LIGHTS
+    lampPlace = b.foot + middle + 0.9 * fromMiddle;
+    toFront = ahead;
+    bulgeRight = BULGE * axes.right;
+    bulgeUp = BULGE * axes.up;
+#endif
+    litRadiance = lightOf(b, fromMiddle, middle, axes, ahead, size.x) + billboardGroup(b.group, 4).rgb;
     addedRadiance = vec3(0.0);
     passing = 1.0;
 #ifdef AIR

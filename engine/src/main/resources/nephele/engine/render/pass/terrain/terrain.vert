@@ -1,6 +1,13 @@
 #include "view-clip.glsl"
 #ifdef DETAIL
 #include "terrain-detail.glsl"
+uniform vec2 halfSteps; // steps of the rasteriser's grid in half the picture
+
+// Returns a place on the grid to which the rasteriser rounds corners. Triangles that have no width may have one on the grid;
+// their depth is known only if it comes from the same corners.
+vec4 onGrid(vec4 clip) {
+    return clip.w > 0.0 ? vec4(round(clip.xy / clip.w * halfSteps) / halfSteps * clip.w, clip.zw) : clip;
+}
 #else
 #include "terrain-position.glsl"
 out float height; // metres above the terrain's origin
@@ -29,5 +36,8 @@ void main() {
 #endif
 #endif
     gl_Position = clipFromRelative * vec4(relativePosition, 1.0);
+#ifdef DETAIL
+    gl_Position = onGrid(gl_Position);
+#endif
     clipToView(relativePosition);
 }
