@@ -168,6 +168,17 @@ class FileExchangeTest {
     }
 
     @Test
+    void rawHeightsBecomeATerrain() throws Exception {
+        Path heights = Files.write(elsewhere.resolve("hills.r16"), new byte[2 * 33 * 33]);
+        run(drop(heights) + " at=0,5,0");
+        assertEquals(
+                "terrain/hills.r16",
+                session.document().level().terrains().get(0).heightMap());
+        Files.write(heights, new byte[7]);
+        assertTrue(refused(drop(heights)).contains("hills.r16 can't be used"));
+    }
+
+    @Test
     void aSceneJoinsTheOpenLevelUnlessItIsToReplaceIt() throws Exception {
         session.filing(session.filing().with((scene, level, complaints) -> LevelFile.save(level, DraftLevel.after(5))));
         Path scene = elsewhere.resolve("room.xml");

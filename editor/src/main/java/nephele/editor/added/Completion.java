@@ -23,8 +23,7 @@ import nephele.engine.math.Vec3;
 /**
  * Gives a level what a record that was just added to it needs: a reference names a record that exists, an observer has a
  * camera and a player, billboards are at places or over a field but not both, a field of models is
- * of impostors, a portal leads to one that has no partner
- * yet, a sky in one picture has no second one.
+ * of impostors, a sky in one picture has no second one.
  */
 public final class Completion {
     private static final String MATERIALS = "materials";
@@ -41,7 +40,7 @@ public final class Completion {
     }
 
     private Level complete(Level added) {
-        Level level = observed(paired(planted(framed(added))));
+        Level level = observed(planted(framed(added)));
         for (EntitySection section : LevelStructure.LEVEL.lists()) {
             level = referring(level, section);
         }
@@ -67,8 +66,8 @@ public final class Completion {
                 Entities.LEVEL.changed(level, List.of(EntityRef.single("environment.sky")), sky -> (Record) framed);
     }
 
-    /** Joins a new portal that leads to itself with another one that does. */
-    private Level paired(Level level) {
+    /** Returns the level after an addition with a new portal that leads to itself joined with another one that does. */
+    public static Level paired(Level before, Level level) {
         List<PortalSpec> alone = level.portals().stream()
                 .filter(portal -> portal.linkedTo().equals(portal.id()))
                 .toList();

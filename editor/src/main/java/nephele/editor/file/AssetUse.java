@@ -2,12 +2,14 @@ package nephele.editor.file;
 
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.added.NewRecord;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.editor.tool.paint.FacePaint;
@@ -17,6 +19,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.math.Vec3;
 
 /** Puts an asset to use in the level, each time as one step. */
@@ -62,6 +65,12 @@ final class AssetUse {
         List<ModelPlacement.TransformStep> steps =
                 at.equals(Vec3.ZERO) ? List.of() : List.of(new ModelPlacement.TransformStep.Translate(at));
         add(FileText.ADD_MODEL.words(), "models", id, new ModelPlacement(id, asset, null, steps, null, false));
+    }
+
+    void terrain(Vec3 at) {
+        String id = freshId("terrains");
+        Terrain made = (Terrain) NewRecord.at(RecordKind.of(Terrain.class), id, at);
+        add(FileText.ADD_TERRAIN.words(), "terrains", id, made.withHeightMap(asset));
     }
 
     /** @param base the middle of the lower side */

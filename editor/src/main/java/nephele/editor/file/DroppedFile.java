@@ -25,6 +25,7 @@ import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
@@ -45,6 +46,7 @@ public final class DroppedFile {
         PICTURE("png", "jpg", "jpeg", "bmp", "tga"),
         MODEL("3d", "obj", "gltf", "glb"),
         CLOUD("vol"),
+        HEIGHTS("r16"),
         SCENE("xml"),
         LEVEL("json", "zip");
 
@@ -124,6 +126,7 @@ public final class DroppedFile {
             case PICTURE -> picture(target);
             case MODEL -> model(target);
             case CLOUD -> cloud(target);
+            case HEIGHTS -> heights(target);
             case SCENE -> {
                 if (use == SceneUse.INSERT) {
                     insertScene(target.at());
@@ -194,6 +197,19 @@ public final class DroppedFile {
         Vec3 size = sizeMetres(grid(content));
         String id = folder.idOf(file, content, "clouds");
         new AssetUse(session, id).cloud(target.at(), size);
+        told(id);
+    }
+
+    private void heights(Target target) throws FileRefusal {
+        AssetFolder folder = AssetFolder.of(session, file);
+        byte[] content = AssetFolder.read(file);
+        try {
+            HeightMapFile.read(file.getFileName().toString(), content);
+        } catch (AssetException noHeights) {
+            throw refused(noHeights);
+        }
+        String id = folder.idOf(file, content, "terrain");
+        new AssetUse(session, id).terrain(target.at());
         told(id);
     }
 

@@ -73,6 +73,7 @@ public enum FileText {
     ADD_CLOUD("Add a Cloud", "Adicionar uma nuvem", "Adicionar uma nuvem"),
     ADDED("Added %s as %s", "%s foi adicionado como %s", "%s foi adicionado como %s"),
     IMPORTED("Imported as %s", "Importado como %s", "Importado como %s"),
+    ADD_TERRAIN("Add a Terrain", "Adicionar um terreno", "Adicionar um terreno"),
     ADD_SCENE("Insert a Scene", "Inserir uma cena", "Inserir uma cena"),
     INSERTED("%s was inserted", "%s foi inserido", "%s foi inserido"),
     INSERT_OR_OPEN(
@@ -91,12 +92,12 @@ public enum FileText {
             "%s não pode ser copiado para junto da fase: %s já é outro arquivo; renomeie um deles",
             "%s não pode ser copiado para junto do nível: %s já é outro ficheiro; muda o nome de um deles"),
     UNKNOWN_KIND(
-            "%s can't be used: drop pictures (png, jpg, bmp, tga), models (3d, obj, gltf, glb), clouds (vol), scenes"
-                    + " (xml), levels (json) or packages (zip)",
+            "%s can't be used: drop pictures (png, jpg, bmp, tga), models (3d, obj, gltf, glb), clouds (vol), heights"
+                    + " (r16), scenes (xml), levels (json) or packages (zip)",
             "%s não pode ser usado: solte imagens (png, jpg, bmp, tga), modelos (3d, obj, gltf, glb), nuvens (vol),"
-                    + " cenas (xml), fases (json) ou pacotes (zip)",
+                    + " alturas (r16), cenas (xml), fases (json) ou pacotes (zip)",
             "%s não pode ser usado: larga imagens (png, jpg, bmp, tga), modelos (3d, obj, gltf, glb), nuvens (vol),"
-                    + " cenas (xml), níveis (json) ou pacotes (zip)");
+                    + " alturas (r16), cenas (xml), níveis (json) ou pacotes (zip)");
 
     private final Words words;
 

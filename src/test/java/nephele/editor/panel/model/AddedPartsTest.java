@@ -51,10 +51,13 @@ class AddedPartsTest {
     void aNewEntityMakesNoErrorsAndNeitherDoItsParts(String kind) {
         ScriptedSession session = ScriptedSession.empty().run("brush box min=-9,-1,-9 max=9,0,9");
         if (kind.startsWith("portals.")) {
-            // A portal alone cannot be valid: it leads to the next one.
-            session.run("add portals at=4,1,0");
+            // A portal alone cannot be valid: a script has to link two.
+            session.run("add portals at=4,1,0 id=a", "set linkedTo to=b");
         }
-        session.run("add kind=" + kind + " at=0,1,0");
+        session.run("add kind=" + kind + " at=0,1,0" + (kind.startsWith("portals.") ? " id=b" : ""));
+        if (kind.startsWith("portals.")) {
+            session.run("set linkedTo to=a");
+        }
         Level level = session.level();
         EntityRef ref = session.session().document().selection().entities().get(0);
         List<String> found = new ArrayList<>();

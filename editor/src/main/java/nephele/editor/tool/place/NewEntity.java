@@ -118,7 +118,8 @@ record NewEntity(String section, Record entity) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level level = Completion.of(before.level(), (Level) entities.added(base, section, entity));
+        Level added = Completion.of(before.level(), (Level) entities.added(base, section, entity));
+        Level level = Completion.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
     }
 }
