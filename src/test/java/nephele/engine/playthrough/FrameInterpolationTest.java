@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.level.Level;
 import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.RoomLevel;
@@ -11,7 +12,14 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState.Posture;
+import nephele.engine.sim.Simulation;
 import nephele.engine.sim.player.PlayerPose;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 /** The character between two ticks does not jump when its middle goes through a portal before its body does. */
@@ -50,6 +58,28 @@ class FrameInterpolationTest {
                 }
                 assertTrue(beyond >= 19, "beyond the portal: " + beyond);
             }
+        }
+    }
+
+    /** A body that returns to the world is at its place in every frame of the tick, and nowhere on the way. */
+    @Test
+    void aReturningBodyIsNotSeenOnTheWay() {
+        Vec3 home = new Vec3(5, 1, 0);
+        Level level =
+                new RoomLevel().box(-2, -1, -2, 2, 0, 2).cube(home, 0.5, 10).level();
+        var simulation = new Simulation(level, new SimSettings(120, List.of(Assist.BODY_RETURN)));
+        var live = new FrameInterpolation(level);
+        SimState before = simulation.start();
+        SimState after = simulation.step(before, PlayerInput.NONE);
+        while (after.world().trace().events().isEmpty()) {
+            before = after;
+            after = simulation.step(before, PlayerInput.NONE);
+        }
+        assertEquals(
+                List.of(new TickEvent.BodyReturned(0)), after.world().trace().events());
+        for (double share : new double[] {0, 0.3, 0.9}) {
+            live.world(before, after, share, null);
+            assertEquals(home, Vec3.of(live.frameState().centre(0, new Vector3d())), "share " + share);
         }
     }
 

@@ -24,6 +24,11 @@ record Box(double left, double top, double right, double bottom) {
         return new Box(left, top, right, Math.min(bottom, y));
     }
 
+    /** Returns true if both boxes have points inside in common. */
+    boolean overlaps(Box other) {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+
     /** Returns the left edge of something of this width that is at this centre, or as near to it as this box allows. */
     double leftOf(double width, double centre) {
         return Math.rint(Math.max(left, Math.min(centre - width / 2, right - width)));

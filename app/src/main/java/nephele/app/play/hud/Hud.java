@@ -2,6 +2,7 @@ package nephele.app.play.hud;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
@@ -47,63 +48,97 @@ public final class Hud {
 
     /** Returns the parts of the overlay without those of a menu: none covers another. */
     List<Part> parts(HudContent content, Area area) {
-        List<Part> parts = new ArrayList<>();
-        Box room = Box.of(area);
+        Layout layout = new Layout(area);
         if (!content.figures().isEmpty() && content.menu() == null) {
-            var panel = new FrameStatisticsPanel(area, content.figures());
-            parts.add(new Part("figures", panel.box(), () -> panel.draw(canvas)));
-            room = room.rightOf(panel.box().right() + BESIDE_FIGURES);
+            layout.addFigures(content.figures());
         }
         boolean isHelp = content.page() == HudContent.Page.HELP;
-        Box belowLabels = room;
         if (content.comparison() != null && !isHelp) {
-            var wipe = new WipeLine(canvas, area, room, content.comparison());
-            addWipe(parts, wipe, content.comparison());
-            belowLabels = new Box(
-                    room.left(),
-                    wipe.labels().get(0).bottom(),
-                    room.right(),
-                    wipe.handle().top());
-            room = content.comparison().difference().isEmpty()
-                    ? room
-                    : room.above(wipe.difference().top());
+            layout.addWipe(content.comparison());
         }
         if (!content.messages().isEmpty()) {
-            var bar = new MessageBar(canvas, area, room, content.messages());
+            layout.addMessages(content.messages());
+        }
+        if (isHelp) {
+            layout.addHelp(content.keys(), HelpPanel.rows(content));
+            return layout.parts;
+        }
+        if (content.sight() != null) {
+            layout.addSight(content.sight());
+        }
+        if (content.banner() != null) {
+            layout.addBanner(content.banner());
+        }
+        return layout.parts;
+    }
+
+    /** Gives each part a place in what the parts before it have left. */
+    private final class Layout {
+        private final List<Part> parts = new ArrayList<>();
+        private final Area area;
+        private Box room;
+        private Box roomOfBanner;
+        /** The figures' box; {@code null} without them. */
+        private Box figures;
+
+        Layout(Area area) {
+            this.area = area;
+            room = Box.of(area);
+            roomOfBanner = room;
+        }
+
+        void addFigures(List<HudContent.Figure> lines) {
+            var panel = new FrameStatisticsPanel(area, lines);
+            figures = panel.box();
+            parts.add(new Part("figures", figures, () -> panel.draw(canvas)));
+        }
+
+        void addWipe(HudContent.Comparison comparison) {
+            var wipe = new WipeLine(canvas, area, beside(room), comparison);
+            List<Box> labels = wipe.labels();
+            parts.add(new Part("handle", wipe.handle(), wipe::drawHandle));
+            parts.add(new Part("left label", labels.get(0), wipe::drawLabels));
+            parts.add(new Part("right label", labels.get(1), () -> {}));
+            roomOfBanner = new Box(
+                    0, labels.get(0).bottom(), room.right(), wipe.handle().top());
+            if (!comparison.difference().isEmpty()) {
+                parts.add(new Part("difference", wipe.difference(), wipe::drawDifference));
+                room = room.above(wipe.difference().top());
+            }
+        }
+
+        void addMessages(List<String> messages) {
+            var bar = apart(room, free -> new MessageBar(canvas, area, free, messages), MessageBar::box);
             parts.add(new Part("messages", bar.box(), bar::draw));
             room = room.above(bar.box().top());
         }
-        if (isHelp) {
-            int rows = HelpPanel.rows(content);
-            Box box = HelpPanel.box(area, room, rows);
-            parts.add(new Part("help", box, () -> HelpPanel.draw(canvas, box, content.keys(), rows)));
-            return parts;
-        }
-        addSight(parts, content.sight(), area, room);
-        if (content.banner() != null) {
-            var banner = new BannerPanel(canvas, area, belowLabels, content.banner());
-            parts.add(new Part("banner", banner.box(), () -> banner.draw(canvas)));
-        }
-        return parts;
-    }
 
-    private void addWipe(List<Part> parts, WipeLine wipe, HudContent.Comparison comparison) {
-        parts.add(new Part("handle", wipe.handle(), wipe::drawHandle));
-        parts.add(new Part("left label", wipe.labels().get(0), wipe::drawLabels));
-        parts.add(new Part("right label", wipe.labels().get(1), () -> {}));
-        if (!comparison.difference().isEmpty()) {
-            parts.add(new Part("difference", wipe.difference(), wipe::drawDifference));
+        void addHelp(HudContent.Keys keys, int rows) {
+            Box box = apart(room, free -> HelpPanel.box(area, free, rows), placed -> placed);
+            parts.add(new Part("help", box, () -> HelpPanel.draw(canvas, box, keys, rows)));
         }
-    }
 
-    private void addSight(List<Part> parts, HudContent.Sight sight, Area area, Box room) {
-        if (sight == null) {
-            return;
+        void addSight(HudContent.Sight sight) {
+            parts.add(new Part("crosshair", Crosshair.box(area, sight), () -> Crosshair.draw(canvas, area, sight)));
+            if (sight.prompt() != null) {
+                var line = apart(room, free -> new PromptLine(canvas, area, free, sight.prompt()), PromptLine::box);
+                parts.add(new Part("prompt", line.box(), () -> line.draw(canvas)));
+            }
         }
-        parts.add(new Part("crosshair", Crosshair.box(area, sight), () -> Crosshair.draw(canvas, area, sight)));
-        if (sight.prompt() != null) {
-            var prompt = new PromptLine(canvas, area, room, sight.prompt());
-            parts.add(new Part("prompt", prompt.box(), () -> prompt.draw(canvas)));
+
+        void addBanner(HudContent.Banner banner) {
+            var panel = apart(roomOfBanner, free -> new BannerPanel(canvas, area, free, banner), BannerPanel::box);
+            parts.add(new Part("banner", panel.box(), () -> panel.draw(canvas)));
+        }
+
+        /** Returns what is placed in a room; beside the figures if it would cover them otherwise. */
+        private <T> T apart(Box free, Function<Box, T> placed, Function<T, Box> box) {
+            T first = placed.apply(free);
+            return figures == null || !box.apply(first).overlaps(figures) ? first : placed.apply(beside(free));
+        }
+
+        private Box beside(Box free) {
+            return figures == null ? free : free.rightOf(figures.right() + BESIDE_FIGURES);
         }
     }
 
