@@ -3,6 +3,7 @@ package nephele.app.command;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.util.List;
@@ -24,5 +25,9 @@ class ExplanationTest {
                 new FileSystemException("build/x", null, "No space left on device"));
         isEnvironment(
                 "a.png: can't be written: it is a folder", new IOException("a.png: can't be written: it is a folder"));
+        var wrapped = new UncheckedIOException(new AccessDeniedException("build/x"));
+        assertEquals(
+                "build/x: access is denied",
+                Explanation.of(wrapped, List.of("trade")).message());
     }
 }

@@ -1,6 +1,7 @@
 package nephele.app.command;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -30,6 +31,9 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
         }
         if (failure instanceof GlUnavailableException) {
             return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
+        }
+        if (failure instanceof UncheckedIOException wrapped) {
+            return of(wrapped.getCause(), arguments);
         }
         if (failure instanceof NoSuchFileException missing) {
             return new Explanation(ExitCode.INPUT, missing.getFile() + ": no such file", failure);

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.json.LevelFormatException;
@@ -113,7 +114,7 @@ public final class WarmGame implements AutoCloseable {
     private Path kept(Level level) throws IOException {
         byte[] text = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
         Path next = Files.createTempFile("nephele-play-", ".json");
-        Files.write(next, text);
+        AtomicFile.write(next, text);
         deleteSnapshot();
         snapshot = next;
         return next;

@@ -68,8 +68,13 @@ public final class AtomicFile {
                 replace(target, bytes, like);
             }
         } catch (IOException problem) {
-            throw new IOException(file + ": can't be written: " + reason(problem), problem);
+            throw notWritten(file, problem);
         }
+    }
+
+    /** Returns a failure with a message for users that names the file, which the system's own often doesn't. */
+    public static IOException notWritten(Path file, IOException problem) {
+        return new IOException(file + ": can't be written: " + reason(problem), problem);
     }
 
     /**

@@ -18,6 +18,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.json.LevelJson;
@@ -98,7 +99,7 @@ public final class TracedSkies {
         try {
             Files.writeString(file, line, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         } catch (IOException problem) {
-            throw new UncheckedIOException(file.toString(), problem);
+            throw new UncheckedIOException(AtomicFile.notWritten(file, problem));
         }
     }
 

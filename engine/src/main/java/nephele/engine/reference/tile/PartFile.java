@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
+import nephele.engine.asset.AtomicFile;
 
 /**
  * The file that finished tiles are written to. A tile that was cut off when the program ended is dropped when the file is
@@ -63,7 +64,7 @@ public final class PartFile implements AutoCloseable {
 
     private static PartFile opened(Path path, FileChannel file, PartHeader header) throws IOException {
         if (file.size() == 0) {
-            return new PartFile(path, file, TileRecords.begin(file, header), null);
+            return new PartFile(path, file, begun(path, file, header), null);
         }
         TileRecords known = TileRecords.open(file);
         if (known == null) {
@@ -76,7 +77,15 @@ public final class PartFile implements AutoCloseable {
         }
         return difference.isEmpty()
                 ? new PartFile(path, file, known, null)
-                : new PartFile(path, file, TileRecords.begin(file, header), difference);
+                : new PartFile(path, file, begun(path, file, header), difference);
+    }
+
+    private static TileRecords begun(Path path, FileChannel file, PartHeader header) throws IOException {
+        try {
+            return TileRecords.begin(file, header);
+        } catch (IOException problem) {
+            throw AtomicFile.notWritten(path, problem);
+        }
     }
 
     private void restore(TiledPicture picture) throws IOException {
@@ -99,7 +108,11 @@ public final class PartFile implements AutoCloseable {
 
     /** Writes a finished tile; may be called by any thread. */
     public synchronized void append(TilePixels pixels) throws IOException {
-        records.append(pixels);
+        try {
+            records.append(pixels);
+        } catch (IOException problem) {
+            throw AtomicFile.notWritten(path, problem);
+        }
     }
 
     /** Returns where it is. */
