@@ -72,7 +72,9 @@ final class GamePicture {
     void announce() {
         Language language = files.settings().get(Settings.LANGUAGE);
         Banner banner = Captions.preparing(current.session().request().level(), language);
-        display.drawEmpty(new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()), Display.Shot.NONE);
+        display.drawEmpty(
+                new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()),
+                Display.Shot.NONE);
     }
 
     /**

@@ -7,7 +7,6 @@ import nephele.editor.document.Notes;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
-import nephele.editor.panel.model.PanelText;
 import nephele.editor.panel.model.RecordPath;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;

@@ -68,7 +68,10 @@ public record ModelPlacement(
                 implements TransformStep {}
 
         /** {@code "kind": "scale"}. */
-        record Scale(@Written(required = true, prototype = "[1, 1, 1]") @Range(min = 1e-9, max = 1e7, shape = Range.Shape.EITHER_SIGN) Vec3 by)
+        record Scale(
+                @Written(required = true, prototype = "[1, 1, 1]")
+                        @Range(min = 1e-9, max = 1e7, shape = Range.Shape.EITHER_SIGN)
+                        Vec3 by)
                 implements TransformStep {}
     }
 }
