@@ -14,6 +14,7 @@ import java.util.zip.ZipFile;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.MessageText;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
@@ -117,7 +118,7 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
         }
 
         private PackageException refused(String name, String reason) {
-            String printable = name.replaceAll("[^\\x20-\\x7e]", "?");
+            String printable = MessageText.printable(name);
             String shown = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
             return new PackageException(SaveText.PACKAGE_ENTRY.with(zip, shown, reason));
         }

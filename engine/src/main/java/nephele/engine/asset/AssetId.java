@@ -25,7 +25,7 @@ public final class AssetId {
         }
         for (int i = 0; i < id.length(); i++) {
             if (!allowed(id.charAt(i))) {
-                return String.format(Locale.ROOT, "character U+%04X is not allowed in an asset id", (int) id.charAt(i));
+                return notAllowed(id.codePointAt(i));
             }
         }
         for (String segment : id.split("/", -1)) {
@@ -35,6 +35,13 @@ public final class AssetId {
             }
         }
         return null;
+    }
+
+    private static String notAllowed(int character) {
+        String text = Character.toString(character);
+        String shown = MessageText.printable(text).equals(text) ? "'" + text + "' (U+%04X)" : "U+%04X";
+        return String.format(
+                Locale.ROOT, "character " + shown.replace("%'", "%%'") + " is not allowed in an asset id", character);
     }
 
     /** Throws an {@link AssetException} unless {@code id} is an asset id. */
@@ -73,9 +80,9 @@ public final class AssetId {
         return DEVICES.contains(stem) || port ? "'" + stem + "' is a device name on Windows" : null;
     }
 
-    /** Returns an id shortened and in printable ASCII, for messages. */
+    /** Returns an id shortened, for messages. */
     static String printable(String id) {
         String shortened = id.length() <= MAX_CHARACTERS ? id : id.substring(0, MAX_CHARACTERS) + "…";
-        return shortened.replaceAll("[^\\x20-\\x7e…]", "?");
+        return MessageText.printable(shortened);
     }
 }

@@ -25,7 +25,7 @@ public final class FileName {
 
     /** Returns a name as text for a message: characters that could control a terminal are replaced. */
     public static String printable(String typed) {
-        return MessageText.shortened(typed.replaceAll("\\p{Cntrl}", "\uFFFD"));
+        return MessageText.shortened(MessageText.printable(typed));
     }
 
     private static String locale() {

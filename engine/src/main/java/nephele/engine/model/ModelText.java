@@ -3,6 +3,7 @@ package nephele.engine.model;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.MessageText;
 import nephele.engine.asset.TextFile;
 
 /**
@@ -14,6 +15,7 @@ public final class ModelText {
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
     private static final int LONGEST_WORD = 256;
+    private static final int MOST_SHOWN = 24;
 
     private final String file;
     private final byte[] bytes;
@@ -155,9 +157,9 @@ public final class ModelText {
     }
 
     public static String quoted(String word) {
-        var shown = new StringBuilder("\"");
-        word.codePoints().limit(24).forEach(c -> shown.appendCodePoint(c < ' ' || c > '~' ? '?' : c));
-        return shown.append(word.length() > 24 ? "…\"" : "\"").toString();
+        boolean isLong = word.codePointCount(0, word.length()) > MOST_SHOWN;
+        String start = isLong ? word.substring(0, word.offsetByCodePoints(0, MOST_SHOWN)) + "…" : word;
+        return '"' + MessageText.printable(start) + '"';
     }
 
     private float nextNumber(int before) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.MessageText;
 import nephele.engine.asset.TextFile;
 
 /**
@@ -202,12 +203,7 @@ public final class JsonTree {
     /** Returns a key in the form used in paths. */
     static String printable(String name) {
         String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
-        for (int i = 0; i < shown.length(); i++) {
-            if (shown.charAt(i) < ' ' || shown.charAt(i) > '~' && shown.charAt(i) != '…') {
-                return shown.replaceAll("[^ -~…]", "?");
-            }
-        }
-        return shown;
+        return MessageText.printable(shown);
     }
 
     public static String shortened(String text) {
