@@ -51,7 +51,8 @@ class Utf8LocaleTest {
 
     /** {@code LC_CTYPE} is what a second start has, so that there is none. */
     @ParameterizedTest
-    @ValueSource(strings = {"check nível.json", "scene --out=é.png", "simulate scenes/x.json --replay=é.json"})
+    @ValueSource(
+            strings = {"check nível.json", "scene --out=é.png", "simulate levels/samples/walking.json --replay=é.json"})
     void withoutUtf8TheLocaleIsNamed(String line) throws Exception {
         var locale = Map.of("LC_ALL", "C", "LC_CTYPE", "C.UTF-8", "DISPLAY", "");
         var run = run(locale, (Main.class.getName() + " " + line).split(" "));

@@ -115,9 +115,9 @@ class SceneCommandGlTest {
         "ship.3d, there is no such file",
         "torn.3d, torn.3d:1: \"solid\" is not a number",
         "../torn.3d, there is no such file",
-        "../../torn.3d, has a name that is not looked for: it leads out of",
-        "/torn.3d, has a name that is not looked for: an asset id neither starts nor ends with '/'",
-        "a:b.3d, has a name that is not looked for: character U+003A"
+        "../../torn.3d, has a name that is not allowed: it leads out of",
+        "/torn.3d, has a name that is not allowed: an asset id neither starts nor ends with '/'",
+        "a:b.3d, has a name that is not allowed: character ':' (U+003A)"
     })
     void aSceneOfWhichNothingCanBeShownIsRefused(String model, String said) throws IOException {
         Files.writeString(folder.resolve("torn.3d"), "solid cube\n");

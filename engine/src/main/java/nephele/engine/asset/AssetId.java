@@ -26,9 +26,7 @@ public final class AssetId {
         }
         OptionalInt other = id.codePoints().filter(c -> !allowed(c)).findFirst();
         if (other.isPresent()) {
-            String shown = "'" + MessageText.printable(Character.toString(other.getAsInt())) + "'";
-            return String.format(
-                    Locale.ROOT, "character %s (U+%04X) is not allowed in an asset id", shown, other.getAsInt());
+            return notAllowed(other.getAsInt());
         }
         for (String segment : id.split("/", -1)) {
             String objection = segmentObjection(segment);
@@ -37,6 +35,13 @@ public final class AssetId {
             }
         }
         return null;
+    }
+
+    private static String notAllowed(int character) {
+        String text = Character.toString(character);
+        String shown = MessageText.printable(text).equals(text) ? "'" + text + "' (U+%04X)" : "U+%04X";
+        return String.format(
+                Locale.ROOT, "character " + shown.replace("%'", "%%'") + " is not allowed in an asset id", character);
     }
 
     /** Throws an {@link AssetException} unless {@code id} is an asset id. */

@@ -1,11 +1,21 @@
 package nephele.engine.asset;
 
+import java.util.regex.Pattern;
+
 /** Texts from files in messages: shortened, without control characters, and equal messages are counted. */
 public final class MessageText {
     private static final int MOST = 600;
     private static final int LAST = 150;
 
+    /** Controls, formatting characters, halves of pairs, private and unassigned ones, and line separators. */
+    private static final Pattern UNPRINTABLE = Pattern.compile("[\\p{C}\\p{Zl}\\p{Zp}]");
+
     private MessageText() {}
+
+    /** Returns text as it is spelt, but for characters that could control a terminal or turn the text around. */
+    public static String printable(String text) {
+        return UNPRINTABLE.matcher(text).replaceAll("?");
+    }
 
     /** Returns what follows a message that stands for several equal ones, such as " (700 times)"; empty for one. */
     public static String times(int count) {
@@ -18,28 +28,5 @@ public final class MessageText {
             return text;
         }
         return text.substring(0, MOST - LAST - 1) + "…" + text.substring(text.length() - LAST);
-    }
-
-    /** Returns the text with all letters of all scripts; what shows nothing or steers a terminal becomes "?". */
-    public static String printable(String text) {
-        if (text.chars().allMatch(c -> c >= ' ' && c <= '~')) {
-            return text;
-        }
-        StringBuilder shown = new StringBuilder(text.length());
-        text.codePoints().forEach(c -> shown.appendCodePoint(shows(c) ? c : '?'));
-        return shown.toString();
-    }
-
-    private static boolean shows(int codePoint) {
-        return switch (Character.getType(codePoint)) {
-            case Character.CONTROL,
-                    Character.FORMAT,
-                    Character.SURROGATE,
-                    Character.PRIVATE_USE,
-                    Character.UNASSIGNED,
-                    Character.LINE_SEPARATOR,
-                    Character.PARAGRAPH_SEPARATOR -> false;
-            default -> true;
-        };
     }
 }

@@ -107,7 +107,9 @@ final class ActionForms {
                 .filter(field -> field.type().field().name().equals(values.get("value")))
                 .map(field -> MODEL.ids(level, field.type().refersTo()))
                 .filter(ids -> !ids.contains(wanted))
-                .map(ids -> DialogText.NO_SUCH.words().with(wanted, String.join(", ", ids)))
+                .map(ids -> ids.isEmpty()
+                        ? DialogText.NONE_THERE.words().with(wanted)
+                        : DialogText.NO_SUCH.words().with(wanted, String.join(", ", ids)))
                 .findFirst()
                 .orElse(Words.NONE);
     }

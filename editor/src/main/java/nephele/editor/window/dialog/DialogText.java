@@ -22,6 +22,9 @@ public enum DialogText {
     NO_SUCH(
             "there is no %s here: choose one of %s",
             "não há %s aqui: escolha entre %s", "não há %s aqui: escolhe entre %s"),
+    NONE_THERE(
+            "there is no %s here, nor another one: add it first",
+            "não há %s aqui, nem outro: adicione-o antes", "não há %s aqui, nem outro: adiciona-o antes"),
     RENAME("Rename", "Renomear", "Mudar o nome"),
     NEW_ID("New id", "Novo id", "Novo id"),
     MOVE("Move", "Mover", "Mover"),

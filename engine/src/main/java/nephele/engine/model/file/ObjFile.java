@@ -170,8 +170,10 @@ final class ObjFile {
         int index = text.whole(word);
         int place = index < 0 ? count + index : index - 1;
         if (place < 0 || place >= count) {
-            throw text.error(
-                    index + " names no " + what + " before it", "use 1 to " + count + ", or -1 for the last one");
+            String advice = count == 0
+                    ? "there is none yet: write its line first"
+                    : "use 1 to " + count + ", or -1 for the last one";
+            throw text.error(index + " names no " + what + " before it", advice);
         }
         return place;
     }

@@ -133,7 +133,9 @@ final class TextMeshFile {
                 throw text.wrongAt(
                         triangles.line(i / width),
                         NumberFormatting.of(index) + " names no point",
-                        "use whole numbers from 0 to " + (points.rows() - 1));
+                        points.rows() == 0
+                                ? "there are no points: write them first"
+                                : "use whole numbers from 0 to " + (points.rows() - 1));
             }
             indices[i] = (int) index;
         }

@@ -107,7 +107,7 @@ public final class SceneFolder implements SceneFiles {
         if (objection != null) {
             return new AssetException(
                     file,
-                    "has a name that is not looked for: " + objection,
+                    "has a name that is not allowed: " + objection,
                     "write a path within the scene's folder or the one above, of letters, digits, spaces, '.', '_', '-'"
                             + " and '/'");
         }
