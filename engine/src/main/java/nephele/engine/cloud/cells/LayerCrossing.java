@@ -13,10 +13,15 @@ final class LayerCrossing {
     /** Sine of the light's elevation from which on lines are looked up: flatter ones cross too many boxes. */
     static final double LEAST_SINE = 0.05;
 
+    /** Distance after which a walk leaves a box, in its cells, as {@link StackDepths#level} takes widths. */
+    private static final double NARROW_CELLS = 0.9 * LayerGrid.WALK;
+
     private final StackDepths depths;
     private final List<DensityCells> density;
     private final double slantX;
     private final double slantZ;
+    /** Metres along the level for each metre of height. */
+    private final double slant;
     /** Of each box, x fastest. */
     private final float[][] upright;
 
@@ -30,6 +35,7 @@ final class LayerCrossing {
         Vec3 up = light.y() < 0 ? light.negated() : light;
         slantX = up.x() / up.y();
         slantZ = up.z() / up.y();
+        slant = Math.hypot(slantX, slantZ);
         upright = new float[density.size()][];
         slanted = new float[density.size()][];
         for (int level = 0; level < density.size(); level++) {
@@ -68,12 +74,14 @@ final class LayerCrossing {
     /** Returns the depth along the light's line through a point. */
     double slanted(double x, double y, double z, double cellMetres) {
         double rise = density.get(0).cells().box().minY() - y;
-        if (Math.abs(rise) * Math.max(Math.abs(slantX), Math.abs(slantZ)) > farthestMetres) {
+        double across = Math.abs(rise) * slant;
+        if (across > farthestMetres) {
             return 0;
         }
         double baseX = x + rise * slantX;
         double baseZ = z + rise * slantZ;
-        int level = depths.level(baseX, baseZ, cellMetres);
+        // As a walk has it, which is in wider boxes after some distance.
+        int level = depths.level(baseX, baseZ, Math.max(cellMetres, across / NARROW_CELLS));
         return at(slanted[level], density.get(level).cells(), baseX, baseZ);
     }
 

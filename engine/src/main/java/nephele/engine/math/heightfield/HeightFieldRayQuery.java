@@ -9,6 +9,9 @@ import nephele.engine.math.bvh.RayHit;
  * grown by a margin, so that the result equals that of a test of every triangle.
  */
 final class HeightFieldRayQuery {
+    /** Greatest ray parameter up to which the part of the field around a ray is sought. */
+    private static final double SHORT = 1e6;
+
     private final HeightField field;
     private final MinMaxPyramid pyramid;
     private final Ray ray;
@@ -16,7 +19,7 @@ final class HeightFieldRayQuery {
     private final RayHit hit;
     private final double margin;
     private final double[] box = new double[6];
-    /** For each level of the descent, the ray parameters at which the ray enters the four children. */
+    /** For each level of the descent, the ray parameters at which the ray enters four of its blocks. */
     private final double[] entries;
 
     /** @param margin in metres; greater than the distance by which the test accepts a near miss of a triangle */
@@ -31,9 +34,38 @@ final class HeightFieldRayQuery {
     }
 
     void walk() {
-        if (isAhead(blockEntry(pyramid.top(), 0, 0))) {
+        if (hit.distance() < SHORT) {
+            walkNear();
+        } else if (isAhead(blockEntry(pyramid.top(), 0, 0))) {
             visit(pyramid.top(), 0, 0);
         }
+    }
+
+    /** Begins with the smallest blocks of which two along each side cover what lies over or under the ray. */
+    private void walkNear() {
+        double toX = ray.originX() + hit.distance() * ray.directionX();
+        double toZ = ray.originZ() + hit.distance() * ray.directionZ();
+        int firstColumn = block(Math.min(ray.originX(), toX) - margin, field.x(0), field.cellX());
+        int lastColumn = block(Math.max(ray.originX(), toX) + margin, field.x(0), field.cellX());
+        int firstRow = block(Math.min(ray.originZ(), toZ) - margin, field.z(0), field.cellZ());
+        int lastRow = block(Math.max(ray.originZ(), toZ) + margin, field.z(0), field.cellZ());
+        firstColumn = Math.max(0, firstColumn);
+        firstRow = Math.max(0, firstRow);
+        lastColumn = Math.min(pyramid.columns(0) - 1, lastColumn);
+        lastRow = Math.min(pyramid.rows(0) - 1, lastRow);
+        if (firstColumn > lastColumn || firstRow > lastRow) {
+            return;
+        }
+        int level = 0;
+        while ((lastColumn >> level) - (firstColumn >> level) > 1 || (lastRow >> level) - (firstRow >> level) > 1) {
+            level++;
+        }
+        visitSquare(level, firstColumn >> level, firstRow >> level);
+    }
+
+    /** Returns the block of the lowest level in which a place lies, which may be outside of the field. */
+    private static int block(double place, double first, double cell) {
+        return (int) Math.floor((place - first) / (cell * MinMaxPyramid.BLOCK_CELLS));
     }
 
     private boolean isAhead(double entry) {
@@ -53,14 +85,19 @@ final class HeightFieldRayQuery {
             visitCells(column, row);
             return;
         }
+        visitSquare(level - 1, 2 * column, 2 * row);
+    }
+
+    /** Visits two blocks along each side, the nearest first. */
+    private void visitSquare(int level, int column, int row) {
         int from = 4 * level;
         for (int child = 0; child < 4; child++) {
-            entries[from + child] = blockEntry(level - 1, 2 * column + (child & 1), 2 * row + (child >> 1));
+            entries[from + child] = blockEntry(level, column + (child & 1), row + (child >> 1));
         }
         int child = nearestChild(from);
         while (isAhead(entries[from + child])) {
             entries[from + child] = Double.POSITIVE_INFINITY;
-            visit(level - 1, 2 * column + (child & 1), 2 * row + (child >> 1));
+            visit(level, column + (child & 1), row + (child >> 1));
             child = nearestChild(from);
         }
     }

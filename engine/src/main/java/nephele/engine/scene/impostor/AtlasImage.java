@@ -1,5 +1,7 @@
 package nephele.engine.scene.impostor;
 
+import java.util.Arrays;
+
 /**
  * One size of an atlas in linear numbers. Channels of a texel: colour times coverage, coverage, mean normal times
  * coverage, and depth in radii towards the viewer.
@@ -38,19 +40,59 @@ final class AtlasImage {
 
     /** Gives texels without a depth the mean of their neighbours' that have one, ring by ring, within each view. */
     void spreadDepths(int viewTexels, int rings) {
-        for (int ring = 0; ring < rings; ring++) {
-            float[] next = new float[side * side];
-            for (int i = 0; i < next.length; i++) {
-                float own = values[CHANNELS * i + DEPTH];
-                next[i] = Float.isNaN(own) ? around(i % side, i / side, viewTexels) : own;
+        int[] ring = new int[0];
+        boolean[] isQueued = new boolean[side * side];
+        for (int n = 0; n < rings; n++) {
+            ring = n == 0 ? unknown(isQueued) : unknownAround(ring, isQueued);
+            float[] next = new float[ring.length];
+            for (int i = 0; i < ring.length; i++) {
+                next[i] = around(ring[i] % side, ring[i] / side, viewTexels);
             }
-            for (int i = 0; i < next.length; i++) {
-                values[CHANNELS * i + DEPTH] = next[i];
+            int kept = 0;
+            for (int i = 0; i < ring.length; i++) {
+                values[CHANNELS * ring[i] + DEPTH] = next[i];
+                if (Float.isNaN(next[i])) {
+                    isQueued[ring[i]] = false;
+                } else {
+                    ring[kept++] = ring[i];
+                }
             }
+            ring = Arrays.copyOf(ring, kept);
         }
         for (int i = DEPTH; i < values.length; i += CHANNELS) {
             values[i] = Float.isNaN(values[i]) ? 0 : values[i];
         }
+    }
+
+    private int[] unknown(boolean[] isQueued) {
+        int[] found = new int[isQueued.length];
+        int count = 0;
+        for (int i = 0; i < isQueued.length; i++) {
+            if (Float.isNaN(values[CHANNELS * i + DEPTH])) {
+                isQueued[i] = true;
+                found[count++] = i;
+            }
+        }
+        return Arrays.copyOf(found, count);
+    }
+
+    /** Returns the texels without a depth beside those that have just got one. */
+    private int[] unknownAround(int[] ring, boolean[] isQueued) {
+        int[] found = new int[8 * ring.length];
+        int count = 0;
+        for (int texel : ring) {
+            for (int i = 0; i < 9; i++) {
+                int x = texel % side + i % 3 - 1;
+                int y = texel / side + i / 3 - 1;
+                int at = y * side + x;
+                boolean isInside = x >= 0 && x < side && y >= 0 && y < side;
+                if (isInside && !isQueued[at] && Float.isNaN(values[CHANNELS * at + DEPTH])) {
+                    isQueued[at] = true;
+                    found[count++] = at;
+                }
+            }
+        }
+        return Arrays.copyOf(found, count);
     }
 
     private float around(int x, int y, int viewTexels) {

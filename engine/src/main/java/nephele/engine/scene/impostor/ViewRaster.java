@@ -77,17 +77,28 @@ final class ViewRaster {
         int bottom = first(Math.min(ys[0], Math.min(ys[1], ys[2])));
         int top = last(Math.max(ys[0], Math.max(ys[1], ys[2])));
         for (int y = bottom; y <= top; y++) {
-            for (int x = left; x <= right; x++) {
-                double a = weight(1, 2, x + 0.5, y + 0.5) / area;
-                double b = weight(2, 0, x + 0.5, y + 0.5) / area;
-                double c = 1 - a - b;
-                if (a >= 0 && b >= 0 && c >= 0) {
-                    float depth = (float) (a * depths[0] + b * depths[1] + c * depths[2]);
-                    int at = y * side + x;
-                    if (depth > nearest[at]) {
-                        nearest[at] = depth;
-                        seen[at] = triangle;
-                    }
+            // Weights as weight() has them, of which all but one product is the same along a row.
+            double rowA = (xs[2] - xs[1]) * (y + 0.5 - ys[1]);
+            double rowB = (xs[0] - xs[2]) * (y + 0.5 - ys[2]);
+            drawRow(triangle, y, left, right, area, rowA, rowB);
+        }
+    }
+
+    private void drawRow(int triangle, int y, int left, int right, double area, double rowA, double rowB) {
+        double slopeA = ys[2] - ys[1];
+        double slopeB = ys[0] - ys[2];
+        double firstX = xs[1];
+        double secondX = xs[2];
+        for (int x = left; x <= right; x++) {
+            double a = (rowA - slopeA * (x + 0.5 - firstX)) / area;
+            double b = (rowB - slopeB * (x + 0.5 - secondX)) / area;
+            double c = 1 - a - b;
+            if (a >= 0 && b >= 0 && c >= 0) {
+                float depth = (float) (a * depths[0] + b * depths[1] + c * depths[2]);
+                int at = y * side + x;
+                if (depth > nearest[at]) {
+                    nearest[at] = depth;
+                    seen[at] = triangle;
                 }
             }
         }
