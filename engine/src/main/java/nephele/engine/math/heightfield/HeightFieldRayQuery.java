@@ -19,6 +19,12 @@ final class HeightFieldRayQuery {
     private final RayHit hit;
     private final double margin;
     private final double[] box = new double[6];
+    /** The cells over or under the ray, the last included. */
+    private int nearColumn;
+
+    private int farColumn;
+    private int nearRow;
+    private int farRow;
     /** For each level of the descent, the ray parameters at which the ray enters four of its blocks. */
     private final double[] entries;
 
@@ -30,6 +36,8 @@ final class HeightFieldRayQuery {
         this.test = test;
         this.hit = hit;
         pyramid = field.pyramid();
+        farColumn = field.cellColumns() - 1;
+        farRow = field.cellRows() - 1;
         entries = new double[4 * (pyramid.top() + 1)];
     }
 
@@ -45,17 +53,18 @@ final class HeightFieldRayQuery {
     private void walkNear() {
         double toX = ray.originX() + hit.distance() * ray.directionX();
         double toZ = ray.originZ() + hit.distance() * ray.directionZ();
-        int firstColumn = block(Math.min(ray.originX(), toX) - margin, field.x(0), field.cellX());
-        int lastColumn = block(Math.max(ray.originX(), toX) + margin, field.x(0), field.cellX());
-        int firstRow = block(Math.min(ray.originZ(), toZ) - margin, field.z(0), field.cellZ());
-        int lastRow = block(Math.max(ray.originZ(), toZ) + margin, field.z(0), field.cellZ());
-        firstColumn = Math.max(0, firstColumn);
-        firstRow = Math.max(0, firstRow);
-        lastColumn = Math.min(pyramid.columns(0) - 1, lastColumn);
-        lastRow = Math.min(pyramid.rows(0) - 1, lastRow);
-        if (firstColumn > lastColumn || firstRow > lastRow) {
+        nearColumn = Math.max(0, cell(Math.min(ray.originX(), toX) - margin, field.x(0), field.cellX()));
+        farColumn = Math.min(
+                field.cellColumns() - 1, cell(Math.max(ray.originX(), toX) + margin, field.x(0), field.cellX()));
+        nearRow = Math.max(0, cell(Math.min(ray.originZ(), toZ) - margin, field.z(0), field.cellZ()));
+        farRow = Math.min(field.cellRows() - 1, cell(Math.max(ray.originZ(), toZ) + margin, field.z(0), field.cellZ()));
+        if (nearColumn > farColumn || nearRow > farRow) {
             return;
         }
+        int firstColumn = nearColumn / MinMaxPyramid.BLOCK_CELLS;
+        int lastColumn = farColumn / MinMaxPyramid.BLOCK_CELLS;
+        int firstRow = nearRow / MinMaxPyramid.BLOCK_CELLS;
+        int lastRow = farRow / MinMaxPyramid.BLOCK_CELLS;
         int level = 0;
         while ((lastColumn >> level) - (firstColumn >> level) > 1 || (lastRow >> level) - (firstRow >> level) > 1) {
             level++;
@@ -63,9 +72,9 @@ final class HeightFieldRayQuery {
         visitSquare(level, firstColumn >> level, firstRow >> level);
     }
 
-    /** Returns the block of the lowest level in which a place lies, which may be outside of the field. */
-    private static int block(double place, double first, double cell) {
-        return (int) Math.floor((place - first) / (cell * MinMaxPyramid.BLOCK_CELLS));
+    /** Returns the cell in which a place lies, which may be outside of the field. */
+    private static int cell(double place, double first, double cell) {
+        return (int) Math.floor((place - first) / cell);
     }
 
     private boolean isAhead(double entry) {
@@ -111,10 +120,11 @@ final class HeightFieldRayQuery {
     }
 
     private void visitCells(int blockColumn, int blockRow) {
-        int endRow = HeightFieldBoxQuery.endCell(blockRow, 0, field.cellRows());
-        int endColumn = HeightFieldBoxQuery.endCell(blockColumn, 0, field.cellColumns());
-        for (int row = HeightFieldBoxQuery.firstCell(blockRow, 0); row < endRow; row++) {
-            for (int column = HeightFieldBoxQuery.firstCell(blockColumn, 0); column < endColumn; column++) {
+        int endRow = Math.min(farRow + 1, HeightFieldBoxQuery.endCell(blockRow, 0, field.cellRows()));
+        int endColumn = Math.min(farColumn + 1, HeightFieldBoxQuery.endCell(blockColumn, 0, field.cellColumns()));
+        int firstColumn = Math.max(nearColumn, HeightFieldBoxQuery.firstCell(blockColumn, 0));
+        for (int row = Math.max(nearRow, HeightFieldBoxQuery.firstCell(blockRow, 0)); row < endRow; row++) {
+            for (int column = firstColumn; column < endColumn; column++) {
                 for (int half = 0; half < 2; half++) {
                     visitTriangle(column, row, half);
                 }

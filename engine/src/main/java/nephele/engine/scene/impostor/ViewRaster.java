@@ -89,6 +89,7 @@ final class ViewRaster {
         double slopeB = ys[0] - ys[2];
         double firstX = xs[1];
         double secondX = xs[2];
+        boolean isInside = false;
         for (int x = left; x <= right; x++) {
             double a = (rowA - slopeA * (x + 0.5 - firstX)) / area;
             double b = (rowB - slopeB * (x + 0.5 - secondX)) / area;
@@ -100,6 +101,9 @@ final class ViewRaster {
                     nearest[at] = depth;
                     seen[at] = triangle;
                 }
+                isInside = true;
+            } else if (isInside && (a < 0 || b < 0)) {
+                return;
             }
         }
     }
