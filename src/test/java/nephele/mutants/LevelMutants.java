@@ -25,9 +25,9 @@ final class LevelMutants {
             new Mutant(
                     LEVEL,
                     "the least number allowed is refused",
-                    ENGINE + "level/json/NumberFormats.java",
-                    "return value >= min && value <= max",
-                    "return value > min && value <= max",
+                    ENGINE + "level/NumberRange.java",
+                    "return number >= min && number <= max;",
+                    "return number > min && number <= max;",
                     "LevelBoundsTest"),
             new Mutant(
                     LEVEL,

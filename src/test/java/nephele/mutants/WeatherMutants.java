@@ -35,9 +35,9 @@ final class WeatherMutants {
             new Mutant(
                     LIGHT,
                     "a cloud's shade drifts the other way",
-                    ENGINE + "cloud/drawn/CloudTimeline.java",
-                    "drift.minus(source.drift(seconds))",
-                    "source.drift(seconds).minus(drift)",
+                    ENGINE + "cloud/cells/ShadingClouds.java",
+                    "shaded.drift.minus(cast.drift)",
+                    "cast.drift.minus(shaded.drift)",
                     "CloudTimelineTest"),
             new Mutant(
                     LIGHT,

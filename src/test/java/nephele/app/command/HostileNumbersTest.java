@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
-import nephele.engine.level.Written;
+import nephele.engine.level.Range;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -180,7 +180,7 @@ class HostileNumbersTest {
     /** A place on the command line may be wherever a level's may. */
     @Test
     void placesHaveTheRangeOfALevelsCoordinates() throws NoSuchMethodException {
-        assertEquals(Written.class.getMethod("max").getDefaultValue(), NumberList.MOST);
-        assertEquals(Written.class.getMethod("min").getDefaultValue(), -NumberList.MOST);
+        assertEquals(Range.class.getMethod("max").getDefaultValue(), NumberList.MOST);
+        assertEquals(Range.class.getMethod("min").getDefaultValue(), -NumberList.MOST);
     }
 }

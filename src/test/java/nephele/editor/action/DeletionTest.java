@@ -33,6 +33,7 @@ class DeletionTest {
                         "set camera to=main",
                         "add portals id=a at=0,1,0",
                         "add portals id=b at=5,1,0",
+                        "set linkedTo to=a",
                         "add models id=trunk",
                         "add models id=leaf",
                         "set parent to=trunk");

@@ -2,6 +2,7 @@ package nephele.editor.action;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Execution(ExecutionMode.CONCURRENT)
 class OutOfRangeTest {
     private static final String BEYOND = " must be from -10000000 to 10000000 m";
+    private static final String OF_ARGUMENT = " must be a number from -10000000 to 10000000, not ";
 
     private static ScriptedSession session() {
         return ScriptedSession.empty()
@@ -37,19 +39,38 @@ class OutOfRangeTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "add lights.point at=1e8,0,0 | Position",
-                "add solids.box at=0,-1e8,0 | Centre",
-                "add player at=0,1e8,0 | Feet",
-                "add cameras at=0,0,1.0000001e7 | Position",
-                "add exits at=1e300,0,0 | Feet",
-                "move by=1e8,0,0 | Centre",
-                "paste by=1e8,0,0 | Centre",
-                "duplicate by=0,0,1e8 | Centre",
-                "turn axis=0,1,0 degrees=90 pivot=1e8,0,0 | Position",
-                "scale by=1e9,1e9,1e9 pivot=2,2,2 | Position"
+                "add lights.point at=1e8,0,0 | at",
+                "add solids.box at=0,-1e8,0 | at",
+                "add player at=0,1e8,0 | at",
+                "add cameras at=0,0,1.0000001e7 | at",
+                "add exits at=1e300,0,0 | at",
+                "move by=1e8,0,0 | by",
+                "paste by=1e8,0,0 | by",
+                "duplicate by=0,0,1e8 | by",
+                "turn axis=0,1,0 degrees=90 pivot=1e8,0,0 | pivot",
+                "scale by=1e9,1e9,1e9 pivot=2,2,2 | by"
             })
-    void whateverMakesAPlaceOutsideTheWorldIsRefusedInTheSameWords(String line, String field) {
+    void anArgumentOutsideTheWorldIsRefused(String line, String argument) {
         ScriptedSession session = session();
+        String before = session.json();
+        ActionFailure failure =
+                assertThrows(ActionFailure.class, () -> session.script().run(line));
+        assertTrue(failure.getMessage().startsWith(argument + OF_ARGUMENT), failure.getMessage());
+        assertEquals(before, session.json());
+    }
+
+    /** Arguments within the world, which together lead out of it. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "add solids.box at=1e7,0,0 | move by=9e6,0,0 | Centre",
+                "add lights.point at=0,1e7,0 | duplicate by=0,5,0 | Position",
+                "add player at=0,0,-1e7 | move by=0,0,-1 | Feet",
+                "add lights.point at=1e7,0,0 | turn axis=0,1,0 degrees=-45 pivot=0,0,1e7 | Position"
+            })
+    void whateverMakesAPlaceOutsideTheWorldIsRefusedInTheSameWords(String first, String line, String field) {
+        ScriptedSession session = session().run(first);
         String before = session.json();
         ActionFailure failure =
                 assertThrows(ActionFailure.class, () -> session.script().run(line));

@@ -21,8 +21,8 @@ class ScriptNumbersTest {
     private static final List<String> NEVER = List.of("NaN", "Infinity", "-1e300", "1e300", "1e8", "0x", "");
 
     /** The parameters that are no numbers. */
-    private static final Set<String> WORDS =
-            Set.of("file face id kind value to ids shape material effect layer terrain show a b out".split(" "));
+    private static final Set<String> WORDS = Set.of(
+            "file face id kind value to ids shape material effect layer terrain show a b out scene replace".split(" "));
 
     private static ScriptedSession room() {
         return ScriptedSession.empty().run("brush box min=0,0,0 max=1,1,1 id=box", "select solids/box");

@@ -7,7 +7,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import nephele.editor.action.ScriptedSession;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,7 +41,7 @@ class RefusedNumberSwingTest {
                 input.postActionEvent();
                 String start = text.substring(0, Math.min(20, text.length()));
                 assertTrue(
-                        all(panel, JLabel.class).stream()
+                        all(panel, JTextArea.class).stream()
                                 .anyMatch(label -> label.isVisible()
                                         && String.valueOf(label.getText()).contains("\"" + start)),
                         "the message quotes the text");

@@ -212,8 +212,8 @@ record BrokenModelFiles(String name, byte[] bytes, String where) {
                         OBJ_POINTS + "f" + " 1 2 3".repeat(1365) + " 1 2\n",
                         ":4: a face has 4097 corners"),
                 of("long-face.obj", OBJ_POINTS + "f" + " 1".repeat(100_000), ":4: "),
-                new BrokenModelFiles("too-large.3d", new byte[MeshLimits.MAX_TEXT_BYTES + 1], ": "),
-                new BrokenModelFiles("too-large.obj", new byte[MeshLimits.MAX_TEXT_BYTES + 1], ": "),
+                of("too-large.3d", "#".repeat(MeshLimits.MAX_TEXT_BYTES + 1), ": "),
+                of("too-large.obj", "#".repeat(MeshLimits.MAX_TEXT_BYTES + 1), ": "),
                 new BrokenModelFiles("too-large.gltf", new byte[MeshLimits.MAX_GLTF_BYTES + 1], ": "));
     }
 }

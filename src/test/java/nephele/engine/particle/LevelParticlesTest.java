@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Emitter.Kind;
 import nephele.engine.level.TestLevel;
@@ -97,6 +98,9 @@ class LevelParticlesTest {
         LevelParticles particles = TestEmitters.particles(List.of(emitter));
         Aabb bounds = particles.bounds(0).moved(emitter.centre().negated());
         double most = emitter.mostAtOnce();
+        int pictures = Stream.of(ParticlePicture.values())
+                .mapToInt(ParticlePicture::variants)
+                .sum();
         for (double seconds = 0; seconds < 14; seconds += 0.37) {
             ParticleArrays at = particles.at(seconds);
             assertTrue(at.count() <= most, at.count() + " of " + most);
@@ -124,7 +128,7 @@ class LevelParticlesTest {
                 assertTrue(at.get(i, ParticleArrays.RED) >= 0
                         && at.get(i, ParticleArrays.GREEN) >= 0
                         && at.get(i, ParticleArrays.BLUE) >= 0);
-                assertTrue(at.get(i, ParticleArrays.LOOK) >= 0 && at.get(i, ParticleArrays.LOOK) < 10);
+                assertTrue(at.get(i, ParticleArrays.LOOK) >= 0 && at.get(i, ParticleArrays.LOOK) < pictures);
             }
         }
     }

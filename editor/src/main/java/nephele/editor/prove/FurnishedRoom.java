@@ -41,7 +41,6 @@ final class FurnishedRoom {
             "add kind=exits at=-3,0,-3 id=exit",
             "add kind=player at=0,0,3",
             "add kind=models at=-3,0.5,0 id=teapot",
-            "set value=file to=models/vase.obj",
             "paste",
             "select ids=solids/block,lights/lamp",
             "group",

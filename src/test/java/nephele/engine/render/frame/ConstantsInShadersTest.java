@@ -34,6 +34,7 @@ class ConstantsInShadersTest {
             "context.ranges(",
             "clouds",
             "boxes",
+            "SquareSheet.vertices(1",
             "(double) divisor",
             "facing.ordinal(",
             "pixels",

@@ -57,8 +57,8 @@ class ShaderConstantsTest {
             "CORNERS", List.of(-1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0));
 
     /** What only shaders have. */
-    private static final Set<String> OF_SHADERS =
-            Set.of(("billboard.vert/FADE_SHARE edges.frag/LEAST_DIFFERENCE smooth.frag/FARTHEST"
+    private static final Set<String> OF_SHADERS = Set.of(
+            ("billboard.vert/FADE_SHARE edges.frag/LEAST_DIFFERENCE smooth.frag/FARTHEST shadow-filter.glsl/FARTHEST"
                 + " atmosphere.frag/SEA_COUNT atmosphere.frag/RAYED_COUNT plant.frag/LIFT impostor.frag/LIFT"
                 + " ring.frag/STRIP_START ring.frag/STRIP_WIDTH ring.frag/CHEVRONS_PER_SECOND glow.frag/START"
                 + " glow.frag/WIDTH bolt.vert/NEAREST bolt.vert/WIDTH bolt.vert/THINNEST bolt.vert/MAIN"

@@ -24,7 +24,7 @@ final class BillboardProgram {
     private static final String FOLDER = "/nephele/engine/render/pass/billboard/";
 
     /** The defines of what varies over a billboard and is interpolated between vertices. */
-    private static final Set<String> VARYING = Set.of("SUN", "SKY_AMBIENT", "FLASH", "FOG", "AIR");
+    private static final Set<String> VARYING = Set.of("SUN SKY_AMBIENT FLASH FOG AIR".split(" "));
 
     /** @param observer {@code null} if billboards face the eye */
     private record Numbers(
