@@ -37,8 +37,8 @@ final class ScatteringOrders {
     enum Accuracy {
         /** To a thousandth: the field that the program carries. */
         FINE(1e-3, 8, AirIntegral.COARSE, AirIntegral.COARSE),
-        /** Within 0.2 % of the other in a fourth of its time: fields for which somebody waits. */
-        QUICK(0.03, 6, AirIntegral.SHORT, AirIntegral.SHORTEST);
+        /** Within 0.3 % of the other in a fourth of its time: fields for which somebody waits. */
+        QUICK(0.06, 6, AirIntegral.SHORT, AirIntegral.SHORTEST);
 
         /** Share of the sum that an order adds at most if it is the last. */
         private final double leastShare;

@@ -20,6 +20,10 @@ final class ViewRaster {
     private final double[] xs = new double[3];
     private final double[] ys = new double[3];
     private final double[] depths = new double[3];
+    /** The triangle of which a sample was added last, for its neighbours mostly show the same; and its normals. */
+    private int resolved = -1;
+
+    private final Vec3[] normals = new Vec3[3];
 
     /** @param texels along a side of the view */
     ViewRaster(KindShape shape, AtlasView view, int texels) {
@@ -153,7 +157,13 @@ final class ViewRaster {
     private void add(int column, int row, Albedo albedo, float[] sum) {
         int at = row * side + column;
         int triangle = seen[at];
-        take(triangle);
+        if (triangle != resolved) {
+            resolved = triangle;
+            take(triangle);
+            for (int corner = 0; corner < 3; corner++) {
+                normals[corner] = mesh.normal(triangle, corner);
+            }
+        }
         double area = area();
         double a = weight(1, 2, column + 0.5, row + 0.5) / area;
         double b = weight(2, 0, column + 0.5, row + 0.5) / area;
@@ -162,10 +172,7 @@ final class ViewRaster {
                 a * mesh.s(triangle, 0) + b * mesh.s(triangle, 1) + c * mesh.s(triangle, 2),
                 a * mesh.t(triangle, 0) + b * mesh.t(triangle, 1) + c * mesh.t(triangle, 2),
                 sum);
-        Vec3 n = mesh.normal(triangle, 0)
-                .scaled(a)
-                .addScaled(b, mesh.normal(triangle, 1))
-                .addScaled(c, mesh.normal(triangle, 2));
+        Vec3 n = normals[0].scaled(a).addScaled(b, normals[1]).addScaled(c, normals[2]);
         double length = Math.max(n.length(), 1e-9);
         sum[4] += n.x() / length;
         sum[5] += n.y() / length;

@@ -48,6 +48,10 @@ final class ReachFlood {
     private final CellQueue queue;
     /** Height of an eye that stands on the ground below a cell; NaN before it is known. */
     private final double[] standing;
+    /** A bit for each side of a cell whether it is known if an eye passes there, and whether it does. */
+    private final byte[] asked;
+
+    private final byte[] free;
 
     private Means means = Means.WALKING;
     private List<Passage> passages = List.of();
@@ -62,6 +66,8 @@ final class ReachFlood {
         queue = new CellQueue(grid.cells());
         standing = new double[grid.cells()];
         Arrays.fill(standing, Double.NaN);
+        asked = new byte[grid.cells()];
+        free = new byte[grid.cells()];
     }
 
     /** Returns the boxes that the player's eye reaches. */
@@ -242,7 +248,7 @@ final class ReachFlood {
             grid.reach(cell, head, means);
             for (int side = 0; side < 6; side++) {
                 int next = grid.neighbour(cell, side);
-                if (next >= 0 && mayRaise(next, head) && isFree(at, grid.centre(next))) {
+                if (next >= 0 && mayRaise(next, head) && isFree(cell, side, at, next)) {
                     raise(next, head);
                 }
             }
@@ -272,6 +278,16 @@ final class ReachFlood {
                     cast.cast(world, ray, reach) ? at.y() - cast.distance() + EYE_METRES : Double.NEGATIVE_INFINITY;
         }
         return standing[cell];
+    }
+
+    /** Asks once for each side of a cell: a cell may be raised many times. */
+    private boolean isFree(int cell, int side, Vec3 at, int next) {
+        int bit = 1 << side;
+        if ((asked[cell] & bit) == 0) {
+            asked[cell] |= (byte) bit;
+            free[cell] |= (byte) (isFree(at, grid.centre(next)) ? bit : 0);
+        }
+        return (free[cell] & bit) != 0;
     }
 
     private boolean isFree(Vec3 from, Vec3 to) {
