@@ -49,7 +49,7 @@ final class TextEntry {
             outline(null);
             if (!component.getText().equals(text)) {
                 component.setText(text);
-                // Of a text that does not fit, the beginning is seen.
+                // A text that does not fit shows its beginning.
                 component.setCaretPosition(0);
             }
         }

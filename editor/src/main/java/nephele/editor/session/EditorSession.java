@@ -47,7 +47,7 @@ public final class EditorSession {
     private AssetSource assets;
     /** The level's files without what strokes have made. */
     private AssetSource files;
-    /** Those of the folder from which it was saved elsewhere: undone states still name them. */
+    /** The files of the folder that the level was saved from before: undone states still name them. */
     private Optional<AssetSource> former = Optional.empty();
 
     private Grid grid = new Grid(0.5);

@@ -42,7 +42,7 @@ record GroundUniforms(
         List<Vector4> heights,
         List<Vector4> slopes,
         List<Vector3> origins) {
-    /** Of the grid to which rasterisers round corners; OpenGL demands 16, all known ones have 256. */
+    /** Steps a pixel of the grid to which rasterisers round corners; OpenGL demands 16, all known ones have 256. */
     private static final float STEPS_PER_PIXEL = 256;
 
     static GroundUniforms of(Uniforms uniforms, int layers, SurfaceLight light, TerrainDetail detail) {
