@@ -10,6 +10,8 @@ import com.tngtech.archunit.thirdparty.org.objectweb.asm.MethodVisitor;
 import com.tngtech.archunit.thirdparty.org.objectweb.asm.Opcodes;
 import com.tngtech.archunit.thirdparty.org.objectweb.asm.Type;
 import java.io.IOException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -36,15 +38,25 @@ class RecordTextTest {
                 nephele.editor.document.Document.class)) {
             Path root = Path.of(
                     module.getProtectionDomain().getCodeSource().getLocation().getPath());
-            try (Stream<Path> files = Files.walk(root)) {
-                for (Path file :
-                        files.filter(each -> each.toString().endsWith(".class")).toList()) {
-                    read(Files.readAllBytes(file));
+            if (Files.isDirectory(root)) {
+                readAllBelow(root);
+            } else {
+                try (FileSystem jar = FileSystems.newFileSystem(root)) {
+                    readAllBelow(jar.getPath("/"));
                 }
             }
         }
         assertTrue(texts > 1000, texts + " texts were seen");
         assertEquals(Set.of(), found);
+    }
+
+    private void readAllBelow(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file :
+                    files.filter(each -> each.toString().endsWith(".class")).toList()) {
+                read(Files.readAllBytes(file));
+            }
+        }
     }
 
     private void read(byte[] bytes) {
