@@ -39,10 +39,10 @@ class RecordTextTest {
             Path root = Path.of(
                     module.getProtectionDomain().getCodeSource().getLocation().getPath());
             if (Files.isDirectory(root)) {
-                readAllBelow(root);
+                readAllBelow(root.resolve("nephele"));
             } else {
                 try (FileSystem jar = FileSystems.newFileSystem(root)) {
-                    readAllBelow(jar.getPath("/"));
+                    readAllBelow(jar.getPath("/nephele"));
                 }
             }
         }
