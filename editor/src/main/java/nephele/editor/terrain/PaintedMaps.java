@@ -31,7 +31,7 @@ public final class PaintedMaps {
     private final Map<String, PaintedMap> known = new LinkedHashMap<>();
     /** The files of this session's maps by their ids. */
     private final Map<String, Path> written = new HashMap<>();
-    /** Those that no saved level has named. */
+    /** Files of maps that no saved level names. */
     private final Set<Path> unsaved = new LinkedHashSet<>();
 
     private long shown;

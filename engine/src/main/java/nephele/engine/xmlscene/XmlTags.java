@@ -16,14 +16,14 @@ final class XmlTags {
     private static final int MOST_SHARED_LETTERS = 16;
 
     private final String text;
-    /** Those of the text; its length is that of a file, which is limited. */
+    /** The letters of the text; a file's length, which is limited, bounds their number. */
     private final char[] letters;
 
     /** Short strings by a hash; a later one takes the place of an earlier one. */
     private final String[] shared = new String[1024];
 
     private final SceneWarnings warnings;
-    /** Those of the tag that is being read. */
+    /** The attributes of the tag that is being read. */
     private final List<XmlAttribute> attributes = new ArrayList<>();
 
     private final List<String> unquoted = new ArrayList<>();

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import nephele.editor.action.ScriptedSession;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.problem.ProblemSeverity;
@@ -13,7 +12,6 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.SingleSection;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
@@ -28,17 +26,6 @@ class AddedPartsTest {
     private static final AssetSource ASSETS = LevelAssets.beside(Path.of("levels", "untitled.json"));
     private static final InspectorModel MODEL = new InspectorModel(LevelStructure.LEVEL);
 
-    static Stream<String> everyKind() {
-        LevelStructure structure = LevelStructure.LEVEL;
-        Stream<String> lists = structure.lists().stream()
-                .flatMap(section -> section.kinds().stream().map(kind -> section.path() + "." + kind.name()));
-        return Stream.concat(
-                lists,
-                structure.singles().stream()
-                        .filter(SingleSection::isOptional)
-                        .flatMap(section -> section.kinds().stream().map(kind -> section.path() + "." + kind.name())));
-    }
-
     private static List<String> errors(Level level) {
         return ProblemSearch.of(level, ASSETS).stream()
                 .filter(problem -> problem.severity() == ProblemSeverity.ERROR)
@@ -47,7 +34,7 @@ class AddedPartsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("everyKind")
+    @MethodSource("nephele.editor.record.PrototypesTest#everyKind")
     void aNewEntityMakesNoErrorsAndNeitherDoItsParts(String kind) {
         ScriptedSession session = ScriptedSession.empty().run("brush box min=-9,-1,-9 max=9,0,9");
         if (kind.startsWith("portals.")) {

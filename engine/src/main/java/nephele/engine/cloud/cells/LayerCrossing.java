@@ -22,7 +22,7 @@ final class LayerCrossing {
     private final double slantZ;
     /** Metres along the level for each metre of height. */
     private final double slant;
-    /** Of each box, x fastest. */
+    /** Optical depths along upright lines, an array for each level of boxes, x fastest. */
     private final float[][] upright;
 
     private final float[][] slanted;

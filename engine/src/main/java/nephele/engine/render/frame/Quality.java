@@ -170,7 +170,7 @@ public record Quality(
     /** Decides which clouds of balls are drawn from pictures of them. */
     public enum ImpostorChoice {
         OFF,
-        /** Those whose pictures are right for long enough to be worth their making. */
+        /** Impostors for balls whose pictures stay valid long enough to repay drawing them. */
         AUTO
     }
 

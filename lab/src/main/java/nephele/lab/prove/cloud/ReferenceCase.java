@@ -40,10 +40,10 @@ record ReferenceCase(
         Vec3 sky,
         LinearPicture radiance,
         LinearPicture error) {
-    /** Those whose picture is Mitsuba's, as scenes of another format. */
+    /** Cases whose picture Mitsuba traced, from scenes in its own format. */
     static final List<String> OF_MITSUBA = List.of("sphere", "puff", "cumulus");
 
-    /** Those whose picture is our own tracer's. */
+    /** Cases whose picture our own tracer made. */
     static final List<String> OWN = List.of("low-sun", "inside", "deck");
 
     /** Reads a case from the resources of this package. */

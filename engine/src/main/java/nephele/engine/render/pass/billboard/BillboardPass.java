@@ -53,7 +53,7 @@ public final class BillboardPass implements Pass {
     private final BillboardQuads quads;
     private final BillboardProgram program;
     private final BillboardList list;
-    /** Those that are large in the picture. */
+    /** Billboards that are large in the picture. */
     private final BillboardList large;
 
     private final List<Cluster> seen = new ArrayList<>();

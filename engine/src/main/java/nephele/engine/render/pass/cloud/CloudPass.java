@@ -49,7 +49,7 @@ public final class CloudPass implements Pass {
     /** The layer of the main view, whose rays several frames may share; {@code null} if clouds are drawn directly. */
     private final CloudLayer mainLayer;
 
-    /** That of all other views. */
+    /** The layer of all views but the main one. */
     private final CloudLayer nestedLayer;
 
     private CompositeProgram composite;

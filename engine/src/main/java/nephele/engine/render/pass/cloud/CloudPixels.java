@@ -6,7 +6,7 @@ public enum CloudPixels {
     ALL,
     /** All of a layer, as if there were no surfaces. */
     WHOLE,
-    /** Those whose surface is among the clouds. */
+    /** Pixels whose surface lies among the clouds. */
     MIXED,
     /** All of a layer, as {@link #WHOLE}: the light of a flash of lightning in the cloud. */
     FLASH,

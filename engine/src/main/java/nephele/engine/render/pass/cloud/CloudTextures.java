@@ -20,11 +20,11 @@ public final class CloudTextures {
     private final Texture smallAngles;
     private Texture last;
     private Texture next;
-    /** Whose light is in {@link #last}, and in {@link #next}. */
+    /** The cells whose light {@link #last} holds, then those of {@link #next}. */
     private CellStack lastShown;
 
     private CellStack nextShown;
-    /** Whose densities are shown. */
+    /** The cells whose densities are shown. */
     private CellStack shownFrom;
 
     private CellStack shownTo;

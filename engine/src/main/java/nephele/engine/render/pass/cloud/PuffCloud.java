@@ -20,7 +20,7 @@ final class PuffCloud implements CloudDrawing {
     private double shownShare;
     private CloudPuffs from;
     private CloudPuffs to;
-    /** Those at the time of the frame; {@code null} until something needs them. */
+    /** The puffs at the time of the frame; {@code null} until something needs them. */
     private CloudPuffs now;
 
     PuffCloud(CloudContext context, PlacedCloud placed, PerPixels<PuffProgram> programs) {
