@@ -27,7 +27,10 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class BakeCommandTest {
     private static final String GRADIENT =
             "{\"kind\": \"gradient\", \"zenith\": [0.1, 0.2, 0.9], \"horizon\": [0.7, 0.6, 0.5], \"ground\": [0.2,"

@@ -14,8 +14,11 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The files on the disk after a scene is imported as a level. */
+@Execution(ExecutionMode.CONCURRENT)
 class ImportCommandTest {
     private static final String SCENE = "<scene>\n<models><model file=\"box_2_3.3d\"/>"
             + "<model file=\"own/tri.3d\" texture=\"own/t.png\"/>\n<model file=\"nowhere.3d\"/></models></scene>";

@@ -3,9 +3,12 @@ package nephele.engine.atmosphere;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+@Execution(ExecutionMode.CONCURRENT)
 class AerialTableTest {
     private static final AirTables CLEAR = AirTables.of(Air.CLEAR);
     private static final int DIRECTIONS = 60;

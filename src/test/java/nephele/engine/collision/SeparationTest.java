@@ -9,8 +9,11 @@ import nephele.engine.math.Vec3;
 import nephele.lab.prove.geometry.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Distances equal brute force, and GJK and separating axes agree and terminate on degenerate pairs. */
+@Execution(ExecutionMode.CONCURRENT)
 class SeparationTest {
     private final Gjk gjk = new Gjk();
     private final SeparatingAxes axes = new SeparatingAxes();

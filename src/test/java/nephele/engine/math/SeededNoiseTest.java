@@ -8,10 +8,13 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Seeded noise is bounded, repeatable and finite for every float; the shader's twin has its own test. */
+@Execution(ExecutionMode.CONCURRENT)
 class SeededNoiseTest {
     private final SeededNoise noise = new SeededNoise(42);
 

@@ -10,8 +10,11 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The reference path tracer shows bodies with the right shapes and shadows, also inside portals. */
+@Execution(ExecutionMode.CONCURRENT)
 class VisibleBodyTest {
     private static final TraceSettings SETTINGS = new TraceSettings(80, 60, 1, 1, 1);
     private static final Vec3 TOWARDS_EYE = new Vec3(0, 0, 1);

@@ -20,10 +20,13 @@ import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.ViewAngles;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Portals on uneven ground behave as those on floors: the same walks over both are compared. */
+@Execution(ExecutionMode.CONCURRENT)
 class GroundPortalTest {
     private static final DoubleBinaryOperator FLOOR = null;
 

@@ -22,11 +22,14 @@ import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.ViewAngles;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Players and bodies pass portals on bumpy slopes: once, without a jump, above the ground, and free afterwards. */
+@Execution(ExecutionMode.CONCURRENT)
 class SlopePortalTest {
     private static final double SECONDS = 1.0 / 120;
 

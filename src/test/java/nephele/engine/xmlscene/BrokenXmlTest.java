@@ -15,6 +15,8 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import nephele.engine.model.ModelFileException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,6 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * that shares its core with another test's takes up to twice the processor time for the same work.
  */
 @Isolated
+@Execution(ExecutionMode.CONCURRENT)
 class BrokenXmlTest {
     private static final String MODEL = "<models><model file='box_2_3.3d'/></models>";
     private static final long MOST_CPU_NANOSECONDS = 1_000_000_000;

@@ -13,11 +13,14 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Bounding spheres contain all points under chains of rotations, translations and scales, mirrored and sheared ones
  * included.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class WorldSpheresTest {
     private static final int TRANSFORMS = 10_000;
 

@@ -18,8 +18,11 @@ import nephele.engine.named.OpenedLevel;
 import nephele.lab.oracle.LevelHash;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The oracle's pictures are kept under keys that change with everything that the pictures depend on. */
+@Execution(ExecutionMode.CONCURRENT)
 class TradeSiteTest {
     private static final OpenedLevel CAMERAS = new LevelName("levels/samples/cameras.json").open();
     private static final TradeSite.Extent SMALL = new TradeSite.Extent(4, 2, 1);

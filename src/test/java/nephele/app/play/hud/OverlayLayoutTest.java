@@ -24,11 +24,14 @@ import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.scene.ShotPalette;
 import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Figures, hints, messages, labels and pages never cover each other, in any window and language. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS) // the letters are baked once
+@Execution(ExecutionMode.CONCURRENT)
 class OverlayLayoutTest {
     /** Letters have a border without ink in the atlas, in points. */
     private static final double LETTER_BORDER = 6;

@@ -25,9 +25,12 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** What is drawn of clouds is a function of time and focus: it drifts, evolves, follows the eye, and forgets the way. */
 @TestInstance(Lifecycle.PER_CLASS)
+@Execution(ExecutionMode.CONCURRENT)
 class CloudTimelineTest {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 SUN = new Vec3(0.6, 0.8, 0);

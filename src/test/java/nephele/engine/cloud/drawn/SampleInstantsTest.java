@@ -11,10 +11,13 @@ import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.Weather;
 import nephele.engine.level.appearance.WeatherCourse;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** At the time of a weather keyframe its weather alone is there, for any spacing of keyframes. */
+@Execution(ExecutionMode.CONCURRENT)
 class SampleInstantsTest {
     private static final double SPACINGS = 18;
 

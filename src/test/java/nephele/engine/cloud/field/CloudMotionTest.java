@@ -13,10 +13,13 @@ import nephele.engine.level.Cloud.Density;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Wind moves a cloud and nothing else, evolution changes noise alone, and both are exact after days. */
+@Execution(ExecutionMode.CONCURRENT)
 class CloudMotionTest {
     private static final Cloud.Extent BOX = new Cloud.Extent.Volume(new Vec3(50, 1200, -70), new Vec3(900, 500, 700));
     private static final Cloud.Extent LAYER = new Cloud.Extent.Layer(1000, 500);

@@ -17,8 +17,11 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Majorants bound the extinction, walks leave out nothing, and closed forms of optical depth agree with quadrature. */
+@Execution(ExecutionMode.CONCURRENT)
 class ExtinctionFieldTest {
     @Test
     void noPointExceedsItsMajorantAndNoneIsLeftOut() {

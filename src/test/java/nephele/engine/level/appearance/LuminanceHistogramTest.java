@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The mean of the histogram is the log2 luminance of what is neither among the darkest nor the brightest. */
+@Execution(ExecutionMode.CONCURRENT)
 class LuminanceHistogramTest {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;

@@ -10,8 +10,11 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The sky of an atmosphere has no special axis but the vertical, and no seam at the horizon. */
+@Execution(ExecutionMode.CONCURRENT)
 class SkyRadianceTest {
     private static final List<Vec3> AXES = List.of(
             new Vec3(1, 0, 0),

@@ -18,6 +18,8 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -26,6 +28,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * A smooth function of the direction, written into the pictures of each layout by the layout's own convention, is seen
  * again in every direction, also across all edges and at all corners.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SkyboxLayoutsTest {
     private static final int SIDE = 64;
     private static final double STEP = 1e-9;

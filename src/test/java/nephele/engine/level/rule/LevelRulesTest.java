@@ -19,10 +19,13 @@ import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
 import nephele.engine.named.LevelCatalogue;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The rules accept what they should; {@link nephele.engine.level.BadRelations} has what they refuse. */
+@Execution(ExecutionMode.CONCURRENT)
 class LevelRulesTest {
     private static List<Problem> structure(String sections) {
         return LevelRules.check(

@@ -12,9 +12,12 @@ import nephele.engine.model.Mesh;
 import nephele.engine.model.Triangles;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Execution(ExecutionMode.CONCURRENT)
 class BezierPatchesTest {
     private final BezierPatches teapot =
             BezierPatches.read("teapot.patch", new ResourceAssets("/assets").bytes(BezierPatches.SHIPPED));

@@ -23,11 +23,14 @@ import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Shots at uneven terrains. */
+@Execution(ExecutionMode.CONCURRENT)
 class GroundPlacementTest {
     private static final double CELL = 0.25;
     private static final int SAMPLES = 65;

@@ -26,11 +26,14 @@ import nephele.engine.reference.volume.DistantLight;
 import nephele.engine.reference.volume.OutsideLight;
 import nephele.engine.reference.volume.VolumeTracer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The light around clouds over the planet is that of surfaces and of the sky, by day and by moonlight. */
+@Execution(ExecutionMode.CONCURRENT)
 class OverPlanetTest {
     /** Days of the year with a full and a half moon. */
     private static final double FULL = 20;

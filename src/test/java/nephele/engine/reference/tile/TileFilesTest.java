@@ -21,11 +21,14 @@ import java.util.Random;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Part files hold what was put into them, whatever happens to them; parts that are of no use are named. */
+@Execution(ExecutionMode.CONCURRENT)
 class TileFilesTest {
     private static final PixelTiles TILES = new PixelTiles(40, 37);
     private static final Map<String, String> FACTS = Map.of("level", "cafe", "samples", "64", "seed", "1");

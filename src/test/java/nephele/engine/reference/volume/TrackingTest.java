@@ -15,8 +15,11 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Free flights and ratio-tracked transmittances obey Beer and Lambert; single scattering obeys its closed form. */
+@Execution(ExecutionMode.CONCURRENT)
 class TrackingTest {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
     private static final Aabb LAYER = new Aabb(-INFINITE, 0, -INFINITE, INFINITE, 1, INFINITE);

@@ -16,8 +16,11 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The tracer keeps energy and reciprocity, and agrees with Chandrasekhar's H function. */
+@Execution(ExecutionMode.CONCURRENT)
 class VolumeTracerTest {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
     private static final Vec3 ONE = new Vec3(1, 1, 1);

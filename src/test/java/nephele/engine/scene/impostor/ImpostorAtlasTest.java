@@ -11,8 +11,11 @@ import nephele.engine.level.planted.PlantedModels.Kind;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Atlases of shapes whose views are known. */
+@Execution(ExecutionMode.CONCURRENT)
 class ImpostorAtlasTest {
     private static final int TEXELS = 32;
     private static final Material GREEN =

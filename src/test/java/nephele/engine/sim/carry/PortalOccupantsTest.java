@@ -29,8 +29,11 @@ import nephele.engine.sim.state.WorldState;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Bodies and player in portals that move never end in a solid. */
+@Execution(ExecutionMode.CONCURRENT)
 final class PortalOccupantsTest {
     private static final double EDGE = 0.5;
 

@@ -9,10 +9,13 @@ import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.math.GaussLegendre;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvSource;
 
+@Execution(ExecutionMode.CONCURRENT)
 class CloudLawsProofTest {
     private static final double SHARE = 0.004;
 

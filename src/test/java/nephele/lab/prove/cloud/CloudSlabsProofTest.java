@@ -6,8 +6,11 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Slabs reflect and transmit what the table says, in 24 of its 360 rows. */
+@Execution(ExecutionMode.CONCURRENT)
 class CloudSlabsProofTest {
     private static final int ANGLES = 5;
     private static final int DEPTHS = 12;

@@ -7,8 +7,11 @@ import java.util.List;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Rays against boxes, planes and seams are right, at a hundredth of the full count. */
+@Execution(ExecutionMode.CONCURRENT)
 class RayProofTest {
     @Test
     void noRayGoesWhereItShouldNot() {

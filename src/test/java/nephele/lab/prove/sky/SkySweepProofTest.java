@@ -7,7 +7,10 @@ import java.util.List;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class SkySweepProofTest {
     /** The sun at −0.2 to −0.3 degrees, where light changes fastest, and a step of the clock. */
     private static final int[] UNITS = {97, SkySweepProof.SWEEP_UNITS + 90};

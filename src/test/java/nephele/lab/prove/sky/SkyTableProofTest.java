@@ -7,7 +7,10 @@ import java.util.List;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class SkyTableProofTest {
     /** Noon and sunset on the ground, dusk and the limb from high up, and one at random. */
     private static final int[] UNITS = {1, 4, 11, 18, 40};

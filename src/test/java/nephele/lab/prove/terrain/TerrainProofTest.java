@@ -6,8 +6,11 @@ import java.util.List;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The proof holds at a small part of the full count. */
+@Execution(ExecutionMode.CONCURRENT)
 class TerrainProofTest {
     @Test
     void nothingFallsThroughTheGround() {

@@ -22,8 +22,11 @@ import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Runs of invented subjects without pictures save, resume and report their measurements. */
+@Execution(ExecutionMode.CONCURRENT)
 class TradeRunTest {
     private static final int ROUNDS = 4;
     private static final BooleanSupplier NEVER = () -> false;

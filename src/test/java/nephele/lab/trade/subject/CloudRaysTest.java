@@ -8,7 +8,10 @@ import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class CloudRaysTest {
     @Test
     void longerStepsEvaluateLessAndMissMore() {

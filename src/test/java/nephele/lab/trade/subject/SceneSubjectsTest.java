@@ -9,7 +9,10 @@ import nephele.engine.model.shape.ConeShape;
 import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlScene;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class SceneSubjectsTest {
     /** For radius 1 and height 2 the report's normal rises by 41.8° halfway up, the exact one by 26.6°. */
     @Test
