@@ -245,6 +245,42 @@ class PuffCloudGlTest {
         }
     }
 
+    /** Light that is interpolated over two triangles depends on their diagonal unless it is linear. */
+    @ParameterizedTest
+    @EnumSource(
+            value = CloudTechnique.class,
+            names = {"PARTICLES", "BILLBOARD"})
+    void aMirroredCloudIsAMirroredPicture(CloudTechnique technique) {
+        View ahead = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -120));
+        float[] one = drawn(lit(1, technique), Quality.ULTRA.withSamples(1), ahead);
+        float[] other = drawn(lit(-1, technique), Quality.ULTRA.withSamples(1), ahead);
+        double brightest = 0;
+        double farthest = 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            int mirrored = i / WIDTH * WIDTH + WIDTH - 1 - i % WIDTH;
+            brightest = Math.max(brightest, one[3 * i]);
+            farthest = Math.max(farthest, Math.abs(one[3 * i] - other[3 * mirrored]));
+        }
+        assertEquals(0, farthest / brightest, 0.003);
+    }
+
+    /** @param side 1 or −1; the level of one is the mirror image of that of the other */
+    private static Level lit(int side, CloudTechnique technique) {
+        List<Cloud.Puff> puffs = HEAP.stream()
+                .map(puff -> new Cloud.Puff(
+                        new Vec3(
+                                side * puff.centre().x(),
+                                puff.centre().y(),
+                                puff.centre().z()),
+                        puff.radiusMetres()))
+                .toList();
+        return new TestLevel()
+                .sky(new Sky.Constant(TestLevel.grey(0.3)))
+                .sun(new Vec3(side * 0.8, 0.35, 0.45), 4)
+                .cloud(cloud(puffs, 0.4, 1, technique))
+                .level();
+    }
+
     @Test
     void farFromTheOriginItLooksTheSame() {
         Vec3 far = new Vec3(1 << 20, 0, -(1 << 20));

@@ -11,7 +11,7 @@ import nephele.engine.render.pass.cloud.PixelUniforms;
 import nephele.engine.render.pass.cloud.PuffClouds;
 import nephele.engine.render.pass.cloud.PuffProgram;
 
-/** Draws each ball of a cloud as a flat picture that is turned towards the eye, lit at its corners. */
+/** Draws each ball of a cloud as a flat picture that is turned towards the eye, with light that is linear across it. */
 public final class BillboardTechnique {
     public static final Registered REGISTERED =
             new Registered(CloudTechnique.BILLBOARD, CloudPuffs::canShow, BillboardTechnique::drawer);

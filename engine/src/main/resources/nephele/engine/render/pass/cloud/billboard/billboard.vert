@@ -1,4 +1,4 @@
-// A flat picture of a ball of a cloud, turned by FACING, with its light at the corners.
+// A flat picture of a ball of a cloud, turned by FACING, with light that is linear across it.
 #include "puff-light.glsl"
 #include "quad.glsl"
 
@@ -64,10 +64,14 @@ void main() {
     vec2 aside = flatness * LIT_ASIDE * puff.w * peakAndCorner.yz;
     // About as far as half of the diffuse light comes from: the denser the ball, the nearer to its front.
     float nearer = min(sqrt(2.0 * log(1.0 + 0.5 * medium.y * own)) * puff.w, 0.5 * metres);
-    vec3 place = puff.xyz + aside.x * across + aside.y * upwards - nearer * towards;
-    PuffLight light = puffLight(place, towards, beside.x + min(0.5 * own, 0.5));
+    vec3 middle = puff.xyz - nearer * towards;
+    float toEye = beside.x + min(0.5 * own, 0.5);
+    PuffLight lit = puffLight(middle, towards, toEye);
+    PuffLight besides = puffLight(middle + aside.x * across, towards, toEye);
+    PuffLight over = puffLight(middle + aside.y * upwards, towards, toEye);
+    // Linear across the picture: its two triangles would otherwise show on which diagonal they meet.
     depths = vec2(beside.x + beside.y, narrowFading(towards));
-    sun = vec2(light.narrow, light.diffuse);
-    straight = light.straight;
-    sky = light.sky;
+    sun = max(vec2(0.0), vec2(besides.narrow + over.narrow - lit.narrow, besides.diffuse + over.diffuse - lit.diffuse));
+    straight = max(0.0, besides.straight + over.straight - lit.straight);
+    sky = max(vec3(0.0), besides.sky + over.sky - lit.sky);
 }
