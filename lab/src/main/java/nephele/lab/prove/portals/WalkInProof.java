@@ -66,25 +66,35 @@ public final class WalkInProof implements Proof {
 
     private static final double HITS_METRES = 1e-3;
     private static final int TICKS_PER_SECOND = 120;
-    private static final double LEAST_THROUGH = 0.995;
-    private static final double LEAST_THROUGH_WITH_CUBE = 0.99;
     private static final double MOST_REFUSED = 0.02;
 
     private static final String SHOTS = "shots";
     private static final String REFUSED = "shots refused";
     private static final String NO_GROUND = "shots without free ground before the portal";
     private static final String PLAIN = "walks without assists";
+    private static final String HOLDING = "cubes still carried";
+    private static final String THROUGH = " through";
+    private static final String DEGREES = " degrees";
 
     /** The ways to walk at a portal. */
     private enum Walk {
-        BARE("walks"),
-        PUSHING("walks that push"),
-        CARRYING("walks that carry");
+        BARE("walks", 0.995),
+        PUSHING("walks that push", 0.99),
+        CARRYING("walks that carry", 0.99);
 
         private final String figure;
+        /** Share that has to go through. */
+        private final double least;
 
-        Walk(String figure) {
+        Walk(String figure, double least) {
             this.figure = figure;
+            this.least = least;
+        }
+
+        /** Returns the figure of the walks at an angle to the portal's normal. */
+        private String at(double degrees) {
+            int bin = (int) (Math.abs(degrees) / BIN_DEGREES) * BIN_DEGREES;
+            return figure + " at " + bin + " to " + (bin + BIN_DEGREES) + DEGREES;
         }
     }
 
@@ -96,7 +106,7 @@ public final class WalkInProof implements Proof {
                         + " straight walks at such a portal's centre, from 0.5 to 4 m and up to 70 degrees, 99.5 % go"
                         + " through without a jump, and 99 % with a cube pushed or carried.",
                 "walks",
-                10_000,
+                5_000,
                 500);
     }
 
@@ -110,32 +120,29 @@ public final class WalkInProof implements Proof {
         return range.result(count);
     }
 
-    /** Fails where the shares of all units so far are too small. */
+    /** Shows shares in place of sums of what went through, and fails where they are too small. */
     @Override
     public ProofResult judged(ProofResult soFar) {
         List<Figure> figures = new ArrayList<>();
-        List<String> failures = new ArrayList<>(soFar.examples());
-        long failed = 0;
+        List<String> failures = new ArrayList<>();
         for (Figure figure : soFar.figures()) {
-            figures.add(figure);
-            double through = soFar.value(figure.name() + " through");
-            if (soFar.figure(figure.name() + " through").isPresent()) {
-                figures.add(Figure.least(figure.name() + " share", 100 * through / figure.value(), "%"));
+            if (figure.name().endsWith(THROUGH)) {
+                String of = figure.name().substring(0, figure.name().length() - THROUGH.length());
+                figures.add(Figure.least(figure.name(), 100 * figure.value() / soFar.value(of), "%"));
+            } else if (!figure.name().endsWith(DEGREES)) {
+                figures.add(figure);
             }
         }
         for (Walk walk : Walk.values()) {
-            double share = soFar.value(walk.figure + " through") / soFar.value(walk.figure);
-            double least = walk == Walk.BARE ? LEAST_THROUGH : LEAST_THROUGH_WITH_CUBE;
-            if (share < least) {
-                failures.add(0, walk.figure + " go through in " + 100 * share + " %");
-                failed++;
+            if (soFar.value(walk.figure + THROUGH) < walk.least * soFar.value(walk.figure)) {
+                failures.add("too few " + walk.figure + " go through");
             }
         }
-        double refused = soFar.value(REFUSED) / soFar.value(SHOTS);
-        if (refused > MOST_REFUSED) {
-            failures.add(0, "refused are " + 100 * refused + " %");
-            failed++;
+        if (soFar.value(REFUSED) > MOST_REFUSED * soFar.value(SHOTS)) {
+            failures.add("too many shots are refused");
         }
+        int failed = failures.size();
+        failures.addAll(soFar.examples());
         return new ProofResult(soFar.units(), failed, figures, failures);
     }
 
@@ -176,6 +183,18 @@ public final class WalkInProof implements Proof {
         Range(List<PlaceSource> sources, Progress progress) {
             this.sources = sources;
             this.progress = progress;
+            // In the order in which they are shown.
+            for (String name : List.of(SHOTS, REFUSED, NO_GROUND)) {
+                add(name, 0);
+            }
+            for (Walk walk : Walk.values()) {
+                add(walk.figure, 0);
+                add(walk.figure + THROUGH, 0);
+                for (int degrees = 0; degrees < STEEPEST_DEGREES; degrees += BIN_DEGREES) {
+                    add(walk.at(degrees), 0);
+                    add(walk.at(degrees) + THROUGH, 0);
+                }
+            }
         }
 
         private void add(String name, double more) {
@@ -185,7 +204,7 @@ public final class WalkInProof implements Proof {
         /** Counts a walk, and one that went through. */
         private void add(String name, boolean through) {
             add(name, 1);
-            add(name + " through", through ? 1 : 0);
+            add(name + THROUGH, through ? 1 : 0);
         }
 
         ProofResult result(long count) {
@@ -318,7 +337,7 @@ public final class WalkInProof implements Proof {
                 SimState holding = site.carrying(withCube);
                 if (holding != null) {
                     count(Walk.CARRYING, trial, site.goesThrough(site.aided, holding, metres + FARTHEST_METRES));
-                    add("of them still carrying", site.stillHolds ? 1 : 0);
+                    add(HOLDING, site.stillHolds ? 1 : 0);
                 }
             }
             return true;
@@ -329,8 +348,7 @@ public final class WalkInProof implements Proof {
 
         private void count(Walk walk, Trial trial, boolean through) {
             add(walk.figure, through);
-            int bin = (int) (Math.abs(trial.angle()) / BIN_DEGREES) * BIN_DEGREES;
-            add(walk.figure + " at " + bin + " to " + (bin + BIN_DEGREES) + " degrees", through);
+            add(walk.at(trial.angle()), through);
             if (!through) {
                 String example = String.format(
                         Locale.ROOT,
