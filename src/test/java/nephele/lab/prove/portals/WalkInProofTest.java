@@ -14,7 +14,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** The proof holds at a reduced count, in a room each. */
 @Execution(ExecutionMode.CONCURRENT)
 final class WalkInProofTest {
-    private static final int WALKS = 6;
+    private static final int WALKS = 4;
 
     @Test
     void portalsOfShotsAtEyeHeightAreWalkedInto() throws Exception {
