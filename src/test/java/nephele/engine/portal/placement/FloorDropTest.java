@@ -81,6 +81,7 @@ final class FloorDropTest {
     void whatOneCanStandOnIsAFloor() {
         assertEquals(0, sill(wall().box(-4, -1, 0.2, 4, 0, 6, false), 0, 1.5), 5e-3, "20 cm before the wall");
         assertEquals(0, sill(wall().box(-4, -1, 0, 4, 0, 0.1, false), 0, 1.5), 5e-3, "a ledge of 10 cm");
+        assertEquals(0.45, sill(wall().box(-4, -1, 0, 4, 0, 0.06, false), 0, 1.5), 1e-9, "a frame of 6 cm");
         Walls mesh = wall().sheet(new Vec3(-4, 0, 0), new Vec3(-4, 0, 4), new Vec3(4, 0, 0))
                 .sheet(new Vec3(4, 0, 0), new Vec3(4, 0, 4), new Vec3(-4, 0, 4));
         assertEquals(0, sill(mesh, 1, 1.5), 5e-3);

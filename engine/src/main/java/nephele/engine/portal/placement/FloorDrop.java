@@ -22,8 +22,8 @@ final class FloorDrop {
     /** Height over the lower edge from which rays start, so that they find floors that rise from the wall. */
     private static final double OVER_METRES = 0.2;
 
-    /** Distances of the rays from the wall: on a narrow ledge, and under the middle of a player at the wall. */
-    private static final double[] BEFORE_METRES = {0.05, 0.3};
+    /** Distances of the rays from the wall: the narrowest ledge to stand on, and the middle of a player at the wall. */
+    private static final double[] BEFORE_METRES = {0.08, 0.3};
 
     /** Places of the rays along the lower edge, in half widths; the first has to find a floor. */
     private static final double[] ALONG = {0, -0.45, 0.45, -0.95, 0.95};

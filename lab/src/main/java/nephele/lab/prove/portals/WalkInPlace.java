@@ -163,7 +163,7 @@ final class WalkInPlace {
     private boolean hasGroundBefore(Vec3 at, Vec3 normal, double floor) {
         Vec3 end = at.addScaled(AT_WALL_METRES, normal);
         Vec3 start = at.addScaled(1.3, normal);
-        return isFreeWay(new Vec3(start.x(), floor, start.z()), new Vec3(end.x(), floor, end.z()));
+        return !Double.isNaN(groundAfter(new Vec3(start.x(), floor, start.z()), end));
     }
 
     /** Returns true if a portal has free ground before it that its lower edge may be near to. */
@@ -184,14 +184,18 @@ final class WalkInPlace {
         double last = AT_WALL_METRES / StrictMath.cos(angleRadians);
         Vec3 feet = new Vec3(from.x(), ground, from.z());
         Vec3 end = portal.centre().addScaled(Math.min(metres, last), way);
-        if (Double.isNaN(ground) || !isFreeWay(feet, new Vec3(end.x(), ground, end.z()))) {
+        double there = groundY(portal.world(0, 0, AT_WALL_METRES), FARTHEST_METRES);
+        if (Double.isNaN(ground) || !(Math.abs(groundAfter(feet, end) - there) <= PATH_RISE_METRES)) {
             return null;
         }
         return PlayerState.standing(feet, heading(way.negated()));
     }
 
-    /** Returns true if a player can walk straight, over steps and slopes that need no jump. */
-    private boolean isFreeWay(Vec3 from, Vec3 to) {
+    /**
+     * Returns the height of the ground where a player ends who walks straight, over steps and slopes that need no jump;
+     * NaN if something is in the way.
+     */
+    private double groundAfter(Vec3 from, Vec3 to) {
         double length = Math.hypot(to.x() - from.x(), to.z() - from.z());
         int steps = (int) Math.ceil(length / PATH_STEP_METRES);
         double ground = from.y();
@@ -200,15 +204,12 @@ final class WalkInPlace {
             Vec3 at = new Vec3(
                     from.x() + share * (to.x() - from.x()), ground + 1, from.z() + share * (to.z() - from.z()));
             double next = groundY(at, 1 + PATH_RISE_METRES);
-            if (Double.isNaN(next) || Math.abs(next - ground) > PATH_RISE_METRES) {
-                return false;
+            if (!(Math.abs(next - ground) <= PATH_RISE_METRES) || !isFree(new Vec3(at.x(), next, at.z()))) {
+                return Double.NaN;
             }
             ground = next;
-            if (!isFree(new Vec3(at.x(), ground, at.z()))) {
-                return false;
-            }
         }
-        return true;
+        return ground;
     }
 
     /** Returns true if a player stands free; on a slope a capsule over the ground's point is higher. */
