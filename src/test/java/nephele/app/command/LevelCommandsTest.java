@@ -61,6 +61,25 @@ class LevelCommandsTest {
     }
 
     @Test
+    void explainSaysWhetherPortalsSlideToFloors() throws IOException {
+        for (boolean says : new boolean[] {true, false}) {
+            String gun = ", \"portalGun\": {" + (says ? "" : "\"toFloor\": false") + "}";
+            String last = Captured.run("explain", level("{" + HEAD + gun + "}"))
+                    .out()
+                    .lines()
+                    .reduce("", (a, b) -> b);
+            assertEquals(
+                    says
+                            ? "portal-to-floor: required by portalGun: its portals slide down to floors"
+                            : "portal-to-floor: not required: portalGun.toFloor is false",
+                    last);
+        }
+        var checked = Captured.run("check", level("{" + HEAD + ", \"portalGun\": {\"toFloor\": \"no\"}}"));
+        assertEquals(1, checked.exitCode());
+        assertTrue((checked.out() + checked.err()).contains("portalGun.toFloor"), checked.out() + checked.err());
+    }
+
+    @Test
     void explainPrintsTheCloudsOfAWeatherAsLinesToPaste() throws IOException {
         String environment = ", \"environment\": {\"weather\": \"overcast\", \"weatherSeed\": 5";
         var lines = Captured.run("explain", level("{" + HEAD + environment + "}}"))

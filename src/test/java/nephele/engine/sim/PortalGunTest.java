@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalGun;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
@@ -14,10 +16,12 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.PortalOpened;
 import nephele.engine.sim.state.TickEvent.PortalRefused;
@@ -124,6 +128,58 @@ final class PortalGunTest {
         PlacementResult.Fits preview = (PlacementResult.Fits) lab.simulation().aim(lab.state(), Colour.FIRST);
         lab.press(Action.FIRE_FIRST);
         assertEquals(preview.portal(), portals(lab).portal(0));
+    }
+
+    /**
+     * A horizontal shot at eye height opens a portal that one walks into; without the aid, or where the level forbids
+     * it, its lower edge stays 60 cm above the floor. The portal preview shows it.
+     */
+    @Test
+    void aShotAtEyeHeightCanBeWalkedInto() {
+        for (boolean helped : new boolean[] {true, false}) {
+            Lab lab = Lab.hall()
+                    .gun()
+                    .with(new SimSettings(120, helped ? Assist.USUAL : List.of()))
+                    .press(Action.FIRE_FIRST)
+                    .turn(90, 0);
+            PlacementResult.Fits preview =
+                    (PlacementResult.Fits) lab.simulation().aim(lab.state(), Colour.SECOND);
+            lab.press(Action.FIRE_SECOND);
+            assertEquals(preview.portal(), portals(lab).portal(1));
+            assertEquals(helped ? 1.05 : 1.65, preview.portal().centre().y(), 1e-6);
+            lab.hold(FORWARD, 4);
+            assertEquals(
+                    helped,
+                    lab.player().feet().z() > -7.5 && lab.player().feet().x() > -7.5);
+        }
+    }
+
+    @Test
+    void aLevelMayForbidThatPortalsSlideDown() {
+        Level level = Lab.hall().gun().level();
+        PortalGun gun = level.portalGun();
+        PortalGun forbids = new PortalGun(gun.widthMetres(), gun.heightMetres(), gun.shape(), gun.rangeMetres(), false);
+        for (PortalGun its : List.of(gun, forbids)) {
+            Simulation simulation = new Simulation(level.with(level.player(), its), new SimSettings(120, Assist.USUAL));
+            PlacementResult.Fits fits = (PlacementResult.Fits) simulation.aim(simulation.start(), Colour.FIRST);
+            assertEquals(its == gun ? 1.05 : 1.65, fits.portal().centre().y(), 1e-6);
+        }
+    }
+
+    /** On floors a portal turns to the right angles of the room. */
+    @Test
+    void onAFloorItTurnsToTheRoom() {
+        for (double yaw : new double[] {10, -14, 80, 100}) {
+            Lab lab = Lab.hall()
+                    .gun()
+                    .startAt(2, 0, 2, yaw, 0)
+                    .with(new SimSettings(120, Assist.USUAL))
+                    .turn(0, -70)
+                    .press(Action.FIRE_FIRST);
+            Vec3 up = portals(lab).portal(0).frame().up();
+            assertEquals(Math.abs(yaw) < 45 ? -1 : 0, up.z(), 1e-9);
+            assertEquals(Math.abs(yaw) < 45 ? 0 : -1, up.x(), 1e-9);
+        }
     }
 
     /** A shot goes through no portal: aimed into one, it ends in this room. */

@@ -65,8 +65,8 @@ final class PlayCommand implements Command {
             paramLabel = "NAME",
             split = ",",
             description = {
-                "What helps the player: funnel, floor-exit-speed, speed-cap, body-return, or none",
-                "(default: funnel,floor-exit-speed,body-return). Stored with --record; a replay brings its own."
+                "What helps the player: funnel, floor-exit-speed, speed-cap, body-return, portal-to-floor,",
+                "portal-turn, or none (default: all but speed-cap). Stored with --record; a replay brings its own."
             })
     private List<String> assists;
 

@@ -179,6 +179,7 @@ public final class FieldWords {
             word("thicknessMetres", "Thickness", "Espessura", "Espessura"),
             word("timeOfDayHours", "Time of day", "Hora do dia", "Hora do dia"),
             word("timeSeconds", "Time", "Instante", "Instante"),
+            word("toFloor", "Slides to floors", "Desliza até o piso", "Desliza até ao chão"),
             word("toMetres", "To", "Até", "Até"),
             word("tolerance", "Allowed error", "Erro permitido", "Erro permitido"),
             word("toneCurve", "Tone curve", "Curva de tons", "Curva de tons"),

@@ -76,7 +76,7 @@ public final class Simulation {
         playerStep = new PlayerStep(level.bodies(), settings);
         bodiesTick = new BodiesTick(level.bodies(), worlds, seconds, faults);
         assists = new Assists(settings);
-        hands = new PlayerActions(level, worlds, seconds);
+        hands = new PlayerActions(level, worlds, settings);
         continuation = new EditContinuation(level, worlds);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.HAND_ACTIONS;
         lowest = statics.size() == 0

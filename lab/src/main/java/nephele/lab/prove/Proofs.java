@@ -35,6 +35,7 @@ import nephele.lab.prove.portals.CrossingsProof;
 import nephele.lab.prove.portals.DoorwayWalkProof;
 import nephele.lab.prove.portals.EyeCrossingsProof;
 import nephele.lab.prove.portals.TraversalsProof;
+import nephele.lab.prove.portals.WalkInProof;
 import nephele.lab.prove.process.JitMatrixProof;
 import nephele.lab.prove.process.MutantsProof;
 import nephele.lab.prove.process.SaveKillProof;
@@ -53,6 +54,7 @@ public final class Proofs {
             new ClosedRoomProof(),
             new TraversalsProof(),
             new CrossingsProof(),
+            new WalkInProof(),
             new FallsProof(),
             new SkinProof(),
             new JitMatrixProof(),

@@ -14,6 +14,8 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolTrial;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.level.Solid;
@@ -90,6 +92,22 @@ class PortalToolTest {
         assertEquals(MarkColour.REFUSED, colour(trial));
         trial.click(new Vec3(3.5, 3, -7));
         assertEquals(List.of("No portal: this surface takes none"), trial.messages());
+    }
+
+    /** As in the game, a click near above the floor gives a portal on it, unless the level forbids it. */
+    @Test
+    void aClickAtEyeHeightIsAPortalOnTheFloor() {
+        for (boolean toFloor : new boolean[] {true, false}) {
+            Level hall = RoomLevel.hall().gun().level();
+            PortalGun gun = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500, toFloor);
+            ToolTrial trial = new ToolTrial(hall.with(hall.player(), gun), PortalTool::new);
+            trial.click(new Vec3(-2, 1.65, -8));
+            trial.click(new Vec3(0, 1.65, -8));
+            assertEquals(
+                    toFloor ? 1.05 : 1.65,
+                    trial.level().portals().get(1).centre().y(),
+                    1e-6);
+        }
     }
 
     @Test

@@ -21,6 +21,8 @@ final class Walls {
     private final List<Brush> solids = new ArrayList<>();
     private final List<SurfacePolygon> sheets = new ArrayList<>();
     private Vec3 shift = Vec3.ZERO;
+    private ShotAids aids = ShotAids.NONE;
+    private MovingSurfaces moving = MovingSurfaces.NONE;
 
     static Gun gun(PortalShape shape, double width, double height) {
         return new Gun(Aperture.of(shape, width, height), 200, 0.75 / 2.1 * height);
@@ -37,6 +39,27 @@ final class Walls {
         Vec3 size = new Vec3(x1 - x0, y1 - y0, z1 - z0);
         solids.add(Brush.of(
                 new Solid.Box("s" + solids.size(), null, portalable, TextureMapping.WORLD, centre, size, Map.of())));
+        return this;
+    }
+
+    Walls solid(Solid solid) {
+        solids.add(Brush.of(solid));
+        return this;
+    }
+
+    Walls sheet(Vec3... corners) {
+        sheets.add(new SurfacePolygon(List.of(corners), false));
+        return this;
+    }
+
+    /** Aids the shots. */
+    Walls with(ShotAids helping) {
+        aids = helping;
+        return this;
+    }
+
+    Walls with(MovingSurfaces bodies) {
+        moving = bodies;
         return this;
     }
 
@@ -64,7 +87,7 @@ final class Walls {
 
     PlacementResult shoot(Gun gun, double x, double y, Portal... others) {
         ShotRay aim = new ShotRay(new Vec3(x + shift.x(), y + shift.y(), 5 + shift.z()), Basis.WORLD);
-        return new Placement(surfaces(), gun).place("p", aim, List.of(others), MovingSurfaces.NONE);
+        return new Placement(surfaces(), gun).with(aids).place("p", aim, List.of(others), moving);
     }
 
     static Portal fits(PlacementResult placed) {

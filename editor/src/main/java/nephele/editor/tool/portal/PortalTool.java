@@ -24,7 +24,7 @@ import nephele.engine.portal.placement.PlacementResult;
 
 /**
  * Opens pairs of portals where the game's gun would: the first click gives one, the second its partner; both are one
- * step. A drag from a portal that is selected moves it along the walls.
+ * step. A drag from a portal that is selected moves it along the walls, where it does not slide down to the floor.
  */
 public final class PortalTool implements Tool {
     public static final ToolEntry ENTRY = new ToolEntry(
@@ -115,7 +115,7 @@ public final class PortalTool implements Tool {
             moved(pointer);
             return;
         }
-        PortalGun own = new PortalGun(moving.widthMetres(), moving.heightMetres(), moving.shape(), 1);
+        PortalGun own = new PortalGun(moving.widthMetres(), moving.heightMetres(), moving.shape(), 1, false);
         aim = new PortalAim(shots.shot(moving.id(), own, pointer, open(moving.id())));
         context.status(aim.words());
         if (aim.result() instanceof PlacementResult.Fits fits) {

@@ -20,10 +20,13 @@ import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.portal.placement.ShotAids;
 import nephele.engine.portal.placement.ShotRay;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.SimSettings;
 
 /**
- * Shots along the ray of sight, as the game makes them but without a range. The surfaces are prepared anew only when
+ * Shots along the ray of sight, as the game makes them with the usual assists, but without a range. The surfaces are prepared anew only when
  * they differ.
  */
 final class SightShots {
@@ -31,6 +34,9 @@ final class SightShots {
 
     /** Beyond every level, and every plan's eye. */
     private static final double FARTHEST_METRES = 1e8;
+
+    /** The aids of a game with the usual assists. */
+    private static final ShotAids AIDS = new SimSettings(SimSettings.DEFAULT.ticksPerSecond(), Assist.USUAL).shotAids();
 
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
@@ -68,7 +74,8 @@ final class SightShots {
 
     private Placement placement(PortalGun said) {
         Gun gun = Gun.of(said);
-        return new Placement(surfaces(), new Gun(gun.aperture(), FARTHEST_METRES, gun.slideMetres()));
+        return new Placement(surfaces(), new Gun(gun.aperture(), FARTHEST_METRES, gun.slideMetres(), gun.toFloor()))
+                .with(AIDS);
     }
 
     private PlacementSurfaces surfaces() {

@@ -22,6 +22,9 @@ sealed interface Blocker {
     /** Returns the patch that the ray hits; negative for the back of one. */
     int patch(Ray ray);
 
+    /** Returns the upward component of the unit normal of the face that the ray hits, on the ray's side. */
+    double upwards(Ray ray);
+
     /** A convex solid; only entries count, so a shot from inside passes through. */
     record Convex(Brush brush, int firstPatch) implements Blocker {
         /** A ray that starts at most this far behind a face, and goes inwards, counts as starting on it. */
@@ -50,6 +53,11 @@ sealed interface Blocker {
         @Override
         public int patch(Ray ray) {
             return firstPatch + enteredFace(ray);
+        }
+
+        @Override
+        public double upwards(Ray ray) {
+            return plane(enteredFace(ray)).ny();
         }
 
         private Plane plane(int face) {
@@ -127,6 +135,11 @@ sealed interface Blocker {
         @Override
         public int patch(Ray ray) {
             return rate(plane, ray) < 0 ? patchIndex : -1;
+        }
+
+        @Override
+        public double upwards(Ray ray) {
+            return rate(plane, ray) < 0 ? plane.ny() : -plane.ny();
         }
     }
 

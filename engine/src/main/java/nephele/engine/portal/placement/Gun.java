@@ -8,18 +8,25 @@ import nephele.engine.portal.Aperture;
  *
  * @param rangeMetres greatest distance of a surface
  * @param slideMetres greatest distance that a portal moves from its aimed place to fit
+ * @param toFloor true if its portals may slide down to floors, with an aid of shots
  */
-public record Gun(Aperture aperture, double rangeMetres, double slideMetres) {
+public record Gun(Aperture aperture, double rangeMetres, double slideMetres, boolean toFloor) {
     /**
      * Slide relative to the aperture's height, at most half of it, so that the aimed point stays inside or next to the
      * portal.
      */
     private static final double SLIDE_PER_HEIGHT = 0.75 / 2.1;
 
+    /** Creates a gun whose portals may slide down to floors. */
+    public Gun(Aperture aperture, double rangeMetres, double slideMetres) {
+        this(aperture, rangeMetres, slideMetres, true);
+    }
+
     public static Gun of(PortalGun said) {
         return new Gun(
                 Aperture.of(said.shape(), said.widthMetres(), said.heightMetres()),
                 said.rangeMetres(),
-                SLIDE_PER_HEIGHT * said.heightMetres());
+                SLIDE_PER_HEIGHT * said.heightMetres(),
+                said.toFloor());
     }
 }

@@ -113,6 +113,21 @@ public final class PlacementSurfaces {
         return null;
     }
 
+    /** Returns the upward component of the unit normal of what a ray hits, on the ray's side. */
+    double upwards(Ray ray, int item) {
+        if (item < blockers.size()) {
+            return blockers.get(item).upwards(ray);
+        }
+        int triangle = item - blockers.size();
+        for (StaticShape.HeightGrid ground : grounds) {
+            if (triangle < ground.field().triangles()) {
+                return ground.field().normal(triangle).y();
+            }
+            triangle -= ground.field().triangles();
+        }
+        throw new IllegalArgumentException("nothing has the number " + item);
+    }
+
     /**
      * Returns the flat part of a terrain that a ray hits; {@code null} if the ground is not flat there.
      *

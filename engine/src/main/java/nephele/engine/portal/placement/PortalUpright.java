@@ -1,5 +1,6 @@
 package nephele.engine.portal.placement;
 
+import java.util.function.UnaryOperator;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
@@ -29,15 +30,29 @@ final class PortalUpright {
      * @return of unit length and perpendicular to the unit {@code normal}
      */
     static Vec3 on(Vec3 normal, Basis view) {
+        return on(normal, view, UnaryOperator.identity());
+    }
+
+    /**
+     * Returns the up direction where the direction ahead on floors and ceilings is turned first.
+     *
+     * @param turn maps a unit direction along the surface to another one
+     */
+    static Vec3 on(Vec3 normal, Basis view, UnaryOperator<Vec3> turn) {
         double level = share(Math.abs(normal.y()));
         if (level == 0) {
             return alongSurface(UP, normal);
         }
-        Vec3 ahead = alongSurface(ahead(view), normal);
+        Vec3 ahead = turn.apply(alongSurface(ahead(view), normal));
         if (level == 1) {
             return ahead;
         }
         return turned(alongSurface(UP, normal), ahead, normal, level);
+    }
+
+    /** Returns true for surfaces on which the up direction depends on the shooter's view. */
+    static boolean followsView(Vec3 normal) {
+        return share(Math.abs(normal.y())) > 0;
     }
 
     /** Returns 0 for walls, 1 for floors and ceilings, and smooth values between. */

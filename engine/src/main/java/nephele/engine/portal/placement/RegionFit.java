@@ -75,11 +75,17 @@ final class RegionFit {
             addObstacle(frame, other);
         }
         if (nearest.find(region, x, y, gun.slideMetres())) {
-            Basis axes = new Basis(frame.worldDirection(upY, -upX), up, frame.normal());
             Vec3 centre = frame.world(nearest.x(), nearest.y());
-            return new PlacementResult.Fits(new Portal(id, centre, axes, gun.aperture()), nearest.distance());
+            return new PlacementResult.Fits(over(id, region, centre, up), nearest.distance());
         }
         return new PlacementResult.Refused(refusal(region, turned, x, y, !others.isEmpty()), where);
+    }
+
+    /** Returns the portal over a point of a region, whether or not it fits there. */
+    Portal over(String id, Region region, Vec3 centre, Vec3 up) {
+        PlaneFrame frame = region.frame();
+        Basis axes = new Basis(frame.worldDirection(frame.yOf(up), -frame.xOf(up)), up, frame.normal());
+        return new Portal(id, centre, axes, gun.aperture());
     }
 
     private Refusal refusal(Region region, ReflectedAperture turned, double x, double y, boolean maybeOthers) {

@@ -14,6 +14,7 @@ import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
@@ -34,11 +35,12 @@ public final class PlayerActions {
     private final HeldDrive drive;
     private final PortalOccupants occupants;
 
-    public PlayerActions(SimLevel level, PortalWorldCache worlds, double secondsPerTick) {
+    public PlayerActions(SimLevel level, PortalWorldCache worlds, SimSettings settings) {
+        double secondsPerTick = 1.0 / settings.ticksPerSecond();
         this.level = level;
         this.worlds = worlds;
         var inWay = new BodyObstruction(level.bodies());
-        shots = level.gun() == null ? null : new PortalShots(level.gun(), inWay);
+        shots = level.gun() == null ? null : new PortalShots(level.gun().with(settings.shotAids()), inWay);
         carry = new CarryRules(level.bodies(), inWay, secondsPerTick);
         drive = new HeldDrive(level.bodies(), secondsPerTick);
         occupants = new PortalOccupants(level.bodies());

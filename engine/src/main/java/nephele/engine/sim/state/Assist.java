@@ -12,10 +12,15 @@ public enum Assist {
     FLOOR_EXIT_SPEED,
     SPEED_CAP,
     /** A body that has fallen out of the world returns to its place in the level. */
-    BODY_RETURN;
+    BODY_RETURN,
+    /** A shot's portal whose lower edge is near above a floor slides down to it. */
+    PORTAL_TO_FLOOR,
+    /** A shot's portal on a floor or ceiling turns to the nearest right angle of its surface. */
+    PORTAL_TURN;
 
     /** The assists of the game where the player has chosen no others: all but the cap on speed. */
-    public static final List<Assist> USUAL = List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN);
+    public static final List<Assist> USUAL =
+            List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, PORTAL_TO_FLOOR, PORTAL_TURN);
 
     /** Returns the name as it is written in a replay file: {@code "floor-exit-speed"}. */
     public String text() {

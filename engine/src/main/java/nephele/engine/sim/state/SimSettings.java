@@ -1,6 +1,7 @@
 package nephele.engine.sim.state;
 
 import java.util.List;
+import nephele.engine.portal.placement.ShotAids;
 
 /**
  * The settings that a replay depends on besides the level.
@@ -16,6 +17,12 @@ public record SimSettings(int ticksPerSecond, List<Assist> assists, int uprightD
     public static final int LEAST_UPRIGHT_DEGREES_PER_SECOND = 10;
     /** Half a turn within one tick, at every tick rate. */
     public static final int INSTANT_UPRIGHT_DEGREES_PER_SECOND = 180 * MOST_TICKS_PER_SECOND;
+
+    /** Greatest height above a floor from which {@link Assist#PORTAL_TO_FLOOR} slides a portal down. */
+    private static final double DROP_METRES = 0.8;
+
+    /** Greatest angle by which {@link Assist#PORTAL_TURN} turns a portal. */
+    private static final double TURN_RADIANS = Math.toRadians(15);
 
     public static final SimSettings DEFAULT = new SimSettings(120, List.of());
 
@@ -36,6 +43,14 @@ public record SimSettings(int ticksPerSecond, List<Assist> assists, int uprightD
     /** Creates settings in which the view turns upright at the same rate as the body. */
     public SimSettings(int ticksPerSecond, List<Assist> assists) {
         this(ticksPerSecond, assists, DEFAULT_UPRIGHT_DEGREES_PER_SECOND);
+    }
+
+    /** Returns the aids of shots among the assists. */
+    public ShotAids shotAids() {
+        return new ShotAids(
+                assists.contains(Assist.PORTAL_TO_FLOOR) ? DROP_METRES : 0,
+                PlayerDimensions.MIN_GROUND_NORMAL_Y,
+                assists.contains(Assist.PORTAL_TURN) ? TURN_RADIANS : 0);
     }
 
     /** Returns these settings with another tick rate. */

@@ -122,6 +122,38 @@ class RimGlTest {
         }
     }
 
+    /** Where a portal stands on the floor, no part of its rim that is under the floor shows through it. */
+    @Test
+    void nothingShowsThroughTheFloor() {
+        FrameState closed = shots(false, 1);
+        List<Portal> onFloor = List.of(portal(new Vec3(-1.1, 1.05, 0)), portal(new Vec3(1.1, 1.05, 0)));
+        closed.portals(new Portals(onFloor, List.of(Portals.CLOSED, Portals.CLOSED)));
+        FrameState preview = shots(false, 0);
+        preview.portals(Portals.NONE);
+        preview.previews(List.of(new PortalPreview(onFloor.get(0), 0), new PortalPreview(onFloor.get(1), 1)));
+        FrameState none = FrameState.atStart(wall());
+        try (var offscreen = new Offscreen(WIDTH, HEIGHT);
+                var renderer = Renderer.load(offscreen.gl, wall(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
+            // Where the eye is in the plane of one of the faces of the lower bar.
+            for (double away : new double[] {1.02, 3.48, 3.5, 3.52, 8.74}) {
+                View view = offscreen.view(new Vec3(0.3, 1.65, away), new Vec3(0.3, 1.65, 0));
+                renderer.draw(view, none, offscreen.picture);
+                int[] expected = offscreen.pixels();
+                // The floor from the front of the rims on.
+                int rows = (int) Math.floor(HEIGHT / 2.0 * (1 - 1.65 / (away - 0.05)));
+                for (FrameState frameState : List.of(closed, preview)) {
+                    renderer.draw(view, frameState, offscreen.picture);
+                    int[] picture = offscreen.pixels();
+                    int differ = 0;
+                    for (int i = 0; i < (rows - 1) * WIDTH; i++) {
+                        differ += picture[i] == expected[i] ? 0 : 1;
+                    }
+                    assertEquals(0, differ, "from " + away + " m");
+                }
+            }
+        }
+    }
+
     /** In luma, light and dark alternate along the sides of the first rim and not along the second's. */
     @Test
     void thePatternsDifferWithoutColour() {

@@ -22,7 +22,8 @@ import nephele.engine.scene.FrameState;
 /**
  * Draws rims around portals, in every view and before the openings are filled, so that a ring in front of a
  * neighbouring opening stays visible, while its glow, which writes no depth, never covers one. A portal without a
- * partner receives a membrane over its wall.
+ * partner receives a membrane over its wall. Only what lies flat on the wall is moved in front of it: that step grows
+ * with the slope of a face, and would show the sides of a ring through the floor that it stands on.
  */
 public final class RimPass implements Pass {
     public static final RenderFeature FEATURE =
@@ -49,7 +50,6 @@ public final class RimPass implements Pass {
     public void draw(FrameContext frame) {
         FrameState frameState = frame.frameState();
         frame.surface().bind();
-        gl.state().depthOf(DepthOf.OPENING);
         for (int i = 0; i < frameState.portals().size(); i++) {
             look.of(frameState, i, frame.view());
             if (look.isIn(frame.surface().height())) {
@@ -62,7 +62,6 @@ public final class RimPass implements Pass {
                 drawPreview(frame);
             }
         }
-        gl.state().depthOf(DepthOf.SURFACE);
     }
 
     private void drawRim(FrameContext frame) {
@@ -71,6 +70,7 @@ public final class RimPass implements Pass {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
         use(programs.ring());
         shape.drawRing();
+        gl.state().depthOf(DepthOf.OPENING);
         gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
         use(programs.glow());
         shape.drawGlow();
@@ -78,6 +78,7 @@ public final class RimPass implements Pass {
             use(programs.membrane());
             shape.drawArea();
         }
+        gl.state().depthOf(DepthOf.SURFACE);
     }
 
     private void drawPreview(FrameContext frame) {
