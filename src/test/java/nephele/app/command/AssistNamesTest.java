@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 final class AssistNamesTest {
     @Test
     void whoNamesNoneGetsTheDefault() {
-        assertEquals(List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED, Assist.BODY_RETURN), AssistNames.parse(null));
+        assertEquals(Assist.USUAL, AssistNames.parse(null));
         assertEquals(List.of(), AssistNames.parse(List.of("none")));
         assertEquals(List.of(Assist.SPEED_CAP), AssistNames.parse(List.of("speed-cap")));
     }
@@ -20,7 +20,8 @@ final class AssistNamesTest {
     @Test
     void anUnknownNameIsToldWithThoseThereAre() {
         var failure = assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("funel")));
-        assertTrue(failure.getMessage().contains("funnel, floor-exit-speed, speed-cap, body-return and none"));
+        assertTrue(failure.getMessage()
+                .contains("funnel, floor-exit-speed, speed-cap, body-return, safe-return and none"));
         assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("none", "funnel")));
     }
 }

@@ -12,10 +12,12 @@ public enum Assist {
     FLOOR_EXIT_SPEED,
     SPEED_CAP,
     /** A body that has fallen out of the world returns to its place in the level. */
-    BODY_RETURN;
+    BODY_RETURN,
+    /** A player that has fallen out of the level returns to where it last stood. */
+    SAFE_RETURN;
 
     /** The assists of the game where the player has chosen no others: all but the cap on speed. */
-    public static final List<Assist> USUAL = List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN);
+    public static final List<Assist> USUAL = List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, SAFE_RETURN);
 
     /** Returns the name as it is written in a replay file: {@code "floor-exit-speed"}. */
     public String text() {
