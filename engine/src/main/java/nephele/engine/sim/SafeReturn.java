@@ -57,7 +57,8 @@ final class SafeReturn {
      * @param events receives an event when a fall begins and when it ends
      */
     SimState after(SimState walked, List<TickEvent> events) {
-        FallState fall = walked.world().fall();
+        FallState known = walked.world().fall();
+        FallState fall = known == FallState.NONE ? FallState.start(start) : known;
         PlayerState player = walked.player();
         long tick = walked.tick();
         if (fall.isFalling()) {

@@ -7,7 +7,9 @@ import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
@@ -37,6 +39,9 @@ public final class PlayerStep {
     private final GroundWalk walk;
     private final PlayerPortalCrossing portalCrossing;
     private final AirFlight flight;
+    /** {@code null} without the assist. */
+    private final WalkIn walkIn;
+
     private final Depenetration depenetration = new Depenetration();
     private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
@@ -51,6 +56,7 @@ public final class PlayerStep {
         walk = new GroundWalk(mover);
         portalCrossing = new PlayerPortalCrossing(mover);
         flight = new AirFlight(mover, walk, portalCrossing);
+        walkIn = settings.assists().contains(Assist.WALK_IN) ? new WalkIn() : null;
         groundDamping = ExponentialApproach.of(PlayerDimensions.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = ExponentialApproach.of(PlayerDimensions.EYE_RATE_PER_SECOND, seconds);
         uprighting = new Uprighting(mover, depenetration, settings);
@@ -72,7 +78,7 @@ public final class PlayerStep {
                 jump();
             }
             if (player.grounded) {
-                walkOnGround(input);
+                walkOnGround(input, world.portals());
             } else {
                 flight.fly(player, input, seconds);
             }
@@ -157,8 +163,9 @@ public final class PlayerStep {
         player.grounded = false;
     }
 
-    private void walkOnGround(PlayerInput input) {
+    private void walkOnGround(PlayerInput input, Portals portals) {
         intent.of(player, input);
+        boolean isLed = walkIn != null && walkIn.lead(player, intent, portals, seconds);
         Vector3d velocity = player.velocity;
         way.set(
                 groundDamping.displacement(velocity.x, intent.x()),
@@ -172,7 +179,9 @@ public final class PlayerStep {
         mover.pushes().intent(velocity);
         double height = player.place.y;
         double slope = -(player.ground.x * way.x + player.ground.z * way.z) / player.ground.y;
-        player.grounded = walk.walk(player.shape(), player.place, way, player.ground);
+        player.grounded = isLed
+                ? walk.walkOverFrames(player.shape(), player.place, way, player.ground)
+                : walk.walk(player.shape(), player.place, way, player.ground);
         player.ground.set(walk.ground());
         walk.walls().removeComponentsInto(velocity);
         smoothEye(player.place.y - height - slope);
