@@ -21,7 +21,8 @@ final class AssistNamesTest {
     void anUnknownNameIsToldWithThoseThereAre() {
         var failure = assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("funel")));
         assertTrue(failure.getMessage()
-                .contains("funnel, floor-exit-speed, speed-cap, body-return, walk-in, safe-return and none"));
+                .contains(
+                        "funnel, floor-exit-speed, speed-cap, body-return, walk-in, exit-room, safe-return and none"));
         assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("none", "funnel")));
     }
 }

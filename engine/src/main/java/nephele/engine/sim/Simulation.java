@@ -15,6 +15,7 @@ import nephele.engine.sim.carry.PlayerActions;
 import nephele.engine.sim.player.PlayerPortalCrossing;
 import nephele.engine.sim.player.PlayerStep;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Arrival;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.FallState;
@@ -77,8 +78,9 @@ public final class Simulation {
         worlds = new PortalWorldCache(statics);
         PlayerState standing = standing(level.start());
         boolean returnsPlayer = settings.assists().contains(Assist.SAFE_RETURN);
+        Arrival arrival = settings.assists().contains(Assist.EXIT_ROOM) ? Arrival.NOWHERE : Arrival.NONE;
         FallState fall = returnsPlayer ? FallState.start(standing) : FallState.NONE;
-        start = new SimState(0, 1, 0, standing, level.begin(worlds).with(fall));
+        start = new SimState(0, 1, 0, standing, level.begin(worlds).with(fall).with(arrival));
         safeReturn = returnsPlayer ? new SafeReturn(statics, worlds, standing, settings.ticksPerSecond()) : null;
         playerStep = new PlayerStep(level.bodies(), settings);
         bodiesTick = new BodiesTick(level.bodies(), worlds, seconds, faults);
@@ -188,7 +190,16 @@ public final class Simulation {
                     "more than " + PlayerPortalCrossing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
         }
         PlayerState helped = assists.after(after, playerStep.crossed(), portals);
-        return next(before, before.faults() + dropped, helped, playerStep.crossed());
+        SimState next = next(before, before.faults() + dropped, helped, playerStep.crossed());
+        return next.with(next.world().with(arrival(next.world())));
+    }
+
+    private Arrival arrival(WorldState around) {
+        CrossingWord crossed = around.trace().playerCrossed();
+        if (around.arrival() == Arrival.NONE || crossed.length() == 0) {
+            return around.arrival().later();
+        }
+        return Arrival.at(around.portals().partner(crossed.entry(crossed.length() - 1)), settings.ticksPerSecond());
     }
 
     private static SimState next(SimState before, int faults, PlayerState player, CrossingWord crossed) {

@@ -34,6 +34,7 @@ import nephele.lab.prove.portals.ClosedRoomProof;
 import nephele.lab.prove.portals.CrossingsProof;
 import nephele.lab.prove.portals.DoorwayWalkProof;
 import nephele.lab.prove.portals.EyeCrossingsProof;
+import nephele.lab.prove.portals.RoomExitsProof;
 import nephele.lab.prove.portals.TraversalsProof;
 import nephele.lab.prove.process.JitMatrixProof;
 import nephele.lab.prove.process.MutantsProof;
@@ -53,6 +54,7 @@ public final class Proofs {
             new ClosedRoomProof(),
             new TraversalsProof(),
             new CrossingsProof(),
+            new RoomExitsProof(),
             new FallsProof(),
             new SkinProof(),
             new JitMatrixProof(),

@@ -129,6 +129,7 @@ final class AssistTest {
                 Lab.hall().with(with(Assist.values())).hold(running, 2).state();
         assertEquals(
                 plain.state().hash(),
-                helped.with(helped.world().with(FallState.NONE)).hash());
+                helped.with(helped.world().with(FallState.NONE).with(Arrival.NONE))
+                        .hash());
     }
 }

@@ -7,6 +7,7 @@ import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
@@ -42,6 +43,7 @@ public final class PlayerStep {
     /** {@code null} without the assist. */
     private final WalkIn walkIn;
 
+    private final ExitRoom exitRoom = new ExitRoom();
     private final Depenetration depenetration = new Depenetration();
     private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
@@ -74,6 +76,9 @@ public final class PlayerStep {
             uprighting.turn(player);
             portalCrossing.follow(player);
             settle();
+            if (around.arrival().isRecent()) {
+                ease(world.portals().portal(around.arrival().portal()), input);
+            }
             if (player.grounded && !isEmpty && input.holds(Action.JUMP) && !before.jumpHeld()) {
                 jump();
             }
@@ -154,6 +159,28 @@ public final class PlayerStep {
         if (!player.grounded && player.velocity.y == 0 && walk.land(player.shape(), player.place)) {
             player.grounded = true;
             player.ground.set(walk.ground());
+        }
+    }
+
+    /** Eases a player that has come out of a portal off what is close; one on the ground only as far as ground is below. */
+    private void ease(Portal exit, PlayerInput input) {
+        intent.of(player, input);
+        RoundedHull shape = player.shape();
+        exitRoom.easing(player, intent, exit, mover.world(shape, player.place)).mul(seconds, way);
+        if (way.lengthSquared() == 0) {
+            return;
+        }
+        if (!player.grounded) {
+            mover.slide(shape, player.place, way);
+            return;
+        }
+        head.set(player.place);
+        boolean stands = walk.walk(shape, player.place, way, player.ground);
+        way.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
+        if (stands && mover.isBlocked(HEAD, player.place, way)) {
+            player.ground.set(walk.ground());
+        } else {
+            player.place.set(head);
         }
     }
 

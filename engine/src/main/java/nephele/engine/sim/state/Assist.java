@@ -15,11 +15,14 @@ public enum Assist {
     BODY_RETURN,
     /** A walker whose move intent points into the plane of a portal beside it is led through. */
     WALK_IN,
+    /** A player that has come out of a portal close to a wall or an edge is eased off it. */
+    EXIT_ROOM,
     /** A player that has fallen out of the level returns to where it last stood. */
     SAFE_RETURN;
 
     /** The assists of the game where the player has chosen no others: all but the cap on speed. */
-    public static final List<Assist> USUAL = List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, WALK_IN, SAFE_RETURN);
+    public static final List<Assist> USUAL =
+            List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, WALK_IN, EXIT_ROOM, SAFE_RETURN);
 
     /** Returns the name as it is written in a replay file: {@code "floor-exit-speed"}. */
     public String text() {

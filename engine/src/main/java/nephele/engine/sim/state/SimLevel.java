@@ -89,6 +89,13 @@ public record SimLevel(
         }
         Portals open = worlds.of(portals).portals();
         return new WorldState(
-                bodies.start(), open, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE, exit, FallState.NONE);
+                bodies.start(),
+                open,
+                GunPortals.NONE,
+                HeldBody.NOTHING,
+                TickTrace.NONE,
+                exit,
+                FallState.NONE,
+                Arrival.NONE);
     }
 }
