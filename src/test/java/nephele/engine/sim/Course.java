@@ -111,6 +111,11 @@ final class Course {
         return this;
     }
 
+    Course with(SimSettings changed) {
+        settings = changed;
+        return this;
+    }
+
     Course ticksPerSecond(int rate) {
         settings = settings.withTicksPerSecond(rate);
         return this;

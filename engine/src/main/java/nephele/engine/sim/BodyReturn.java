@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
@@ -103,39 +104,38 @@ final class BodyReturn {
     private boolean isIn(Place place, PlayerState player) {
         Vec3 up = player.tilt().up();
         RoundedHull shape = PlayerMotion.shape(player.stance(), up);
-        PlayerEye.centre(player, centre);
-        if (isIn(place, shape)) {
-            return true;
-        }
-        Portals portals = place.world.portals();
-        long active = place.world.active(shape, centre, STILL);
-        for (int entry = 0; entry < portals.size(); entry++) {
-            if (place.isBeyond(entry, active)) {
-                PortalTransform transform = portals.transform(entry);
-                transform.point(PlayerEye.centre(player, centre));
-                Vec3 turned = Vec3.of(transform.direction(up.toVector()));
-                if (isIn(place, PlayerMotion.shape(player.stance(), turned))) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return isIn(place, PlayerEye.centre(player, new Vector3d()), shape, transform -> {
+            Vec3 turned = Vec3.of(transform.direction(up.toVector()));
+            return PlayerMotion.shape(player.stance(), turned);
+        });
     }
 
     private boolean isIn(Place place, Bodies bodies, int other) {
         Quaterniond turn = bodies.orientation(other, new Quaterniond());
         RoundedHull shape = table.hull(other, turn);
-        bodies.centre(other, centre);
+        return isIn(place, bodies.centre(other, new Vector3d()), shape, transform -> {
+            Quaterniond turned = transform.orientation(new Quaterniond(turn));
+            return table.hull(other, turned);
+        });
+    }
+
+    /**
+     * Returns true if a shape is in the place, or reaches there through a portal.
+     *
+     * @param turned the shape as a portal's transform turns it
+     */
+    private boolean isIn(Place place, Vector3dc at, RoundedHull shape, Function<PortalTransform, RoundedHull> turned) {
+        centre.set(at);
         if (isIn(place, shape)) {
             return true;
         }
         Portals portals = place.world.portals();
-        long active = place.world.active(shape, centre, STILL);
+        long active = place.world.active(shape, at, STILL);
         for (int entry = 0; entry < portals.size(); entry++) {
             if (place.isBeyond(entry, active)) {
                 PortalTransform transform = portals.transform(entry);
-                transform.point(bodies.centre(other, centre));
-                if (isIn(place, table.hull(other, transform.orientation(bodies.orientation(other, turn))))) {
+                transform.point(centre.set(at));
+                if (isIn(place, turned.apply(transform))) {
                     return true;
                 }
             }

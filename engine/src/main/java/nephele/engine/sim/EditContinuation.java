@@ -115,7 +115,15 @@ final class EditContinuation {
         HeldBody holding = held(around.holding(), before, after);
         Portals portals = after.size() == 0 ? Portals.NONE : after;
         ExitState exit = ExitState.start(level.exits());
-        return settled.with(new WorldState(around.bodies(), portals, shots, holding, trace, exit));
+        return settled.with(new WorldState(
+                around.bodies(),
+                portals,
+                shots,
+                holding,
+                trace,
+                exit,
+                around.fall(),
+                around.arrival().over()));
     }
 
     /**

@@ -15,8 +15,10 @@ import nephele.engine.sim.carry.PlayerActions;
 import nephele.engine.sim.player.PlayerPortalCrossing;
 import nephele.engine.sim.player.PlayerStep;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Arrival;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.ExitState;
+import nephele.engine.sim.state.FallState;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
@@ -50,6 +52,8 @@ public final class Simulation {
     private final double lowest;
     /** {@code null} without bodies and without the assist. */
     private final BodyReturn bodyReturn;
+    /** {@code null} without the assist. */
+    private final SafeReturn safeReturn;
 
     private final List<Exit> exits;
     private final FaultLog faults;
@@ -72,7 +76,12 @@ public final class Simulation {
         var statics = level.statics();
         double seconds = 1.0 / settings.ticksPerSecond();
         worlds = new PortalWorldCache(statics);
-        start = new SimState(0, 1, 0, standing(level.start()), level.begin(worlds));
+        PlayerState standing = standing(level.start());
+        boolean returnsPlayer = settings.assists().contains(Assist.SAFE_RETURN);
+        Arrival arrival = settings.assists().contains(Assist.EXIT_ROOM) ? Arrival.NOWHERE : Arrival.NONE;
+        FallState fall = returnsPlayer ? FallState.start(standing) : FallState.NONE;
+        start = new SimState(0, 1, 0, standing, level.begin(worlds).with(fall).with(arrival));
+        safeReturn = returnsPlayer ? new SafeReturn(statics, worlds, standing, settings.ticksPerSecond()) : null;
         playerStep = new PlayerStep(level.bodies(), settings);
         bodiesTick = new BodiesTick(level.bodies(), worlds, seconds, faults);
         assists = new Assists(settings);
@@ -131,16 +140,18 @@ public final class Simulation {
      *
      * <ol>
      *   <li>the hands: shots change the portals, a body is picked up, dropped or thrown;
-     *   <li>the player looks, walks or flies;
+     *   <li>the player looks, walks or flies; with the assist one that has fallen out of the level returns;
      *   <li>the held body is driven, and all bodies move; with the assist those that have left the world return;
      *   <li>the line to the held body is updated, or breaks;
      *   <li>the level ends if the player is in an exit for the first time.
      * </ol>
      */
     public SimState step(SimState before, PlayerInput input) {
-        List<TickEvent> events = actionsOfHands == 0 && exits.isEmpty() ? List.of() : new ArrayList<>(0);
+        boolean hasEvents = actionsOfHands != 0 || !exits.isEmpty() || safeReturn != null;
+        List<TickEvent> events = hasEvents ? new ArrayList<>(0) : List.of();
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
-        SimState walked = movePlayer(acted, input);
+        SimState free = movePlayer(acted, input);
+        SimState walked = safeReturn == null ? free : safeReturn.after(free, events);
         SimState moved = assists.limited(bodiesTick.step(walked, playerStep.pushes(), hands.drive(acted, input)));
         SimState kept = bodyReturn == null ? moved : bodyReturn.after(moved, events);
         CrossingWord crossed = walked.world().trace().playerCrossed();
@@ -169,7 +180,7 @@ public final class Simulation {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
             return next(before, before.faults() + 1, stopped(before.player()), CrossingWord.EMPTY);
         }
-        if (after.feet().y() < lowest) {
+        if (safeReturn == null && after.feet().y() < lowest) {
             return next(before, before.faults(), start.player(), CrossingWord.EMPTY);
         }
         int dropped = playerStep.hasDroppedTime() ? 1 : 0;
@@ -179,7 +190,16 @@ public final class Simulation {
                     "more than " + PlayerPortalCrossing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
         }
         PlayerState helped = assists.after(after, playerStep.crossed(), portals);
-        return next(before, before.faults() + dropped, helped, playerStep.crossed());
+        SimState next = next(before, before.faults() + dropped, helped, playerStep.crossed());
+        return next.with(next.world().with(arrival(next.world())));
+    }
+
+    private Arrival arrival(WorldState around) {
+        CrossingWord crossed = around.trace().playerCrossed();
+        if (around.arrival() == Arrival.NONE || crossed.length() == 0) {
+            return around.arrival().later();
+        }
+        return Arrival.at(around.portals().partner(crossed.entry(crossed.length() - 1)), settings.ticksPerSecond());
     }
 
     private static SimState next(SimState before, int faults, PlayerState player, CrossingWord crossed) {

@@ -34,6 +34,7 @@ import nephele.lab.prove.portals.ClosedRoomProof;
 import nephele.lab.prove.portals.CrossingsProof;
 import nephele.lab.prove.portals.DoorwayWalkProof;
 import nephele.lab.prove.portals.EyeCrossingsProof;
+import nephele.lab.prove.portals.RoomExitsProof;
 import nephele.lab.prove.portals.TraversalsProof;
 import nephele.lab.prove.portals.WalkInProof;
 import nephele.lab.prove.process.JitMatrixProof;
@@ -55,6 +56,7 @@ public final class Proofs {
             new TraversalsProof(),
             new CrossingsProof(),
             new WalkInProof(),
+            new RoomExitsProof(),
             new FallsProof(),
             new SkinProof(),
             new JitMatrixProof(),

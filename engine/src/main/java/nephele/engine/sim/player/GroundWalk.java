@@ -16,13 +16,20 @@ final class GroundWalk {
      */
     private static final double MIN_EDGE_NORMAL_Y = 0.02;
 
+    /** The least share of a walk that counts as progress. */
+    private static final double LEAST_PROGRESS = 0.5;
+
     private static final double TOUCHING_METRES = 2 * Sweep.SKIN_METRES;
+
+    private static final Vector3dc LEVEL = new Vector3d(0, 1, 0);
 
     private final CharacterMover mover;
     private final ContactPlanes walls = new ContactPlanes();
     private final Vector3d ground = new Vector3d();
     private final Vector3d start = new Vector3d();
     private final Vector3d startGround = new Vector3d();
+    private final Vector3d frame = new Vector3d();
+    private final Vector3d frameGround = new Vector3d();
     private final Vector3d stepped = new Vector3d();
     private final Vector3d budget = new Vector3d();
     private final Vector3d way = new Vector3d();
@@ -57,6 +64,24 @@ final class GroundWalk {
             return true;
         }
         return standDown(shape, place, STEP_METRES);
+    }
+
+    /**
+     * Walks as {@link #walk}, and where that leads hardly on, as if on level ground. On the edge of a round frame the
+     * ground is a slope, and the way down it leads into the edge.
+     */
+    boolean walkOverFrames(RoundedHull shape, Vector3d place, Vector3dc horizontal, Vector3dc onGround) {
+        frame.set(place);
+        frameGround.set(onGround);
+        boolean grounded = walk(shape, place, horizontal, frameGround);
+        double progress = progress(place, horizontal);
+        if (progress >= LEAST_PROGRESS * horizontal.lengthSquared()) {
+            return grounded;
+        }
+        boolean levelGrounded = walk(shape, place.set(frame), horizontal, LEVEL);
+        return progress(place, horizontal) > progress
+                ? levelGrounded
+                : walk(shape, place.set(frame), horizontal, frameGround);
     }
 
     /**

@@ -23,6 +23,11 @@ final class MoveIntent {
         velocity.mul(speed(player.stance(), input) / Math.max(1, length));
     }
 
+    /** Replaces the horizontal velocity. */
+    void turn(Vector3dc changed) {
+        velocity.set(changed);
+    }
+
     private static double speed(Stance stance, PlayerInput input) {
         if (stance == Stance.CROUCHED) {
             return PlayerDimensions.CROUCH_METRES_PER_SECOND;

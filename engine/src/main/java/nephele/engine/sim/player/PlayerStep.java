@@ -7,7 +7,10 @@ import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
@@ -37,6 +40,10 @@ public final class PlayerStep {
     private final GroundWalk walk;
     private final PlayerPortalCrossing portalCrossing;
     private final AirFlight flight;
+    /** {@code null} without the assist. */
+    private final WalkIn walkIn;
+
+    private final ExitRoom exitRoom = new ExitRoom();
     private final Depenetration depenetration = new Depenetration();
     private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
@@ -51,6 +58,7 @@ public final class PlayerStep {
         walk = new GroundWalk(mover);
         portalCrossing = new PlayerPortalCrossing(mover);
         flight = new AirFlight(mover, walk, portalCrossing);
+        walkIn = settings.assists().contains(Assist.WALK_IN) ? new WalkIn() : null;
         groundDamping = ExponentialApproach.of(PlayerDimensions.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = ExponentialApproach.of(PlayerDimensions.EYE_RATE_PER_SECOND, seconds);
         uprighting = new Uprighting(mover, depenetration, settings);
@@ -68,11 +76,14 @@ public final class PlayerStep {
             uprighting.turn(player);
             portalCrossing.follow(player);
             settle();
+            if (around.arrival().isRecent()) {
+                ease(world.portals().portal(around.arrival().portal()), input);
+            }
             if (player.grounded && !isEmpty && input.holds(Action.JUMP) && !before.jumpHeld()) {
                 jump();
             }
             if (player.grounded) {
-                walkOnGround(input);
+                walkOnGround(input, world.portals());
             } else {
                 flight.fly(player, input, seconds);
             }
@@ -151,14 +162,37 @@ public final class PlayerStep {
         }
     }
 
+    /** Eases a player that has come out of a portal off what is close; one on the ground only as far as ground is below. */
+    private void ease(Portal exit, PlayerInput input) {
+        intent.of(player, input);
+        RoundedHull shape = player.shape();
+        exitRoom.easing(player, intent, exit, mover.world(shape, player.place)).mul(seconds, way);
+        if (way.lengthSquared() == 0) {
+            return;
+        }
+        if (!player.grounded) {
+            mover.slide(shape, player.place, way);
+            return;
+        }
+        head.set(player.place);
+        boolean stands = walk.walk(shape, player.place, way, player.ground);
+        way.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
+        if (stands && mover.isBlocked(HEAD, player.place, way)) {
+            player.ground.set(walk.ground());
+        } else {
+            player.place.set(head);
+        }
+    }
+
     /** Sets the vertical speed for a ballistic apex of exactly the jump height. */
     private void jump() {
         player.velocity.y = Math.sqrt(2 * GRAVITY_METRES_PER_SECOND_SQUARED * PlayerDimensions.JUMP_METRES);
         player.grounded = false;
     }
 
-    private void walkOnGround(PlayerInput input) {
+    private void walkOnGround(PlayerInput input, Portals portals) {
         intent.of(player, input);
+        boolean isLed = walkIn != null && walkIn.lead(player, intent, portals, seconds);
         Vector3d velocity = player.velocity;
         way.set(
                 groundDamping.displacement(velocity.x, intent.x()),
@@ -172,7 +206,9 @@ public final class PlayerStep {
         mover.pushes().intent(velocity);
         double height = player.place.y;
         double slope = -(player.ground.x * way.x + player.ground.z * way.z) / player.ground.y;
-        player.grounded = walk.walk(player.shape(), player.place, way, player.ground);
+        player.grounded = isLed
+                ? walk.walkOverFrames(player.shape(), player.place, way, player.ground)
+                : walk.walk(player.shape(), player.place, way, player.ground);
         player.ground.set(walk.ground());
         walk.walls().removeComponentsInto(velocity);
         smoothEye(player.place.y - height - slope);

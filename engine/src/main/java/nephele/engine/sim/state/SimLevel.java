@@ -88,6 +88,14 @@ public record SimLevel(
             return WorldState.NOTHING.with(exit);
         }
         Portals open = worlds.of(portals).portals();
-        return new WorldState(bodies.start(), open, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE, exit);
+        return new WorldState(
+                bodies.start(),
+                open,
+                GunPortals.NONE,
+                HeldBody.NOTHING,
+                TickTrace.NONE,
+                exit,
+                FallState.NONE,
+                Arrival.NONE);
     }
 }

@@ -68,6 +68,22 @@ public sealed interface TickEvent {
         }
     }
 
+    /** The player fell below everything solid, with the assist that puts it back: the picture turns black. */
+    record PlayerFell() implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(seed, 7);
+        }
+    }
+
+    /** The player that had fallen is back where it last stood: the picture comes back. */
+    record PlayerReturned() implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(seed, 8);
+        }
+    }
+
     /** The player tried to pick up a body and none was in reach. */
     record NothingInReach() implements TickEvent {
         @Override

@@ -16,37 +16,63 @@ import nephele.engine.portal.Portals;
  * @param holding what the player holds
  * @param trace what the last tick did
  * @param exit whether the level has ended
+ * @param fall where the player last stood; only with the assist that uses it
+ * @param arrival the portal that the player came out of; only with the assist that uses it
  */
 public record WorldState(
-        Bodies bodies, Portals portals, GunPortals shots, HeldBody holding, TickTrace trace, ExitState exit) {
+        Bodies bodies,
+        Portals portals,
+        GunPortals shots,
+        HeldBody holding,
+        TickTrace trace,
+        ExitState exit,
+        FallState fall,
+        Arrival arrival) {
     public static final WorldState NOTHING = new WorldState(
-            Bodies.NONE, Portals.NONE, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE, ExitState.NONE);
+            Bodies.NONE,
+            Portals.NONE,
+            GunPortals.NONE,
+            HeldBody.NOTHING,
+            TickTrace.NONE,
+            ExitState.NONE,
+            FallState.NONE,
+            Arrival.NONE);
 
     public WorldState with(Bodies changed) {
-        return changed == bodies ? this : new WorldState(changed, portals, shots, holding, trace, exit);
+        return changed == bodies ? this : new WorldState(changed, portals, shots, holding, trace, exit, fall, arrival);
     }
 
     public WorldState with(HeldBody changed) {
-        return new WorldState(bodies, portals, shots, changed, trace, exit);
+        return new WorldState(bodies, portals, shots, changed, trace, exit, fall, arrival);
     }
 
     public WorldState with(Portals changed, GunPortals now) {
-        return new WorldState(bodies, changed, now, holding, trace, exit);
+        return new WorldState(bodies, changed, now, holding, trace, exit, fall, arrival);
     }
 
     public WorldState with(TickTrace changed) {
-        return changed == trace ? this : new WorldState(bodies, portals, shots, holding, changed, exit);
+        return changed == trace ? this : new WorldState(bodies, portals, shots, holding, changed, exit, fall, arrival);
     }
 
     /** Returns this state with another state of the exits. */
     public WorldState with(ExitState changed) {
-        return changed == exit ? this : new WorldState(bodies, portals, shots, holding, trace, changed);
+        return changed == exit ? this : new WorldState(bodies, portals, shots, holding, trace, changed, fall, arrival);
+    }
+
+    /** Returns this state with another memory of falls. */
+    public WorldState with(FallState changed) {
+        return changed == fall ? this : new WorldState(bodies, portals, shots, holding, trace, exit, changed, arrival);
+    }
+
+    /** Returns this state with another arrival. */
+    public WorldState with(Arrival changed) {
+        return changed == arrival ? this : new WorldState(bodies, portals, shots, holding, trace, exit, fall, changed);
     }
 
     public long hash(long seed) {
         long hash = bodies.size() == 0 ? seed : bodies.hash(seed);
         hash = portals.size() == 0 ? hash : joined(hash, portals);
-        return exit.hash(trace.hash(holding.hash(shots.hash(hash))));
+        return arrival.hash(fall.hash(exit.hash(trace.hash(holding.hash(shots.hash(hash))))));
     }
 
     /** Joins the portals' centres, frames and links to a hash; apertures belong to the level and never change. */

@@ -32,13 +32,17 @@ final class CrossingPlayers {
     private final Depenetration depenetration = new Depenetration();
 
     CrossingPlayers(PortalRoom.Place place, int ticksPerSecond) {
+        this(place, new SimSettings(ticksPerSecond, List.of()));
+    }
+
+    CrossingPlayers(PortalRoom.Place place, SimSettings settings) {
         this.place = place;
         portalWorld = PortalWorld.of(place.world(), place.portals());
         clearance = new SeamedClearance(place);
         SimLevel level = SimLevel.of(place.world(), new PlayerStart(place.origin(), 0, 0), place.portals());
-        mostTicks = ticksPerSecond / 3;
-        ticksAfter = (int) Math.ceil(SECONDS_AFTER * ticksPerSecond);
-        simulation = new Simulation(level, new SimSettings(ticksPerSecond, List.of()), FaultLog.SILENT);
+        mostTicks = settings.ticksPerSecond() / 3;
+        ticksAfter = (int) Math.ceil(SECONDS_AFTER * settings.ticksPerSecond());
+        simulation = new Simulation(level, settings, FaultLog.SILENT);
     }
 
     /** Draws starts until a player goes through, and returns true if one did. */
@@ -50,6 +54,32 @@ final class CrossingPlayers {
             }
         }
         return false;
+    }
+
+    /** Draws starts until a player goes through, and returns the state after that tick; {@code null} for none. */
+    SimState crossed(SplittableRandom random) {
+        for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
+            PlayerState start = start(random);
+            SimState state = start == null ? null : simulation.start().withPlayer(start);
+            PlayerInput input = input(random);
+            for (int tick = 0; tick < mostTicks && state != null; tick++) {
+                state = simulation.step(state, input);
+                if (state.world().trace().playerCrossed().length() > 0) {
+                    return state;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Returns the state one tick later. */
+    SimState step(SimState state, PlayerInput input) {
+        return simulation.step(state, input);
+    }
+
+    /** Returns how deep a player is in a solid, metres; 0 for one that is free. */
+    double depth(PlayerState player) {
+        return clearance.depth(player);
     }
 
     private boolean crosses(String where, PlayerState start, SplittableRandom random, CrossingTally tally) {
