@@ -18,6 +18,7 @@ import java.util.zip.ZipOutputStream;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.PackageContent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
