@@ -67,7 +67,7 @@ final class LevelPages {
 
     Menu campaign() {
         if (campaignReader == null) {
-            campaignReader = LevelReader.begin(campaign);
+            campaignReader = LevelReader.begin(campaign, LevelSummary::unchecked);
         }
         return campaignPage();
     }
@@ -105,16 +105,21 @@ final class LevelPages {
         boolean isFinished = progress.isFinished(level.key());
         String best = isFinished ? PageWriter.time(progress.bestTicks(level.key())) : "–";
         String portals = isFinished ? Long.toString(progress.portals(level.key())) : "–";
-        long parTicks = par == null ? 0 : Math.round(par.seconds() * TICKS_PER_SECOND);
         return List.of(
-                new Fact(writer.text(Phrase.BEST_TIME), best + par(par == null ? null : PageWriter.time(parTicks))),
+                new Fact(writer.text(Phrase.BEST_TIME), best, par == null ? "" : par(parTime(par.seconds()))),
                 new Fact(
                         writer.text(Phrase.PORTALS_USED),
-                        portals + par(par == null ? null : Integer.toString(par.portals()))));
+                        portals,
+                        par == null ? "" : par(Integer.toString(par.portals()))));
     }
 
     private String par(String value) {
-        return value == null ? "" : "   " + Phrase.PAR.in(writer.language(), value);
+        return Phrase.PAR.in(writer.language(), value);
+    }
+
+    /** Returns the time of a par, without hundredths where it has none. */
+    private static String parTime(double seconds) {
+        return PageWriter.time(Math.round(seconds * TICKS_PER_SECOND)).replaceFirst("\\.00$", "");
     }
 
     private SampleCatalogue samples() {
@@ -164,7 +169,7 @@ final class LevelPages {
     /** Returns the player's own levels; the folder is looked through anew. */
     Menu own() {
         Path folder = writer.files().levels();
-        ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder));
+        ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder), LevelSummary::checked);
         return ownPage();
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.LevelSummary;
@@ -11,18 +12,20 @@ import nephele.engine.named.LevelSummary;
 /** Reads the levels of a list one after another on a thread of its own, so that the menu never waits for them. */
 final class LevelReader {
     private final List<LevelName> levels;
+    private final Function<LevelName, LevelSummary> summary;
     private final Map<LevelName, Read> read = new ConcurrentHashMap<>();
 
     /** A level that was read, with its picture if it has one. */
     record Read(LevelSummary summary, Optional<Picture> picture) {}
 
-    private LevelReader(List<LevelName> levels) {
+    private LevelReader(List<LevelName> levels, Function<LevelName, LevelSummary> summary) {
         this.levels = List.copyOf(levels);
+        this.summary = summary;
     }
 
     /** Starts to read. */
-    static LevelReader begin(List<LevelName> levels) {
-        LevelReader reader = new LevelReader(levels);
+    static LevelReader begin(List<LevelName> levels, Function<LevelName, LevelSummary> summary) {
+        LevelReader reader = new LevelReader(levels, summary);
         Thread thread = new Thread(reader::readAll, "list of levels");
         thread.setDaemon(true);
         thread.setPriority(Thread.MIN_PRIORITY);
@@ -32,7 +35,7 @@ final class LevelReader {
 
     private void readAll() {
         for (LevelName level : levels) {
-            read.put(level, new Read(LevelSummary.of(level), level.picture()));
+            read.put(level, new Read(summary.apply(level), level.picture()));
         }
     }
 

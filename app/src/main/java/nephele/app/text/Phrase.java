@@ -138,7 +138,7 @@ public enum Phrase {
     SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
-    SETTING_ASSISTS("Aids", "Ajudas", "Ajudas"),
+    SETTING_ASSISTS("Help with portals", "Ajuda com portais", "Ajuda com portais"),
     SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
     SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
     SETTING_REDUCED_FLASHES("Soft lightning", "Relâmpagos suaves", "Relâmpagos suaves"),

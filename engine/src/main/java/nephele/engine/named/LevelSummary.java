@@ -2,10 +2,12 @@ package nephele.engine.named;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 
 /**
@@ -24,9 +26,18 @@ public record LevelSummary(
     }
 
     /** Reads a level and checks it as {@link LevelName#open} does; never fails. */
-    public static LevelSummary of(LevelName level) {
+    public static LevelSummary checked(LevelName level) {
+        return of(() -> level.open().level());
+    }
+
+    /** Reads a level that the game brings, which is known to be good; never fails. */
+    public static LevelSummary unchecked(LevelName level) {
+        return of(() -> LevelFile.open(level.typed()).level());
+    }
+
+    private static LevelSummary of(Supplier<Level> level) {
         try {
-            Level read = level.open().level();
+            Level read = level.get();
             return new LevelSummary(read.name(), read.description(), read.aim(), read.par(), List.of());
         } catch (LevelFormatException wrong) {
             return NOTHING.with(wrong.problems().stream()

@@ -17,6 +17,7 @@ final class CardPanel {
     private static final double LEAST_EM = 14;
     private static final double LINE_EMS = 1.35;
     private static final double GAP = 10;
+    private static final double AIM_COLUMN = 118;
     private static final String CUT = " …";
 
     private final Menu.Card card;
@@ -60,6 +61,11 @@ final class CardPanel {
     private void drawFact(OverlayCanvas canvas, double x, double baseline, Menu.Fact fact) {
         double end = canvas.text(x + scale * PADDING, baseline, scale * FACT_EM, HudPalette.QUIET_INK, fact.name());
         double right = x + scale * (WIDTH - PADDING);
+        if (!fact.aim().isEmpty()) {
+            double width = canvas.width(scale * FACT_EM, fact.aim());
+            canvas.text(right - width, baseline, scale * FACT_EM, HudPalette.ACCENT, fact.aim());
+            right -= scale * AIM_COLUMN;
+        }
         double width = canvas.width(scale * FACT_EM, fact.value());
         double room = right - end - scale * GAP;
         double em = scale * FACT_EM * Math.min(1, room / width);

@@ -60,8 +60,16 @@ public record Menu(
         }
     }
 
-    /** A line of a card: a name at its left end, a value at its right end. */
-    public record Fact(String name, String value) {}
+    /**
+     * A line of a card: a name at its left end, a value at its right end.
+     *
+     * @param aim what the value is measured by, in a column of its own; empty for none
+     */
+    public record Fact(String name, String value, String aim) {
+        public Fact(String name, String value) {
+            this(name, value, "");
+        }
+    }
 
     /** A page that an entry opens. */
     public enum Page {

@@ -17,6 +17,9 @@ public final class MenuPanel {
     private static final double LINE_HEIGHT = 28;
     private static final double ROW_HEIGHT = 44;
     private static final double ROW_EM = 22;
+    /** The most that a label takes of a row with a value. */
+    private static final double LABEL_SHARE = 0.72;
+
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
     private static final double FOOT_LINE_EMS = 1.27;
@@ -25,7 +28,7 @@ public final class MenuPanel {
     private static final double GAP = 14;
     private static final double HELP_HEIGHT = 62;
     private static final double HELP_EM = 17;
-    private static final double HELP_LINE = 22;
+    private static final int HELP_LINES = 2;
     private static final double BESIDE = 16;
 
     private final Menu menu;
@@ -105,18 +108,19 @@ public final class MenuPanel {
             return;
         }
         double y = firstRow() + scale * visibleRows * ROW_HEIGHT;
-        canvas.rectangle(x, y + scale * GAP / 2, scale * (WIDTH - 2 * PADDING), 1, HudPalette.SELECTED);
+        canvas.rectangle(x, y + scale * GAP / 2, scale * (WIDTH - 2 * PADDING - GAP), 1, HudPalette.SELECTED);
         double em = HELP_EM;
         List<String> lines =
                 TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
-        while (lines.size() > 2) {
-            em -= 1;
+        if (lines.size() > HELP_LINES) {
+            em = HELP_EM * HELP_LINES / (HELP_LINES + 0.5);
             lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
         }
-        double baseline = y + scale * (GAP + HELP_EM);
-        for (String line : lines) {
-            canvas.text(x, baseline, scale * em, HudPalette.INK, line);
-            baseline += scale * HELP_LINE;
+        double line = (HELP_HEIGHT - GAP) / Math.max(HELP_LINES, lines.size());
+        double baseline = y + scale * (GAP + em);
+        for (String text : lines) {
+            canvas.text(x, baseline, scale * em, HudPalette.INK, text);
+            baseline += scale * line;
         }
     }
 
@@ -143,13 +147,13 @@ public final class MenuPanel {
 
     /** Draws a mark at the end of a list that continues. */
     private void drawArrows(OverlayCanvas canvas) {
-        double x = left() + scale * (WIDTH - PADDING);
+        double x = left() + scale * (WIDTH - PADDING / 2 - FOOT_EM);
         if (firstVisible > 0) {
-            canvas.text(x, firstRow() + scale * 4, scale * FOOT_EM, HudPalette.ACCENT, "↑");
+            canvas.text(x, firstRow() + scale * FOOT_EM, scale * FOOT_EM, HudPalette.ACCENT, "↑");
         }
         if (firstVisible + visibleRows < menu.entries().size()) {
             double bottom = firstRow() + scale * visibleRows * ROW_HEIGHT;
-            canvas.text(x, bottom + scale * 12, scale * FOOT_EM, HudPalette.ACCENT, "↓");
+            canvas.text(x, bottom - scale * 4, scale * FOOT_EM, HudPalette.ACCENT, "↓");
         }
     }
 
@@ -163,7 +167,9 @@ public final class MenuPanel {
         double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
         var entry = menu.entries().get(row);
         var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
-        double end = canvas.text(left() + scale * PADDING, baseline, em, ink, entry.label());
+        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_SHARE);
+        double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
+        double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
             double valueEm = 0.85 * em;
             double right = left() + scale * (WIDTH - PADDING);
