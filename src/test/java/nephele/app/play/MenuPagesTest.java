@@ -36,6 +36,9 @@ class MenuPagesTest {
     /** Letters have a border without ink in the atlas, in points. */
     private static final double LETTER_BORDER = 7;
 
+    /** So many letters stand in two lines. */
+    private static final int LONGEST_HELP = 88;
+
     @TempDir
     static Path folder;
 
@@ -47,6 +50,7 @@ class MenuPagesTest {
         int seen = 0;
         for (Language language : Language.values()) {
             for (Menu page : pages.in(language)) {
+                page.entries().forEach(entry -> assertTrue(entry.help().length() <= LONGEST_HELP, entry.help()));
                 for (int[] window : MenuPages.WINDOWS) {
                     Area area = MenuPages.area(window);
                     int rows = window == MenuPages.WINDOWS[0] ? page.entries().size() : 1;

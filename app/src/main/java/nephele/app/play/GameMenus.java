@@ -62,7 +62,7 @@ final class GameMenus {
         return writer.page(
                 "pause",
                 text(Phrase.PAUSED),
-                List.of(level.title()),
+                List.of(levels.title(level)),
                 List.of(
                         new Entry(text(Phrase.CONTINUE), new Choice.Resume()),
                         new Entry(text(Phrase.RESTART), new Choice.Open(Menu.Page.RESTART_QUESTION)),
@@ -103,7 +103,7 @@ final class GameMenus {
         entries.add(new Entry(text(Phrase.TO_TITLE), new Choice.ToTitle()));
         entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
         return writer.page(
-                "ended", level.title() + " – " + text(Phrase.LEVEL_DONE), lines, entries, new Choice.ToTitle());
+                "ended", levels.title(level) + " – " + text(Phrase.LEVEL_DONE), lines, entries, new Choice.ToTitle());
     }
 
     /** Returns the entry that opens the list in which a level stands. */

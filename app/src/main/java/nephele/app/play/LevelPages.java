@@ -44,13 +44,25 @@ final class LevelPages {
 
     /** Returns the list in which a level stands. */
     Menu.Page listOf(LevelName level) {
-        if (samples().groups().stream()
-                .flatMap(group -> group.samples().stream())
-                .anyMatch(sample -> sample.file().equals(level.typed()))) {
+        if (sample(level).isPresent()) {
             return Menu.Page.SAMPLES;
         }
         Path folder = writer.files().levels();
         return folder != null && OwnLevels.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
+    }
+
+    /** Returns the title of a level: of a sample that in the list. */
+    String title(LevelName level) {
+        return sample(level)
+                .map(sample -> sample.title().get(writer.language()))
+                .orElseGet(level::title);
+    }
+
+    private Optional<Sample> sample(LevelName level) {
+        return samples().groups().stream()
+                .flatMap(group -> group.samples().stream())
+                .filter(sample -> sample.file().equals(level.typed()))
+                .findFirst();
     }
 
     /** Returns an open page with what has been read since it was written; empty if that is nothing. */

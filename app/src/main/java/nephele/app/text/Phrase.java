@@ -145,7 +145,7 @@ public enum Phrase {
     SETTING_PORTAL_COLOURS("Portal colours", "Cores dos portais", "Cores dos portais"),
     GROUP_PICTURE("Picture", "Imagem", "Imagem"),
     GROUP_WINDOW("Window and frames", "Janela e quadros", "Janela e imagens"),
-    GROUP_VIEW("Mouse and view", "Mouse e visão", "Rato e visão"),
+    GROUP_VIEW("Mouse and view", "Mouse e visão", "Rato e vista"),
     GROUP_COMFORT("Comfort", "Conforto", "Conforto"),
     GROUP_AIDS("Aids", "Ajudas", "Ajudas"),
     ABOUT_PICTURE(
@@ -190,8 +190,8 @@ public enum Phrase {
             "Sim: a vista desce quando o rato sobe."),
     HELP_CROUCH(
             "Hold: crouched while the key is down. Toggle: from one press to the next.",
-            "Segurar: agachado enquanto a tecla está pressionada. Alternar: de um toque ao outro.",
-            "Manter: agachado enquanto a tecla está premida. Alternar: de um toque ao outro."),
+            "Segurar: agachado com a tecla pressionada. Alternar: de um toque ao outro.",
+            "Manter: agachado com a tecla premida. Alternar: de um toque ao outro."),
     HELP_QUALITY(
             "How fine the picture is. Auto changes it to keep the game smooth.",
             "A nitidez da imagem. Automática a muda para o jogo continuar fluido.",

@@ -147,7 +147,7 @@ public final class MenuPanel {
 
     /** Draws a mark at the end of a list that continues. */
     private void drawArrows(OverlayCanvas canvas) {
-        double x = left() + scale * (WIDTH - PADDING / 2 - FOOT_EM);
+        double x = left() + scale * (WIDTH - PADDING / 2 - FOOT_EM / 2);
         if (firstVisible > 0) {
             canvas.text(x, firstRow() + scale * FOOT_EM, scale * FOOT_EM, HudPalette.ACCENT, "↑");
         }
