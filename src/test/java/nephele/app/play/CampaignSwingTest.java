@@ -57,7 +57,8 @@ class CampaignSwingTest {
     void begin() throws IOException {
         Files.createDirectories(PICTURES);
         display = VirtualDisplay.start();
-        Process robot = start(HERE, ProcessBuilder.Redirect.DISCARD, "-Djava.awt.headless=false", RobotHands.class.getName());
+        Process robot =
+                start(HERE, ProcessBuilder.Redirect.DISCARD, "-Djava.awt.headless=false", RobotHands.class.getName());
         commands = new PrintStream(robot.getOutputStream(), true, StandardCharsets.UTF_8);
         answers = new BufferedReader(new InputStreamReader(robot.getInputStream(), StandardCharsets.UTF_8));
     }
@@ -87,7 +88,8 @@ class CampaignSwingTest {
         var builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors);
         builder.environment().put("DISPLAY", display.name());
         builder.environment().put("HOME", home.toString());
-        List.of("WAYLAND_DISPLAY", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME").forEach(builder.environment()::remove);
+        List.of("WAYLAND_DISPLAY", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
+                .forEach(builder.environment()::remove);
         Process process = builder.start();
         started.add(process);
         return process;

@@ -9,7 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -148,6 +150,25 @@ class MenuPagesTest {
             assertEquals(Set.of(), there, "add them to levels/samples.json");
         }
         assertTrue(listed.contains(SceneName.SAMPLE.typed()));
+    }
+
+    /** Levels are played, scenes of shapes shown in their viewer, techniques compared; Esc goes back from each page. */
+    @Test
+    void everySampleOpensInItsWay() throws IOException {
+        List<Menu> pages = new MenuPages(folder).in(Language.EN);
+        Map<Class<?>, Integer> ways = new HashMap<>();
+        for (Menu page : pages) {
+            if (page.name().startsWith("samples")) {
+                assertEquals(new Choice.Back(), page.escape());
+                page.entries().forEach(entry -> ways.merge(entry.choice().getClass(), 1, Integer::sum));
+            }
+        }
+        int groups = LevelCatalogue.samples().groups().size();
+        assertEquals(groups, ways.get(Choice.OpenSamples.class));
+        assertEquals(groups + 1, ways.get(Choice.Back.class));
+        assertTrue(ways.get(Choice.Show.class) >= 12, ways.toString());
+        assertTrue(ways.get(Choice.Compare.class) >= 6, ways.toString());
+        assertTrue(ways.get(Choice.Play.class) >= 90, ways.toString());
     }
 
     /** A level of the user with the name of one of the campaign has progress of its own. */

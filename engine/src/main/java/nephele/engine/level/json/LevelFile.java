@@ -52,11 +52,30 @@ public final class LevelFile {
     private static Opened unpacked(String typed, Path zip) {
         try {
             PackageContent content = PackageContent.read(zip);
-            return new Opened(typed, content.level(), content.assets(), Optional.empty());
+            var assets = new Unpacked(content.assets(), LevelAssets.beside(zip));
+            return new Opened(typed, content.level(), assets, Optional.empty());
         } catch (PackageContent.Refused refused) {
             String place = refused.entry().orElse("$");
             String remedy = "; ask its author for a new export, or name a .zip that the editor exported";
             throw new LevelFormatException(typed, List.of(Problem.error(place, refused.getMessage() + remedy)));
+        }
+    }
+
+    /** The assets in a package, and behind them those that a level beside it would have: the game's and the derived ones. */
+    private record Unpacked(AssetSource inside, AssetSource beside) implements AssetSource {
+        @Override
+        public byte[] bytes(String assetId) {
+            return (inside.exists(assetId) ? inside : beside).bytes(assetId);
+        }
+
+        @Override
+        public boolean exists(String assetId) {
+            return inside.exists(assetId) || beside.exists(assetId);
+        }
+
+        @Override
+        public Optional<Path> cacheFolder() {
+            return beside.cacheFolder();
         }
     }
 

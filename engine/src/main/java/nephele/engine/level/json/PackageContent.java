@@ -17,7 +17,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.FolderAssets;
 import nephele.engine.asset.MessageText;
 import nephele.engine.level.Level;
 
@@ -26,7 +25,7 @@ import nephele.engine.level.Level;
  * are its assets.
  *
  * @param levelName the entry of the level
- * @param assets all entries by their names, and what is derived from them in {@code cache/} beside the package
+ * @param assets all entries by their names
  */
 public record PackageContent(String levelName, Level level, AssetSource assets) {
     public static final int MOST_ENTRIES = 2_000;
@@ -80,11 +79,7 @@ public record PackageContent(String levelName, Level level, AssetSource assets) 
         }
         String name = levels.get(0);
         try {
-            Path folder = zip.toAbsolutePath().normalize().getParent();
-            return new PackageContent(
-                    name,
-                    LevelJson.read(name, entries.get(name)),
-                    new Entries(entries, new FolderAssets(folder), folder.resolve("cache")));
+            return new PackageContent(name, LevelJson.read(name, entries.get(name)), new Entries(entries));
         } catch (LevelFormatException noLevel) {
             throw new Refused(name, noLevel.getMessage().lines().findFirst().orElse(""), noLevel);
         }
@@ -147,32 +142,20 @@ public record PackageContent(String levelName, Level level, AssetSource assets) 
         }
     }
 
-    /** The entries as assets; behind them derived files, which a package never holds. */
-    private record Entries(Map<String, byte[]> content, FolderAssets beside, Path cache) implements AssetSource {
+    /** The entries as assets. */
+    private record Entries(Map<String, byte[]> content) implements AssetSource {
         @Override
         public boolean exists(String assetId) {
-            return content.containsKey(assetId) || isDerived(assetId);
-        }
-
-        private boolean isDerived(String assetId) {
-            return assetId.startsWith("cache/") && beside.exists(assetId);
+            return content.containsKey(assetId);
         }
 
         @Override
         public byte[] bytes(String assetId) {
             byte[] bytes = content.get(assetId);
-            if (bytes == null && isDerived(assetId)) {
-                return beside.bytes(assetId);
-            }
             if (bytes == null) {
                 throw new AssetException(assetId, "is not in the package", "export it again");
             }
             return bytes;
-        }
-
-        @Override
-        public Optional<Path> cacheFolder() {
-            return Optional.of(cache);
         }
     }
 }
