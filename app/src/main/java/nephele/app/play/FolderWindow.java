@@ -5,23 +5,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 
 /** Opens a folder in the system's own window for files. */
 final class FolderWindow {
     private FolderWindow() {}
 
-    /** Makes the folder if it is missing and shows it; returns its path if nobody here can show it. */
-    static Optional<Path> show(Path folder) {
+    /** Makes the folder if it is missing and asks the system to show it. Returns what is told of it: its path at least. */
+    static String show(Path folder, Language language) {
         try {
             Files.createDirectories(folder);
             new ProcessBuilder(command(System.getProperty("os.name"), folder))
                     .redirectErrorStream(true)
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();
-            return Optional.empty();
+            return folder.toString();
         } catch (IOException nothingShowsIt) {
-            return Optional.of(folder);
+            return Phrase.FOLDER_NOT_SHOWN.in(language, folder);
         }
     }
 

@@ -246,7 +246,7 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.Show shown) {
             visit(shown.scene());
         } else if (choice instanceof Menu.Choice.ShowFolder shown) {
-            FolderWindow.show(shown.folder()).ifPresent(path -> message.say(Phrase.FOLDER_NOT_SHOWN, path));
+            message.say(FolderWindow.show(shown.folder(), language()));
         } else if (choice instanceof Menu.Choice.Open open) {
             menu.turnTo(menus.page(open.page()));
         } else if (choice instanceof Menu.Choice.OpenSettings open) {
@@ -289,6 +289,8 @@ public final class GameLoop implements AutoCloseable {
             SceneViewer.visit(start, window, input, gl, language());
         } catch (CommandFailure problem) {
             message.say(problem.getMessage());
+        } catch (RuntimeException problem) {
+            message.say(LoadProblem.line(problem).orElseThrow(() -> problem));
         }
         window.title(TITLE);
         lastNanos = System.nanoTime();

@@ -125,13 +125,8 @@ public final class WindowDesk implements Desk {
     /** Proposes the folder that the game lists for a level that has no place yet. */
     private static void inOwnLevels(JFileChooser chooser) {
         Path folder = UserFolders.ofThisUser().levels();
-        if (folder != null) {
-            try {
-                chooser.setCurrentDirectory(Files.createDirectories(folder).toFile());
-            } catch (IOException notMade) {
-                // the chooser stays where it is, and saving there tells what is wrong
-                chooser.rescanCurrentDirectory();
-            }
+        if (folder != null && (Files.isDirectory(folder) || folder.toFile().mkdirs())) {
+            chooser.setCurrentDirectory(folder.toFile());
         }
     }
 
