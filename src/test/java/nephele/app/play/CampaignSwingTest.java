@@ -14,10 +14,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import nephele.app.Main;
 import nephele.app.VirtualDisplay;
 import nephele.app.play.hud.Area;
@@ -37,6 +39,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CampaignSwingTest {
     private static final long LONGEST_SECONDS = 60;
     private static final String PROGRESS = ".local/state/nephele/progress.json";
+    private static final Path HERE = Path.of("").toAbsolutePath();
     private static final Path PICTURES = Path.of("build", "pictures", "campaign");
 
     /** A tick of level 02's recording about 5 m before the exit. */
@@ -54,7 +57,8 @@ class CampaignSwingTest {
     void begin() throws IOException {
         Files.createDirectories(PICTURES);
         display = VirtualDisplay.start();
-        Process robot = start(ProcessBuilder.Redirect.DISCARD, "-Djava.awt.headless=false", RobotHands.class.getName());
+        Process robot =
+                start(HERE, ProcessBuilder.Redirect.DISCARD, "-Djava.awt.headless=false", RobotHands.class.getName());
         commands = new PrintStream(robot.getOutputStream(), true, StandardCharsets.UTF_8);
         answers = new BufferedReader(new InputStreamReader(robot.getInputStream(), StandardCharsets.UTF_8));
     }
@@ -65,18 +69,27 @@ class CampaignSwingTest {
         display.close();
     }
 
-    private Process start(ProcessBuilder.Redirect errors, String... words) throws IOException {
+    /** Returns the class path for processes in any folder, without the project's own, where levels would be found. */
+    private static String classPath() {
+        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .filter(entry -> !entry.equals("."))
+                .map(entry -> Path.of(entry).toAbsolutePath().toString())
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private Process start(Path folder, ProcessBuilder.Redirect errors, String... words) throws IOException {
         var command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx512m",
                 "-Djoml.nounsafe=true",
                 "-cp",
-                System.getProperty("java.class.path").replace(File.pathSeparator + ".", "")));
+                classPath()));
         Collections.addAll(command, words);
-        var builder = new ProcessBuilder(command).redirectError(errors);
+        var builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors);
         builder.environment().put("DISPLAY", display.name());
         builder.environment().put("HOME", home.toString());
-        List.of("WAYLAND_DISPLAY", "XDG_CONFIG_HOME", "XDG_STATE_HOME").forEach(builder.environment()::remove);
+        List.of("WAYLAND_DISPLAY", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME")
+                .forEach(builder.environment()::remove);
         Process process = builder.start();
         started.add(process);
         return process;
@@ -93,10 +106,15 @@ class CampaignSwingTest {
         private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();
 
         Game(String... words) throws IOException {
+            this(HERE, words);
+        }
+
+        /** @param folder whose levels are the campaign */
+        Game(Path folder, String... words) throws IOException {
             var all = new ArrayList<>(List.of(Main.class.getName(), "play"));
             Collections.addAll(all, words);
             Collections.addAll(all, "--size", "640x360", "--quality", "low", "--verbose");
-            process = start(ProcessBuilder.Redirect.PIPE, all.toArray(String[]::new));
+            process = start(folder, ProcessBuilder.Redirect.PIPE, all.toArray(String[]::new));
             var reader = new BufferedReader(new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8));
             var thread = new Thread(
                     () -> reader.lines()
@@ -136,10 +154,18 @@ class CampaignSwingTest {
         return (top + bottom) / 2;
     }
 
-    /** Returns a level of the campaign's second name, in which the exit is some steps ahead. */
+    /** Returns the folder of a game whose first level has the exit some steps ahead, and whose second is 03. */
     private Path nearTheExit() throws IOException {
-        return Files.writeString(
-                home.resolve("02-first-shot.json"),
+        Path levels = Files.createDirectories(home.resolve("game").resolve("levels"));
+        Files.createSymbolicLink(levels.resolveSibling("assets"), HERE.resolve("assets"));
+        Files.copy(HERE.resolve("levels/03-momentum.json"), levels.resolve("03-momentum.json"));
+        Files.createSymbolicLink(levels.resolve("baked"), HERE.resolve("levels/baked"));
+        Files.writeString(
+                levels.resolve("campaign.json"),
+                """
+                {"format": "nephele-campaign", "version": 1, "levels": ["02-first-shot.json", "03-momentum.json"]}""");
+        Files.writeString(
+                levels.resolve("02-first-shot.json"),
                 """
                 {
                   "format": "nephele-level",
@@ -150,6 +176,7 @@ class CampaignSwingTest {
                   "exits": [{ "id": "end", "feet": [0, 0, 0], "heightMetres": 2.2 }]
                 }
                 """);
+        return levels.getParent();
     }
 
     private String kept(String file) throws IOException {
@@ -161,17 +188,16 @@ class CampaignSwingTest {
         Game first = new Game();
         first.expect("title");
         hand("picture " + PICTURES.resolve("1-title.png"));
-        hand("key DOWN");
-        hand("key DOWN");
+        for (int i = 0; i < 4; i++) {
+            hand("key DOWN");
+        }
         hand("key ENTER");
         first.expect("menu settings");
         hand("key RIGHT");
         hand("picture " + PICTURES.resolve("2-settings.png"));
         hand("key ESCAPE");
         first.expect("title");
-        hand("key UP");
-        hand("key UP");
-        hand("key UP");
+        hand("key DOWN");
         hand("key ENTER");
         first.expectEnd();
         assertTrue(kept(".config/nephele/settings.json").contains("\"language\": \"pt-br\""));
@@ -194,7 +220,7 @@ class CampaignSwingTest {
         second.expectEnd();
         assertFalse(Files.exists(home.resolve(PROGRESS)), "a replay that was taken over is no progress");
 
-        Game byHand = new Game(nearTheExit().toString());
+        Game byHand = new Game(nearTheExit(), "levels/02-first-shot.json");
         byHand.expect("loading 02-first-shot.json");
         byHand.expect("playing 02-first-shot.json");
         hand("down W");

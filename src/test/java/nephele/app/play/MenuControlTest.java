@@ -12,6 +12,7 @@ import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.MenuPanel;
+import nephele.app.settings.GameSetting;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
@@ -31,7 +32,7 @@ class MenuControlTest {
     private static final LevelName COURTYARD = new LevelName("levels/01-courtyard.json");
     private static final LevelName SHOT = new LevelName("levels/02-first-shot.json");
 
-    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null));
+    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final Input input = new Input();
     private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT), input::device);
     private final MenuControl control = new MenuControl(input);
@@ -136,6 +137,9 @@ class MenuControlTest {
             for (int i = 0; i < 12; i++) {
                 for (Menu.Page page : Menu.Page.values()) {
                     menus.page(page);
+                }
+                for (GameSetting.Group group : GameSetting.Group.values()) {
+                    menus.settings(group);
                 }
                 for (var setting : Settings.PAGE.subList(1, Settings.PAGE.size())) {
                     files.keep(files.settings().stepped(setting, 1));

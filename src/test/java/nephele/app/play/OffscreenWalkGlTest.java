@@ -33,7 +33,7 @@ class OffscreenWalkGlTest {
                 SimSettings.DEFAULT,
                 null,
                 new PlayRequest.Picture(64, 36, false),
-                new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null));
+                new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null, null)), null));
     }
 
     private String run(PlayRequest request) throws Exception {

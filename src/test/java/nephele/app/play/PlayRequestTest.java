@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 /** Options of the command line go before the player's settings, which hold where no option is given. */
 class PlayRequestTest {
-    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null));
+    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
 
     private PlayRequest request(QualityChoice quality, PlayRequest.Shown shown, SimSettings simulation) {
         var player = new PlayRequest.Player(files, null);

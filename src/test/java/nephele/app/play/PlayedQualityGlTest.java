@@ -61,7 +61,7 @@ class PlayedQualityGlTest {
         Path out = folder.resolve("played.png");
         var choice = new QualityChoice(quality, Map.of());
         var name = new LevelName(level);
-        var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null);
+        var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null, null)), null);
         var request = new PlayRequest(name, null, choice, null, null, null, null, null, player);
         var prepared = Preparation.begin(name, choice, share -> {}).get();
         try (var gl = GlContext.offscreen();

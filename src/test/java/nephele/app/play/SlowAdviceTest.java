@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 /** Advice about slow frames names what helps, and never what is so already. */
 class SlowAdviceTest {
-    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null));
+    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final AutoQuality auto = new AutoQuality(files, true);
 
     private QualityNow quality(QualityChoice option) {

@@ -43,7 +43,7 @@ public final class WindowScenarios {
     private WindowScenarios(String level) {
         var picture = new PlayRequest.Picture(320, 180, false);
         var quality = new QualityChoice("low", Map.of());
-        var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null);
+        var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null, null)), null);
         loop = new GameLoop(
                 new PlayRequest(
                         new LevelName(level),

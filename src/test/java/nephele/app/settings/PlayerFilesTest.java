@@ -27,7 +27,7 @@ class PlayerFilesTest {
     private final List<String> problems = new ArrayList<>();
 
     private PlayerFiles files() {
-        return new PlayerFiles(new UserFolders(folder.resolve("c"), folder.resolve("s")));
+        return new PlayerFiles(new UserFolders(folder.resolve("c"), folder.resolve("s"), folder.resolve("d")));
     }
 
     @Test

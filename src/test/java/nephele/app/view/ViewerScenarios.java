@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import nephele.app.scenes.OpenedScene;
 import nephele.app.scenes.SceneName;
 import nephele.app.window.GameWindow;
+import nephele.engine.level.Language;
 import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
@@ -29,7 +30,7 @@ public final class ViewerScenarios {
 
     private ViewerScenarios(String scene, String entity) {
         var opened = OpenedScene.of(new SceneName(scene), new SceneName(entity), null, System.out::println);
-        viewer = new SceneViewer(new SceneStart(opened, SceneAppearance.USUAL, 0), window, input, gl);
+        viewer = new SceneViewer(new SceneStart(opened, SceneAppearance.USUAL, 0), window, input, gl, Language.EN);
     }
 
     /** An action, and a condition that must hold within a number of frames. */

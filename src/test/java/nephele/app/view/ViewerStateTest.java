@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Set;
+import nephele.engine.level.Language;
 import nephele.engine.math.SeededNoise;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.fixed.LightTerm;
@@ -39,7 +40,7 @@ class ViewerStateTest {
     private static ViewerState flown(int framesPerSecond) {
         var viewing = towing();
         for (Leg leg : FLIGHT) {
-            leg.presses.forEach(viewing::press);
+            leg.presses.forEach(key -> viewing.press(key, Language.EN));
             double left = leg.seconds;
             for (; left > 1.0 / framesPerSecond; left -= 1.0 / framesPerSecond) {
                 viewing.advance(1.0 / framesPerSecond, leg.held);
@@ -68,7 +69,7 @@ class ViewerStateTest {
         var uneven = towing();
         int frame = 0;
         for (Leg leg : FLIGHT) {
-            leg.presses.forEach(uneven::press);
+            leg.presses.forEach(key -> uneven.press(key, Language.EN));
             double left = leg.seconds;
             for (; left > 0.1; frame++) {
                 double part = 0.09 * noise.unit(frame, 0, 0);
@@ -93,16 +94,16 @@ class ViewerStateTest {
     @Test
     void aPressTurnsFiveDegreesAndAPixelHalfADegree() {
         var viewing = towing();
-        viewing.press(ViewerKey.TURN_LEFT);
-        viewing.press(ViewerKey.LOOK_DOWN);
+        viewing.press(ViewerKey.TURN_LEFT, Language.EN);
+        viewing.press(ViewerKey.LOOK_DOWN, Language.EN);
         assertEquals(5, viewing.place().heading().yawDegrees());
         assertEquals(-5, viewing.place().heading().pitchDegrees());
         viewing.drag(20, -10);
         assertEquals(-5, viewing.place().heading().yawDegrees(), "to the right");
         assertEquals(0, viewing.place().heading().pitchDegrees(), "and up");
-        viewing.press(ViewerKey.TURN_RIGHT);
-        viewing.press(ViewerKey.LOOK_UP);
-        viewing.press(ViewerKey.HOME);
+        viewing.press(ViewerKey.TURN_RIGHT, Language.EN);
+        viewing.press(ViewerKey.LOOK_UP, Language.EN);
+        viewing.press(ViewerKey.HOME, Language.EN);
         assertEquals(0, viewing.place().heading().yawDegrees());
     }
 
@@ -119,11 +120,11 @@ class ViewerStateTest {
     void thePauseStopsTheScenesClockAndNothingElse() {
         var viewing = ViewerState.towing(EYE, SceneAppearance.USUAL, 5);
         viewing.advance(1, Set.of());
-        viewing.press(ViewerKey.PAUSE);
+        viewing.press(ViewerKey.PAUSE, Language.EN);
         viewing.advance(1, Set.of(ViewerKey.AHEAD));
         assertEquals(6, viewing.sceneSeconds());
         assertEquals(5, viewing.place().eye().z(), 1e-12);
-        viewing.press(ViewerKey.PAUSE);
+        viewing.press(ViewerKey.PAUSE, Language.EN);
         viewing.advance(Double.NaN, Set.of());
         viewing.advance(-1, Set.of());
         viewing.advance(0.5, Set.of());
@@ -133,22 +134,24 @@ class ViewerStateTest {
     @Test
     void keysSwitchHowTheSceneIsShown() {
         var viewing = towing();
-        viewing.press(ViewerKey.SHADING);
+        viewing.press(ViewerKey.SHADING, Language.EN);
         assertEquals(Shading.PHONG, viewing.look().shading());
-        viewing.press(ViewerKey.WIREFRAME);
+        viewing.press(ViewerKey.WIREFRAME, Language.EN);
         assertEquals(Shading.WIREFRAME, viewing.look().shading());
-        assertEquals("Shading: phong", viewing.press(ViewerKey.WIREFRAME).orElseThrow());
-        viewing.press(ViewerKey.SHADING);
+        assertEquals(
+                "Shading: Phong",
+                viewing.press(ViewerKey.WIREFRAME, Language.EN).orElseThrow());
+        viewing.press(ViewerKey.SHADING, Language.EN);
         assertEquals(Shading.FLAT, viewing.look().shading());
-        viewing.press(ViewerKey.AXES);
+        viewing.press(ViewerKey.AXES, Language.EN);
         assertEquals(SceneAppearance.Axes.SHOWN, viewing.look().axes());
-        viewing.press(ViewerKey.DIFFUSE);
+        viewing.press(ViewerKey.DIFFUSE, Language.EN);
         assertEquals(
                 Set.of(LightTerm.AMBIENT, LightTerm.SPECULAR, LightTerm.EMISSIVE),
                 viewing.look().terms());
         assertEquals(
                 "Light: ambient, diffuse, specular, emissive",
-                viewing.press(ViewerKey.DIFFUSE).orElseThrow());
+                viewing.press(ViewerKey.DIFFUSE, Language.EN).orElseThrow());
     }
 
     @ParameterizedTest

@@ -58,7 +58,8 @@ class PrototypesTest {
                         "environment.lightning",
                         "player",
                         "portalGun",
-                        "observer"),
+                        "observer",
+                        "par"),
                 LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());
     }
 

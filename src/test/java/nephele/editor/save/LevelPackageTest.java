@@ -12,12 +12,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.PackageContent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -45,6 +48,11 @@ class LevelPackageTest {
         LevelPackage.export(link, "room.json", opened.level(), opened.assets());
         assertArrayEquals(first, Files.readAllBytes(zip), "equal levels give equal packages");
         assertTrue(Files.isSymbolicLink(link));
+        LevelFile.Opened played = LevelFile.open(zip.toString());
+        assertEquals(opened.level(), played.level(), "a package plays as it is");
+        for (String id : NamedAssets.of(opened.level(), opened.assets())) {
+            assertArrayEquals(opened.assets().bytes(id), played.assets().bytes(id), id);
+        }
         Path level = LevelPackage.extract(zip, folder.resolve("there"));
         assertEquals(folder.resolve("there").resolve("room.json"), level);
         assertEquals(opened.level(), LevelFile.read(level));
@@ -150,6 +158,8 @@ class LevelPackageTest {
         Path target = folder.resolve("there");
         var told = assertThrows(PackageException.class, () -> LevelPackage.extract(zip, target));
         assertTrue(told.told().in(Language.PT_PT).contains(zip.toString()), told.getMessage());
+        var unplayed = assertThrows(LevelFormatException.class, () -> LevelFile.open(zip.toString()));
+        assertTrue(unplayed.getMessage().matches("(?s)" + Pattern.quote(zip + ": ") + ".*new export.*"));
         try (var left = Files.list(folder)) {
             assertTrue(left.allMatch(each -> each.toString().endsWith(".zip")), "something was left");
         }

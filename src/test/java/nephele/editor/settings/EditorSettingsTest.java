@@ -33,7 +33,7 @@ class EditorSettingsTest {
     private final List<String> problems = new ArrayList<>();
 
     private EditorFiles files() {
-        return EditorFiles.in(new UserFolders(folder.resolve("c"), folder.resolve("s")));
+        return EditorFiles.in(new UserFolders(folder.resolve("c"), folder.resolve("s"), folder.resolve("d")));
     }
 
     @Test
@@ -121,7 +121,7 @@ class EditorSettingsTest {
 
     @Test
     void withoutAFolderTheDefaultsHold() throws IOException {
-        EditorFiles none = EditorFiles.in(new UserFolders(null, null));
+        EditorFiles none = EditorFiles.in(new UserFolders(null, null, null));
         none.save(EditorSettings.DEFAULT);
         assertEquals(100, none.read(problems::add).get(EditorSetting.SCALE_PERCENT));
         assertEquals(List.of(), problems);

@@ -4,7 +4,7 @@ import static nephele.engine.level.BadLevel.level;
 
 import java.util.List;
 
-/** Observers that nothing shows or moves. */
+/** Observers that nothing shows or moves, and pars that are none. */
 final class BadObservers {
     private static final String CAMERA =
             "\"cameras\": [{\"id\": \"main\", \"position\": [0, 0, 5], \"target\": [0, 0, 0]}], ";
@@ -21,6 +21,8 @@ final class BadObservers {
                     "observer.radiusMetres",
                     "must be from 0.05 to 100",
                     CAMERA + PLAYER + "\"observer\": {\"radiusMetres\": 0}"),
+            level("par.portals", "is missing", "\"par\": {\"seconds\": 3}"),
+            level("par.seconds", "must be from 0.1 to 86400", "\"par\": {\"seconds\": 0, \"portals\": 1}"),
             level(
                     "observer.bounds",
                     "must be one of [sphere, box, oriented-box, tree, triangles]",

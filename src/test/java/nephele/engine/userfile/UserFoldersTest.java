@@ -14,19 +14,31 @@ class UserFoldersTest {
     @CsvSource(
             nullValues = "-",
             value = {
-                "Linux, /h, -, -, /h/.config/nephele, /h/.local/state/nephele",
-                "Linux, /h, /c, /s, /c/nephele, /s/nephele",
-                "Linux, /h, relative, '', /h/.config/nephele, /h/.local/state/nephele",
-                "Linux, -, /c, -, /c/nephele, -",
-                "Linux, -, -, -, -, -",
-                "Mac OS X, /h, /c, /s, /h/Library/Application Support/nephele, /h/Library/Application Support/nephele"
+                "Linux, /h, -, -, -, /h/.config/nephele, /h/.local/state/nephele, /h/.local/share/nephele",
+                "Linux, /h, /c, /s, /d, /c/nephele, /s/nephele, /d/nephele",
+                "Linux, /h, relative, '', x, /h/.config/nephele, /h/.local/state/nephele, /h/.local/share/nephele",
+                "Linux, -, /c, -, -, /c/nephele, -, -",
+                "Linux, -, -, -, -, -, -, -",
+                "Mac OS X, /h, /c, /s, /d, /h/Library/Application Support/nephele, /h/Library/Application"
+                        + " Support/nephele,/h/Library/Application Support/nephele"
             })
-    void foldersFollowTheSystem(String system, String home, String config, String state, Path settings, Path progress) {
+    void foldersFollowTheSystem(
+            String system,
+            String home,
+            String config,
+            String state,
+            String data,
+            Path settings,
+            Path progress,
+            Path own) {
         Map<String, String> environment = new HashMap<>();
         put(environment, "HOME", home);
         put(environment, "XDG_CONFIG_HOME", config);
         put(environment, "XDG_STATE_HOME", state);
-        assertEquals(new UserFolders(settings, progress), UserFolders.of(system, environment));
+        put(environment, "XDG_DATA_HOME", data);
+        UserFolders folders = UserFolders.of(system, environment);
+        assertEquals(new UserFolders(settings, progress, own), folders);
+        assertEquals(own == null ? null : own.resolve("levels"), folders.levels());
     }
 
     private static void put(Map<String, String> environment, String name, String value) {

@@ -14,6 +14,7 @@ import nephele.engine.asset.MessageText;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.PackageContent;
 import nephele.engine.sim.WorldRules;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -24,7 +25,7 @@ import picocli.CommandLine.Parameters;
 final class CheckCommand implements Command {
     private static final int MOST_PLACES = 5;
 
-    @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files.")
+    @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files, and packages (.zip) of the editor.")
     private List<String> levels;
 
     @Override
@@ -80,6 +81,6 @@ final class CheckCommand implements Command {
     }
 
     private static boolean isFile(String file) {
-        return FileName.objection(file) == null && Files.exists(Path.of(file));
+        return FileName.objection(file) == null && !PackageContent.isPackage(file) && Files.exists(Path.of(file));
     }
 }

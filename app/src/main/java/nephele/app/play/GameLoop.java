@@ -4,10 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
+import nephele.app.scenes.OpenedScene;
+import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
+import nephele.app.view.SceneStart;
+import nephele.app.view.SceneViewer;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Gamepad;
@@ -18,7 +22,9 @@ import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
+import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.terminal.CommandFailure;
 
 /** The game loop, from the title to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {
@@ -94,6 +100,7 @@ public final class GameLoop implements AutoCloseable {
         obeyKeys();
         picture.moveWipe(stages.current(), (System.nanoTime() - lastNanos) / 1e9);
         obeyPointer();
+        refreshMenu();
         changeLevel();
         simulate();
         draw();
@@ -215,6 +222,13 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
+    /** Shows what has been read for the open page. */
+    private void refreshMenu() {
+        if (stages.inMenu()) {
+            menus.refreshed(menu.page()).ifPresent(menu::rewrite);
+        }
+    }
+
     /** @param choice null if nothing was chosen */
     private void choose(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.Resume) {
@@ -226,9 +240,19 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.ToTitle) {
             openTitle();
         } else if (choice instanceof Menu.Choice.Play next) {
-            play(next.level());
+            play(first.of(next.level()));
+        } else if (choice instanceof Menu.Choice.Compare next) {
+            play(first.of(next.level()).comparing(next.techniques()));
+        } else if (choice instanceof Menu.Choice.Show shown) {
+            visit(shown.scene());
+        } else if (choice instanceof Menu.Choice.ShowFolder shown) {
+            message.say(FolderWindow.show(shown.folder(), language()));
         } else if (choice instanceof Menu.Choice.Open open) {
             menu.turnTo(menus.page(open.page()));
+        } else if (choice instanceof Menu.Choice.OpenSettings open) {
+            menu.turnTo(menus.settings(open.group()));
+        } else if (choice instanceof Menu.Choice.OpenSamples open) {
+            menu.turnTo(menus.samples(open.group()));
         } else if (choice instanceof Menu.Choice.Bind bind) {
             settings.awaitKey(bind.control());
         } else if (choice instanceof Menu.Choice.Back) {
@@ -242,18 +266,34 @@ public final class GameLoop implements AutoCloseable {
     }
 
     /** Starts a level; one that is loaded or being loaded already is used. */
-    private void play(LevelName level) {
+    private void play(PlayRequest next) {
         boolean isLoaded = current.session() != null
-                && current.session().request().level().equals(level)
-                && current.session().request().isPlayedFromStart();
+                && current.session().request().isPlayedFromStart()
+                && current.session().request().shows(next);
         if (isLoaded) {
             leaveMenu(GameStage.RESTARTING);
-        } else if (loading != null && loading.request().level().equals(level)) {
+        } else if (loading != null && loading.request().shows(next)) {
             leaveMenu(GameStage.STARTING);
         } else {
             menu.close();
-            start(first.of(level));
+            start(next);
         }
+    }
+
+    /** Shows an XML scene in its viewer until the player leaves it; the menu is then as before. */
+    private void visit(SceneVisit scene) {
+        try {
+            var opened = OpenedScene.of(scene.scene(), scene.entity(), scene.background(), message::say);
+            var start = new SceneStart(opened, SceneAppearance.USUAL, 0);
+            window.title(scene.scene().title());
+            SceneViewer.visit(start, window, input, gl, language());
+        } catch (CommandFailure problem) {
+            message.say(problem.getMessage());
+        } catch (RuntimeException problem) {
+            message.say(LoadProblem.line(problem).orElseThrow(() -> problem));
+        }
+        window.title(TITLE);
+        lastNanos = System.nanoTime();
     }
 
     private Menu firstPage() {
@@ -368,7 +408,7 @@ public final class GameLoop implements AutoCloseable {
     /** Ends the level. A replay that is only shown goes on to its last tick. */
     private void end(Session session, FinishedRun run) {
         if (!session.request().isPlayed()) {
-            message.say(Phrase.EXIT_REACHED.in(language()) + ": " + GameMenus.time(run.ticks()));
+            message.say(Phrase.EXIT_REACHED.in(language()) + ": " + PageWriter.time(run.ticks()));
             return;
         }
         LevelName level = session.request().level();
@@ -376,7 +416,7 @@ public final class GameLoop implements AutoCloseable {
                 + session.walk().state().world().exit().tick());
         Progress before = files.progress();
         if (session.request().isRanked()) {
-            files.keep(before.withFinished(level.fileName(), run.ticks(), run.portals()));
+            files.keep(before.withFinished(level.key(), run.ticks(), run.portals()));
         }
         page = Page.NONE;
         menu.open(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));

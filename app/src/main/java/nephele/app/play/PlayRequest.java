@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.Objects;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.compare.TechniquePair;
@@ -106,5 +107,15 @@ public record PlayRequest(
     /** Returns the request for another level, played by hand, with its own clouds. */
     PlayRequest of(LevelName other) {
         return new PlayRequest(other, null, quality, null, record, simulation, null, picture, player);
+    }
+
+    /** Returns this request with the clouds drawn by two techniques. */
+    PlayRequest comparing(TechniquePair techniques) {
+        return new PlayRequest(level, from, quality, shown, record, simulation, techniques, picture, player);
+    }
+
+    /** Returns true if another request shows the same level in the same way. */
+    boolean shows(PlayRequest other) {
+        return level.equals(other.level) && Objects.equals(compared, other.compared);
     }
 }

@@ -45,10 +45,10 @@ final class SettingsControl {
         input.bind(Settings.bindings(files.settings()));
     }
 
-    /** Changes a setting; the settings page is open. */
+    /** Changes a setting; the page on which it stands is open. */
     void change(Menu.Choice.Step step) {
         files.keep(files.settings().stepped(step.setting(), step.step()));
-        menu.rewrite(menus.page(Menu.Page.SETTINGS));
+        menu.rewrite(menus.pageOf(step.setting()));
         if (FROM_NEXT_START.contains(step.setting())) {
             message.say(Phrase.FROM_NEXT_START);
         }
@@ -94,8 +94,9 @@ final class SettingsControl {
         WindowMode next = window.mode() == WindowMode.WINDOWED ? WindowMode.FULLSCREEN : WindowMode.WINDOWED;
         files.keep(files.settings().with(Settings.WINDOW_MODE, next));
         applyMode();
-        if (menu.page() != null && menu.page().name().equals("settings")) {
-            menu.rewrite(menus.page(Menu.Page.SETTINGS));
+        Menu changed = menus.pageOf(Settings.WINDOW_MODE);
+        if (menu.page() != null && menu.page().name().equals(changed.name())) {
+            menu.rewrite(changed);
         }
     }
 

@@ -163,7 +163,7 @@ final class TestPlay {
     private void finish(FinishedRun run, Language language) {
         finished = Optional.of(run);
         isLeft |= current.session().request().record() != null;
-        message.say(Phrase.EXIT_REACHED.in(language) + ": " + GameMenus.time(run.ticks()));
+        message.say(Phrase.EXIT_REACHED.in(language) + ": " + PageWriter.time(run.ticks()));
     }
 
     private void relight(FollowingBake bake) {

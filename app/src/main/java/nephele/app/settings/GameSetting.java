@@ -11,11 +11,31 @@ import nephele.app.window.KeyBindings;
 import nephele.app.window.KeyNames;
 
 /**
- * A setting of the game: its key in the file, its values and its default.
+ * A setting of the game: its key in the file, its values, its default and its place in the menu. Its name and its line
+ * of help are the phrases {@code SETTING_…} and {@code HELP_…} of its key.
  *
  * @param absent the value of a missing or broken entry
+ * @param group {@code null} for one that no group of the menu has
  */
-public record GameSetting<T>(String key, Values<T> values, T absent) {
+public record GameSetting<T>(String key, Values<T> values, T absent, Group group) {
+    /** The groups of the menu, in its order. */
+    public enum Group {
+        PICTURE,
+        WINDOW,
+        VIEW,
+        COMFORT,
+        AIDS
+    }
+
+    private GameSetting(String key, Values<T> values, T absent) {
+        this(key, values, absent, null);
+    }
+
+    /** Returns this setting in a group of the menu. */
+    GameSetting<T> in(Group chosen) {
+        return new GameSetting<>(key, values, absent, chosen);
+    }
+
     /** The values of a setting. */
     public interface Values<T> {
         /** Returns the value of an entry; empty if it is none of the values. */

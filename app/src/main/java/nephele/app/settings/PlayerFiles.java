@@ -12,12 +12,14 @@ import nephele.engine.userfile.UserFolders;
 public final class PlayerFiles {
     private final UserFile settingsFile;
     private final UserFile progressFile;
+    private final Path levels;
     private final List<String> problems = new ArrayList<>();
     private GameSettings settings;
     private Progress progress;
 
     /** Reads both files; problems with them are returned by {@link #takeProblems}. */
     public PlayerFiles(UserFolders folders) {
+        levels = folders.levels();
         settingsFile = new UserFile(in(folders.settings(), "settings.json"), "nephele-settings", 1);
         progressFile = new UserFile(in(folders.state(), "progress.json"), "nephele-progress", 1);
         settings = GameSettings.of(settingsFile.read(problems::add), told(settingsFile));
@@ -43,6 +45,11 @@ public final class PlayerFiles {
         List<String> taken = List.copyOf(problems);
         problems.clear();
         return taken;
+    }
+
+    /** Returns the folder of the player's own levels, which need not exist; {@code null} if there is no place for it. */
+    public Path levels() {
+        return levels;
     }
 
     /** Returns the current settings. */

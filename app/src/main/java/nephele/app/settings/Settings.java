@@ -5,6 +5,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import nephele.app.settings.GameSetting.Group;
 import nephele.app.window.Control;
 import nephele.app.window.KeyBindings;
 import nephele.app.window.WindowMode;
@@ -12,7 +13,7 @@ import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 import nephele.engine.scene.ShotPalette;
 
-/** All settings of the game, in the order of the settings page. */
+/** All settings of the game. */
 public final class Settings {
     /** A switch. */
     public enum Switch {
@@ -64,61 +65,72 @@ public final class Settings {
     public static final String LEAST_RESOLUTION = "640x360";
 
     /** The horizontal field of view at an aspect of 16:9; the vertical one is the same in every window. */
-    public static final GameSetting<Double> FIELD_OF_VIEW = GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90);
+    public static final GameSetting<Double> FIELD_OF_VIEW =
+            GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90).in(Group.VIEW);
 
-    public static final GameSetting<Double> MOUSE_SPEED = GameSetting.number("mouseSpeed", 0.1, 5, 0.1, 1);
-    public static final GameSetting<Switch> INVERT_MOUSE = GameSetting.word("invertMouse", Switch.OFF);
-    public static final GameSetting<Crouch> CROUCH = GameSetting.word("crouch", Crouch.HOLD);
-    public static final GameSetting<QualityPreset> QUALITY = GameSetting.word("quality", QualityPreset.AUTO);
-    public static final GameSetting<WindowMode> WINDOW_MODE = GameSetting.word("windowMode", WindowMode.WINDOWED);
+    public static final GameSetting<Double> MOUSE_SPEED =
+            GameSetting.number("mouseSpeed", 0.1, 5, 0.1, 1).in(Group.VIEW);
+    public static final GameSetting<Switch> INVERT_MOUSE =
+            GameSetting.word("invertMouse", Switch.OFF).in(Group.VIEW);
+    public static final GameSetting<Crouch> CROUCH =
+            GameSetting.word("crouch", Crouch.HOLD).in(Group.AIDS);
+    public static final GameSetting<QualityPreset> QUALITY =
+            GameSetting.word("quality", QualityPreset.AUTO).in(Group.PICTURE);
+    public static final GameSetting<WindowMode> WINDOW_MODE =
+            GameSetting.word("windowMode", WindowMode.WINDOWED).in(Group.WINDOW);
     /**
      * The window's size, or the video mode of a full screen. {@code auto} keeps the window's size and the screen's own
      * video mode.
      */
     public static final GameSetting<String> RESOLUTION = GameSetting.choice(
-            "resolution",
-            List.of(
-                    AUTO_RESOLUTION,
-                    LEAST_RESOLUTION,
-                    "960x540",
-                    "1280x720",
-                    "1600x900",
-                    "1920x1080",
-                    "1920x1200",
-                    "2560x1080",
-                    "2560x1440",
-                    "3440x1440",
-                    "3840x2160"));
+                    "resolution",
+                    List.of(
+                            AUTO_RESOLUTION,
+                            LEAST_RESOLUTION,
+                            "960x540",
+                            "1280x720",
+                            "1600x900",
+                            "1920x1080",
+                            "1920x1200",
+                            "2560x1080",
+                            "2560x1440",
+                            "3440x1440",
+                            "3840x2160"))
+            .in(Group.WINDOW);
 
-    public static final GameSetting<Switch> VERTICAL_SYNC = GameSetting.word("verticalSync", Switch.ON);
+    public static final GameSetting<Switch> VERTICAL_SYNC =
+            GameSetting.word("verticalSync", Switch.ON).in(Group.WINDOW);
 
     /** Frames a second; 0 for no cap. */
-    public static final GameSetting<Double> FRAME_CAP = GameSetting.rate("frameCap", LEAST_RATE, 360, 30);
+    public static final GameSetting<Double> FRAME_CAP =
+            GameSetting.rate("frameCap", LEAST_RATE, 360, 30).in(Group.WINDOW);
 
     /** Post-process antialiasing, in addition to the preset's multisampling. */
-    public static final GameSetting<Switch> EDGE_FILTER = GameSetting.word("edgeFilter", Switch.OFF);
+    public static final GameSetting<Switch> EDGE_FILTER =
+            GameSetting.word("edgeFilter", Switch.OFF).in(Group.PICTURE);
 
     /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */
-    public static final GameSetting<Double> AUTO_FRAME_RATE = GameSetting.rate("autoFrameRate", LEAST_RATE, 240, 15);
+    public static final GameSetting<Double> AUTO_FRAME_RATE =
+            GameSetting.rate("autoFrameRate", LEAST_RATE, 240, 15).in(Group.PICTURE);
 
-    public static final GameSetting<Assists> ASSISTS = GameSetting.word("assists", Assists.USUAL);
-    public static final GameSetting<Upright> UPRIGHT = GameSetting.word("uprightSpeed", Upright.NORMAL);
+    public static final GameSetting<Assists> ASSISTS =
+            GameSetting.word("assists", Assists.USUAL).in(Group.AIDS);
+    public static final GameSetting<Upright> UPRIGHT =
+            GameSetting.word("uprightSpeed", Upright.NORMAL).in(Group.COMFORT);
     public static final GameSetting<ShotPalette> PORTAL_COLOURS =
-            GameSetting.word("portalColours", ShotPalette.BLUE_ORANGE);
-    public static final GameSetting<Switch> REDUCED_MOTION = GameSetting.word("reducedMotion", Switch.OFF);
+            GameSetting.word("portalColours", ShotPalette.BLUE_ORANGE).in(Group.COMFORT);
+    public static final GameSetting<Switch> REDUCED_MOTION =
+            GameSetting.word("reducedMotion", Switch.OFF).in(Group.COMFORT);
     /** Lightning dimmer and slower, see {@link nephele.engine.level.appearance.FlashStyle#SOFTENED}. */
-    public static final GameSetting<Switch> REDUCED_FLASHES = GameSetting.word("reducedFlashes", Switch.OFF);
+    public static final GameSetting<Switch> REDUCED_FLASHES =
+            GameSetting.word("reducedFlashes", Switch.OFF).in(Group.COMFORT);
 
     /** The keys of each control. */
     public static final Map<Control, GameSetting<List<String>>> KEYS = keys();
 
-    /** The settings of the settings page. */
+    /** The settings of the menu; within a group they stand in this order. */
     public static final List<GameSetting<?>> PAGE = List.of(
             LANGUAGE,
-            FIELD_OF_VIEW,
-            MOUSE_SPEED,
-            INVERT_MOUSE,
-            CROUCH,
             QUALITY,
             AUTO_FRAME_RATE,
             EDGE_FILTER,
@@ -126,7 +138,11 @@ public final class Settings {
             RESOLUTION,
             VERTICAL_SYNC,
             FRAME_CAP,
+            FIELD_OF_VIEW,
+            MOUSE_SPEED,
+            INVERT_MOUSE,
             ASSISTS,
+            CROUCH,
             UPRIGHT,
             REDUCED_MOTION,
             REDUCED_FLASHES,
@@ -158,6 +174,11 @@ public final class Settings {
     public static WindowSize size(String resolution) {
         String[] sides = resolution.split("x");
         return new WindowSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
+    }
+
+    /** Returns the settings of a group, in the order of {@link #PAGE}. */
+    public static List<GameSetting<?>> of(Group group) {
+        return PAGE.stream().filter(setting -> setting.group() == group).toList();
     }
 
     /** Returns the keys of all controls. */

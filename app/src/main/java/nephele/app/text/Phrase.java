@@ -8,6 +8,31 @@ public enum Phrase {
     CONTINUE("Continue", "Continuar", "Continuar"),
     BEGIN("Begin", "Começar", "Começar"),
     LEVELS("Levels", "Fases", "Níveis"),
+    SAMPLES("Samples", "Exemplos", "Exemplos"),
+    YOUR_LEVELS("Your levels", "Suas fases", "Os teus níveis"),
+    SHOW_FOLDER("Open the folder", "Abrir a pasta", "Abrir a pasta"),
+    FOLDER_NOT_SHOWN("Open this folder yourself: %s", "Abra você mesmo esta pasta: %s", "Abre tu esta pasta: %s"),
+    YOUR_LEVELS_HOW(
+            "Put levels (.json) and packages (.zip) here:\n%s\nMake them with the editor: nephele edit. It saves into"
+                    + " this folder, and each level in it is listed on this page.",
+            "Ponha aqui fases (.json) e pacotes (.zip):\n%s\nFaça-os com o editor: nephele edit. Ele salva nesta"
+                    + " pasta, e cada fase que está nela aparece nesta página.",
+            "Põe aqui níveis (.json) e pacotes (.zip):\n%s\nFaz-se com o editor: nephele edit. Ele guarda nesta"
+                    + " pasta, e cada nível que está nela aparece nesta página."),
+    NO_LEVEL_YET("None yet", "Nenhuma ainda", "Ainda nenhum"),
+    NO_LEVELS_FOLDER(
+            "There is no folder for them: HOME is not set.",
+            "Não há pasta para elas: HOME não está definido.",
+            "Não há pasta para eles: HOME não está definido."),
+    LEVELS_READ("%s of %s read", "%s de %s lidas", "%s de %s lidos"),
+    LEVELS_GOOD("%s in your folder", "%s na sua pasta", "%s na tua pasta"),
+    LEVELS_BROKEN("%s in your folder, broken: %s", "%s na sua pasta, com erros: %s", "%s na tua pasta, com erros: %s"),
+    BROKEN("broken", "com erros", "com erros"),
+    MORE_PROBLEMS("… and %s more", "… e mais %s", "… e mais %s"),
+    FILE("File", "Arquivo", "Ficheiro"),
+    BEST_TIME("Best time", "Melhor tempo", "Melhor tempo"),
+    PORTALS_USED("Portals used", "Portais usados", "Portais usados"),
+    PAR("par %s", "meta %s", "meta %s"),
     SETTINGS("Settings", "Configurações", "Definições"),
     QUIT("Quit", "Sair", "Sair"),
     RESTART("Restart", "Recomeçar", "Recomeçar"),
@@ -113,11 +138,112 @@ public enum Phrase {
     SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
-    SETTING_ASSISTS("Aids", "Ajudas", "Ajudas"),
+    SETTING_ASSISTS("Help with portals", "Ajuda com portais", "Ajuda com portais"),
     SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
     SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
     SETTING_REDUCED_FLASHES("Soft lightning", "Relâmpagos suaves", "Relâmpagos suaves"),
     SETTING_PORTAL_COLOURS("Portal colours", "Cores dos portais", "Cores dos portais"),
+    GROUP_PICTURE("Picture", "Imagem", "Imagem"),
+    GROUP_WINDOW("Window and frames", "Janela e quadros", "Janela e imagens"),
+    GROUP_VIEW("Mouse and view", "Mouse e visão", "Rato e vista"),
+    GROUP_COMFORT("Comfort", "Conforto", "Conforto"),
+    GROUP_AIDS("Aids", "Ajudas", "Ajudas"),
+    ABOUT_PICTURE(
+            "How fine the picture is, and how smooth.",
+            "A nitidez da imagem e a fluidez do jogo.",
+            "A nitidez da imagem e a fluidez do jogo."),
+    ABOUT_WINDOW(
+            "Window or full screen, its size, and frames a second.",
+            "Janela ou tela cheia, seu tamanho, e quadros por segundo.",
+            "Janela ou ecrã inteiro, o seu tamanho, e imagens por segundo."),
+    ABOUT_VIEW(
+            "The mouse, and how much is seen at once.",
+            "O mouse, e quanto se vê de uma vez.",
+            "O rato, e quanto se vê de uma vez."),
+    ABOUT_COMFORT(
+            "Motion, flashes and colours that suit your eyes.",
+            "Movimento, clarões e cores que convêm aos seus olhos.",
+            "Movimento, clarões e cores que convêm aos teus olhos."),
+    ABOUT_AIDS(
+            "What the game does for your hands.",
+            "O que o jogo faz pelas suas mãos.",
+            "O que o jogo faz pelas tuas mãos."),
+    ABOUT_KEYS(
+            "Which key does what. Each can have one of your choice.",
+            "Qual tecla faz o quê. Cada ação pode ter uma à sua escolha.",
+            "Que tecla faz o quê. Cada ação pode ter uma à tua escolha."),
+    HELP_LANGUAGE(
+            "The language of menus and messages.",
+            "O idioma dos menus e das mensagens.",
+            "O idioma dos menus e das mensagens."),
+    HELP_HORIZONTAL_FOV_DEGREES(
+            "How much is seen from left to right. Wide shows more, narrow looks calmer.",
+            "Quanto se vê da esquerda à direita. Largo mostra mais, estreito parece mais calmo.",
+            "Quanto se vê da esquerda à direita. Largo mostra mais, estreito parece mais calmo."),
+    HELP_MOUSE_SPEED(
+            "How far the view turns when the mouse moves.",
+            "Quanto a visão gira quando o mouse se move.",
+            "Quanto a vista roda quando o rato se move."),
+    HELP_INVERT_MOUSE(
+            "On: the view turns down when the mouse goes up.",
+            "Sim: a visão desce quando o mouse sobe.",
+            "Sim: a vista desce quando o rato sobe."),
+    HELP_CROUCH(
+            "Hold: crouched while the key is down. Toggle: from one press to the next.",
+            "Segurar: agachado com a tecla pressionada. Alternar: de um toque ao outro.",
+            "Manter: agachado com a tecla premida. Alternar: de um toque ao outro."),
+    HELP_QUALITY(
+            "How fine the picture is. Auto changes it to keep the game smooth.",
+            "A nitidez da imagem. Automática a muda para o jogo continuar fluido.",
+            "A nitidez da imagem. Automática muda-a para o jogo continuar fluido."),
+    HELP_AUTO_FRAME_RATE(
+            "Frames a second that auto quality holds: 60 with a graphics card, 30 without.",
+            "Quadros por segundo que a automática mantém: 60 com placa de vídeo, 30 sem.",
+            "Imagens por segundo que a automática mantém: 60 com placa gráfica, 30 sem."),
+    HELP_EDGE_FILTER(
+            "Smooths stairs along edges. Each frame takes a little longer.",
+            "Suaviza degraus nas bordas. Cada quadro demora um pouco mais.",
+            "Suaviza degraus nas arestas. Cada imagem demora um pouco mais."),
+    HELP_WINDOW_MODE(
+            "A window, the whole screen without a frame, or full screen.",
+            "Uma janela, a tela toda sem moldura, ou tela cheia.",
+            "Uma janela, o ecrã todo sem moldura, ou ecrã inteiro."),
+    HELP_RESOLUTION(
+            "Size of the window, or of the picture in full screen. Auto keeps it.",
+            "Tamanho da janela, ou da imagem em tela cheia. Automática o mantém.",
+            "Tamanho da janela, ou da imagem em ecrã inteiro. Automática mantém-no."),
+    HELP_VERTICAL_SYNC(
+            "Each frame waits for the screen, so that the picture does not tear.",
+            "Cada quadro espera pela tela, para que a imagem não se rasgue.",
+            "Cada imagem espera pelo ecrã, para que não se rasgue."),
+    HELP_FRAME_CAP(
+            "Most frames a second. Fewer keep the machine cool and quiet.",
+            "Máximo de quadros por segundo. Menos deixam a máquina fria e silenciosa.",
+            "Máximo de imagens por segundo. Menos deixam a máquina fria e silenciosa."),
+    HELP_ASSISTS(
+            "Help with portals and lost cubes. Holds from the next start on.",
+            "Ajuda com portais e cubos perdidos. Vale a partir do próximo início.",
+            "Ajuda com portais e cubos perdidos. Vale a partir do próximo início."),
+    HELP_UPRIGHT_SPEED(
+            "How fast the view turns upright after a portal. Holds from the next start on.",
+            "Rapidez com que a visão se endireita após um portal. Vale a partir do próximo início.",
+            "Rapidez com que a vista se endireita após um portal. Vale a partir do próximo início."),
+    HELP_REDUCED_MOTION(
+            "The view turns upright at once. Holds from the next start on.",
+            "A visão se endireita de imediato. Vale a partir do próximo início.",
+            "A vista endireita-se de imediato. Vale a partir do próximo início."),
+    HELP_REDUCED_FLASHES(
+            "Lightning is dim and slow, for people whom flashes harm.",
+            "Relâmpagos fracos e lentos, para quem clarões fazem mal.",
+            "Relâmpagos fracos e lentos, para quem clarões fazem mal."),
+    HELP_PORTAL_COLOURS(
+            "Colours of your two portals. Choose those that you tell apart best.",
+            "Cores dos seus dois portais. Escolha as que melhor distingue.",
+            "Cores dos teus dois portais. Escolhe as que melhor distingues."),
+    HELP_KEYS(
+            "Choose it, then press the key that shall do it. Esc leaves it as it is.",
+            "Escolha, e pressione a tecla que o fará. Esc deixa como está.",
+            "Escolhe, e prime a tecla que o fará. Esc deixa como está."),
     WORD_BLUE_ORANGE("blue, orange", "azul, laranja", "azul, laranja"),
     WORD_BLUE_YELLOW("blue, yellow", "azul, amarelo", "azul, amarelo"),
     WORD_CYAN_RED("cyan, red", "ciano, vermelho", "ciano, vermelho"),
@@ -148,6 +274,31 @@ public enum Phrase {
     MOVE_WIPE("move the wipe (%s: finely)", "mover a divisória (%s: devagar)", "mover a divisória (%s: devagar)"),
     WHOLE_SIDE("only the right, the left picture", "só a imagem direita, esquerda", "só a imagem direita, esquerda"),
     KEYS("Keys", "Teclas", "Teclas"),
+    VIEWER_MOVE("move", "mover", "mover"),
+    VIEWER_FASTER("faster", "mais rápido", "mais depressa"),
+    VIEWER_TURN("or drag: turn", "ou arrastar: virar", "ou arrastar: virar"),
+    VIEWER_WIREFRAME("wireframe", "só arestas", "só arestas"),
+    VIEWER_AXES("axes", "eixos", "eixos"),
+    VIEWER_SHADING("shading", "sombreamento", "sombreado"),
+    VIEWER_TERMS("light terms", "partes da luz", "partes da luz"),
+    VIEWER_PAUSE("pause", "pausa", "pausa"),
+    VIEWER_HOME("start again", "recomeçar", "recomeçar"),
+    VIEWER_FULL_SCREEN("full screen", "tela cheia", "ecrã inteiro"),
+    VIEWER_PICTURE("picture", "imagem", "imagem"),
+    VIEWER_KEYS("keys", "teclas", "teclas"),
+    VIEWER_LEAVE("leave", "sair", "sair"),
+    SCENE_RESTS("The scene stands still", "A cena está parada", "A cena está parada"),
+    SCENE_GOES_ON("The scene goes on", "A cena continua", "A cena continua"),
+    SHADING_IS("Shading: %s", "Sombreamento: %s", "Sombreado: %s"),
+    LIGHT_IS("Light: %s", "Luz: %s", "Luz: %s"),
+    WORD_FLAT("flat", "plano", "plano"),
+    WORD_GOURAUD("Gouraud", "Gouraud", "Gouraud"),
+    WORD_PHONG("Phong", "Phong", "Phong"),
+    WORD_WIREFRAME("wireframe", "só arestas", "só arestas"),
+    WORD_AMBIENT("ambient", "ambiente", "ambiente"),
+    WORD_DIFFUSE("diffuse", "difusa", "difusa"),
+    WORD_SPECULAR("specular", "especular", "especular"),
+    WORD_EMISSIVE("emissive", "emissiva", "emissiva"),
     LOOK("look around", "olhar em volta", "olhar em volta"),
     MOUSE("Mouse", "Mouse", "Rato"),
     PRESS_KEY("press a key", "pressione uma tecla", "prime uma tecla"),
@@ -229,7 +380,26 @@ public enum Phrase {
 
     /** Returns the name of a setting by its key: {@code invertMouse} is SETTING_INVERT_MOUSE. */
     public static Phrase ofSetting(String key) {
-        return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
+        return valueOf("SETTING_" + constant(key));
+    }
+
+    /** Returns what a setting does, by its key: {@code invertMouse} is HELP_INVERT_MOUSE. */
+    public static Phrase ofHelp(String key) {
+        return valueOf("HELP_" + constant(key));
+    }
+
+    private static String constant(String key) {
+        return key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT);
+    }
+
+    /** Returns the name of a group of settings. */
+    public static Phrase ofGroup(Enum<?> group) {
+        return valueOf("GROUP_" + group.name());
+    }
+
+    /** Returns what a group of settings is about. */
+    public static Phrase ofGroupHelp(Enum<?> group) {
+        return valueOf("ABOUT_" + group.name());
     }
 
     /** Returns the name of a key, see {@link nephele.app.window.KeyNames}, as keyboards in a language call it. */

@@ -2,6 +2,8 @@ package nephele.app.view;
 
 import java.util.List;
 import nephele.app.play.hud.HudPalette;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The key hints in lines along the lower edge, and a message in the upper left corner. Lengths are in points. */
@@ -13,45 +15,55 @@ final class KeyHints {
     private static final double KEY_GAP = 6;
 
     private static final List<Hint> ALL = List.of(
-            new Hint("W A S D", "move"),
-            new Hint("Shift", "faster"),
-            new Hint("← → ↑ ↓", "or drag: turn"),
-            new Hint("F1", "wireframe"),
-            new Hint("F2", "axes"),
-            new Hint("F3", "shading"),
-            new Hint("1 2 3 4", "light terms"),
-            new Hint("Space", "pause"),
-            new Hint("R", "start again"),
-            new Hint("F11", "full screen"),
-            new Hint("F12", "picture"),
-            new Hint("H", "keys"),
-            new Hint("Esc", "leave"));
+            new Hint("W A S D", Phrase.VIEWER_MOVE),
+            new Hint("Shift", Phrase.VIEWER_FASTER),
+            new Hint("← → ↑ ↓", Phrase.VIEWER_TURN),
+            new Hint("F1", Phrase.VIEWER_WIREFRAME),
+            new Hint("F2", Phrase.VIEWER_AXES),
+            new Hint("F3", Phrase.VIEWER_SHADING),
+            new Hint("1 2 3 4", Phrase.VIEWER_TERMS),
+            new Hint("Space", Phrase.VIEWER_PAUSE),
+            new Hint("R", Phrase.VIEWER_HOME),
+            new Hint("F11", Phrase.VIEWER_FULL_SCREEN),
+            new Hint("F12", Phrase.VIEWER_PICTURE),
+            new Hint("H", Phrase.VIEWER_KEYS),
+            new Hint("Escape", Phrase.VIEWER_LEAVE));
 
-    private KeyHints() {}
+    private final OverlayCanvas canvas;
+    private final Language language;
 
-    private record Hint(String keys, String meaning) {
-        double width(OverlayCanvas canvas) {
-            return canvas.width(EM, keys) + KEY_GAP + canvas.width(EM, meaning);
-        }
+    KeyHints(OverlayCanvas canvas, Language language) {
+        this.canvas = canvas;
+        this.language = language;
+    }
+
+    private record Hint(String key, Phrase phrase) {}
+
+    private String key(Hint hint) {
+        return hint.key.contains(" ") || hint.key.equals("Shift") ? hint.key : Phrase.ofKey(hint.key, language);
+    }
+
+    private double width(Hint hint) {
+        return canvas.width(EM, key(hint)) + KEY_GAP + canvas.width(EM, hint.phrase.in(language));
     }
 
     /** @param opacity 1 while the hints are shown, less while they fade, 0 for none */
-    static void draw(OverlayCanvas canvas, double width, double height, double opacity) {
+    void draw(double width, double height, double opacity) {
         if (opacity <= 0) {
             return;
         }
-        int lines = 1 + walk(canvas, width, (hint, x, line) -> {});
+        int lines = 1 + walk(width, (hint, x, line) -> {});
         double top = height - 2 * PADDING - lines * LINE;
         canvas.rectangle(0, top, width, height - top, HudPalette.VEIL.withAlpha(0.55 * opacity));
-        walk(canvas, width, (hint, x, line) -> {
+        walk(width, (hint, x, line) -> {
             double baseline = top + PADDING + (line + 0.7) * LINE;
-            double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), hint.keys);
-            canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.meaning);
+            double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), key(hint));
+            canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.phrase.in(language));
         });
     }
 
     /** Draws a message in the upper left corner. */
-    static void say(OverlayCanvas canvas, String message) {
+    void say(String message) {
         double width = canvas.width(EM, message) + 2 * PADDING;
         canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, HudPalette.VEIL.withAlpha(0.55));
         canvas.text(2 * PADDING, PADDING + LINE, EM, HudPalette.INK, message);
@@ -62,11 +74,11 @@ final class KeyHints {
     }
 
     /** Lays out the hints like the words of a text. Returns the last line's number. */
-    private static int walk(OverlayCanvas canvas, double width, Placing placing) {
+    private int walk(double width, Placing placing) {
         double x = PADDING;
         int line = 0;
         for (Hint hint : ALL) {
-            double hintWidth = hint.width(canvas);
+            double hintWidth = width(hint);
             if (x > PADDING && x + hintWidth > width - PADDING) {
                 x = PADDING;
                 line++;

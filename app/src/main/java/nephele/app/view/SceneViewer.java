@@ -1,9 +1,12 @@
 package nephele.app.view;
 
 import java.io.IOException;
+import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
+import nephele.app.window.InputListener;
 import nephele.app.window.Screenshots;
 import nephele.app.window.WindowMode;
+import nephele.engine.level.Language;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -13,6 +16,7 @@ public final class SceneViewer implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
 
     private final GameWindow window;
+    private final Language language;
     private final ViewerInput input;
     private final GlContext gl;
     private final FixedSceneDrawing drawing;
@@ -26,13 +30,14 @@ public final class SceneViewer implements AutoCloseable {
     private boolean leaving;
     private boolean pictureAsked;
 
-    SceneViewer(SceneStart start, GameWindow window, ViewerInput input, GlContext gl) {
+    SceneViewer(SceneStart start, GameWindow window, ViewerInput input, GlContext gl, Language language) {
+        this.language = language;
         this.window = window;
         this.input = input;
         this.gl = gl;
         viewing = start.viewing();
         drawing = FixedSceneDrawing.load(gl, start.opened().sources());
-        overlay = new ViewerOverlay(gl);
+        overlay = new ViewerOverlay(gl, language);
     }
 
     /** Shows a scene until the user leaves. */
@@ -41,10 +46,29 @@ public final class SceneViewer implements AutoCloseable {
         var input = new ViewerInput();
         try (var window = GameWindow.open(request, input);
                 var gl = GlContext.ofCurrent();
-                var viewer = new SceneViewer(start, window, input, gl)) {
+                var viewer = new SceneViewer(start, window, input, gl, Language.EN)) {
             while (!viewer.isLeaving()) {
                 viewer.frame();
             }
+        }
+    }
+
+    /**
+     * Shows a scene in the window of the game until the user leaves.
+     *
+     * @param own the game's input, which the window has again afterwards
+     * @param language of the hints
+     */
+    public static void visit(SceneStart start, GameWindow window, InputListener own, GlContext gl, Language language) {
+        var input = new ViewerInput();
+        window.captureMouse(false);
+        window.listen(input);
+        try (var viewer = new SceneViewer(start, window, input, gl, language)) {
+            while (!viewer.isLeaving()) {
+                viewer.frame();
+            }
+        } finally {
+            window.listen(own);
         }
     }
 
@@ -80,7 +104,7 @@ public final class SceneViewer implements AutoCloseable {
                             window.mode() == WindowMode.WINDOWED ? WindowMode.FULLSCREEN : WindowMode.WINDOWED, null);
                 case SCREENSHOT -> pictureAsked = true;
                 case KEYS -> overlay.toggleKeys();
-                default -> viewing.press(key).ifPresent(overlay::say);
+                default -> viewing.press(key, language).ifPresent(overlay::say);
             }
         }
     }
@@ -114,7 +138,7 @@ public final class SceneViewer implements AutoCloseable {
 
     private void takePicture() {
         try {
-            overlay.say("Saved " + screenshots.take(target));
+            overlay.say(Phrase.SAVED.in(language, screenshots.take(target)));
         } catch (IOException failure) {
             overlay.say(failure.getMessage());
         }

@@ -1,6 +1,7 @@
 package nephele.app.view;
 
 import nephele.app.window.GameWindow;
+import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
@@ -19,6 +20,7 @@ final class ViewerOverlay implements AutoCloseable {
     private final Lettering lettering = new Lettering();
     private final OverlayCanvas canvas = new OverlayCanvas(lettering);
     private final OverlayPass pass;
+    private final KeyHints hints;
     private double hintSeconds = SHOWN_SECONDS + FADE_SECONDS;
     private double messageSeconds;
     private String message;
@@ -27,7 +29,8 @@ final class ViewerOverlay implements AutoCloseable {
     /** The values that the canvas depends on. */
     private record Content(String message, int opacity, int width, int height, double scale) {}
 
-    ViewerOverlay(GlContext gl) {
+    ViewerOverlay(GlContext gl, Language language) {
+        hints = new KeyHints(canvas, language);
         pass = new OverlayPass(gl, lettering);
     }
 
@@ -63,9 +66,9 @@ final class ViewerOverlay implements AutoCloseable {
     private void fill(Content content) {
         double width = content.width / content.scale;
         double height = content.height / content.scale;
-        KeyHints.draw(canvas, width, height, (double) content.opacity / FADE_STEPS);
+        hints.draw(width, height, (double) content.opacity / FADE_STEPS);
         if (content.message != null) {
-            KeyHints.say(canvas, content.message);
+            hints.say(content.message);
         }
     }
 

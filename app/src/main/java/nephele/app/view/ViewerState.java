@@ -1,9 +1,10 @@
 package nephele.app.view;
 
 import java.util.EnumSet;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 import nephele.engine.render.fixed.LightTerm;
 import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.fixed.Shading;
@@ -78,7 +79,7 @@ final class ViewerState {
     }
 
     /** Handles a key that went down. Returns what it changed, in words, if the picture alone does not show it. */
-    Optional<String> press(ViewerKey key) {
+    Optional<String> press(ViewerKey key, Language language) {
         switch (key) {
             case TURN_LEFT -> place = place.turned(DEGREES_PER_PRESS, 0);
             case TURN_RIGHT -> place = place.turned(-DEGREES_PER_PRESS, 0);
@@ -92,14 +93,17 @@ final class ViewerState {
             case AMBIENT, DIFFUSE, SPECULAR, EMISSIVE -> toggle(key.term());
             default -> {}
         }
-        return told(key);
+        return told(key, language);
     }
 
-    private Optional<String> told(ViewerKey key) {
+    private Optional<String> told(ViewerKey key, Language language) {
         return switch (key) {
-            case PAUSE -> Optional.of(paused ? "The scene stands still" : "The scene goes on");
-            case WIREFRAME, SHADING -> Optional.of("Shading: " + lower(look.shading()));
-            case AMBIENT, DIFFUSE, SPECULAR, EMISSIVE -> Optional.of("Light: " + termsInWords());
+            case PAUSE -> Optional.of((paused ? Phrase.SCENE_RESTS : Phrase.SCENE_GOES_ON).in(language));
+            case WIREFRAME, SHADING ->
+                Optional.of(Phrase.SHADING_IS.in(
+                        language, Phrase.ofWord(look.shading()).in(language)));
+            case AMBIENT, DIFFUSE, SPECULAR, EMISSIVE ->
+                Optional.of(Phrase.LIGHT_IS.in(language, termsInWords(language)));
             default -> Optional.empty();
         };
     }
@@ -133,16 +137,12 @@ final class ViewerState {
         look = look.with(terms);
     }
 
-    private String termsInWords() {
+    private String termsInWords(Language language) {
         var words = EnumSet.allOf(LightTerm.class).stream()
                 .filter(look.terms()::contains)
-                .map(ViewerState::lower)
+                .map(term -> Phrase.ofWord(term).in(language))
                 .toList();
-        return words.isEmpty() ? "none" : String.join(", ", words);
-    }
-
-    private static String lower(Enum<?> word) {
-        return word.name().toLowerCase(Locale.ROOT);
+        return words.isEmpty() ? Phrase.WORD_NONE.in(language) : String.join(", ", words);
     }
 
     ThirdPersonCamera place() {

@@ -18,7 +18,7 @@ import org.lwjgl.system.Configuration;
 public final class GameWindow implements AutoCloseable {
     private final long handle;
     private final WindowEvents events;
-    private final InputListener input;
+    private InputListener input;
     private final WindowPlace place;
     private final PadReader pad = new PadReader();
 
@@ -78,6 +78,13 @@ public final class GameWindow implements AutoCloseable {
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
         glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    }
+
+    /** Passes keys and mouse to another input from now on; the former one has no key down any more. */
+    public void listen(InputListener other) {
+        input.forget();
+        input = other;
+        events.listen(other);
     }
 
     /** Processes the window events since the last call. */

@@ -5,7 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 /** The GLFW callbacks of one window: keep its state for the window, and pass keys and mouse to the input. */
 final class WindowEvents {
     private final long handle;
-    private final InputListener input;
+    private InputListener input;
     private int width;
     private int height;
     private boolean minimised;
@@ -14,9 +14,9 @@ final class WindowEvents {
     private double scale = 1;
     private boolean looking;
 
-    WindowEvents(long handle, InputListener input) {
+    WindowEvents(long handle, InputListener first) {
         this.handle = handle;
-        this.input = input;
+        input = first;
         readInitialState();
         glfwSetFramebufferSizeCallback(handle, (window, newWidth, newHeight) -> {
             width = newWidth;
@@ -46,6 +46,11 @@ final class WindowEvents {
                 input.key(InputListener.MOUSE + button, action == GLFW_PRESS);
             }
         });
+    }
+
+    /** Passes keys and mouse to another input from now on. */
+    void listen(InputListener other) {
+        input = other;
     }
 
     private void readInitialState() {

@@ -20,6 +20,7 @@ import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.FileOperations;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.json.PackageContent;
 
 /**
  * A level with all files that it names, as one .zip: the level is the only .json at the top, the others have their ids as
@@ -90,7 +91,7 @@ public final class LevelPackage {
      */
     public static Path extract(Path zip, Path folder) {
         Path target = folder.toAbsolutePath().normalize();
-        PackageContent content = PackageContent.read(zip);
+        PackageContent content = content(zip);
         try {
             if (Files.exists(target) && !isEmpty(target)) {
                 throw new PackageException(SaveText.PACKAGE_TARGET.with(folder));
@@ -107,6 +108,19 @@ public final class LevelPackage {
             return target.resolve(content.levelName());
         } catch (IOException problem) {
             throw new PackageException(DocumentSaver.message(folder, problem), problem);
+        }
+    }
+
+    private static PackageContent content(Path zip) {
+        try {
+            return PackageContent.read(zip);
+        } catch (PackageContent.Refused refused) {
+            String reason = refused.getMessage();
+            throw new PackageException(
+                    refused.entry()
+                            .map(entry -> SaveText.PACKAGE_ENTRY.with(zip, entry, reason))
+                            .orElseGet(() -> SaveText.PACKAGE_UNREADABLE.with(zip, reason)),
+                    refused);
         }
     }
 

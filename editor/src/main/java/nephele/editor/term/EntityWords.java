@@ -43,6 +43,7 @@ public final class EntityWords {
         kind("portals", Group.PLAY);
         kind("portalGun", Group.PLAY);
         kind("observer", Group.PLAY);
+        kind("par", Group.PLAY);
         kind("lights", Group.LIGHT);
         kind("environment.sun", Group.LIGHT);
         kind("emitters", Group.SCENE);

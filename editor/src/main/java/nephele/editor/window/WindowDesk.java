@@ -9,6 +9,7 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -24,6 +25,7 @@ import nephele.editor.file.FileText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
+import nephele.engine.userfile.UserFolders;
 
 /** The desk of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
 public final class WindowDesk implements Desk {
@@ -61,7 +63,7 @@ public final class WindowDesk implements Desk {
     @Override
     public Optional<Path> fileToSave() {
         JFileChooser chooser = chooser();
-        session.file().path().map(Path::toFile).ifPresent(chooser::setSelectedFile);
+        session.file().path().map(Path::toFile).ifPresentOrElse(chooser::setSelectedFile, () -> inOwnLevels(chooser));
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
                 ? Optional.of(withEnding(chooser.getSelectedFile()))
                 : Optional.empty();
@@ -71,6 +73,9 @@ public final class WindowDesk implements Desk {
     public Optional<Path> fileToExport() {
         JFileChooser chooser = chooser();
         chooser.setFileFilter(new FileNameExtensionFilter(WindowText.PACKAGES.in(session.language()), "zip"));
+        if (session.file().path().isEmpty()) {
+            inOwnLevels(chooser);
+        }
         String name = EditorTitle.name(session).replaceFirst("\\.json$", "") + ".zip";
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
@@ -115,6 +120,14 @@ public final class WindowDesk implements Desk {
 
     private static Path withEnding(File chosen) {
         return chosen.getName().contains(".") ? chosen.toPath() : Path.of(chosen.getPath() + ".json");
+    }
+
+    /** Proposes the folder that the game lists for a level that has no place yet. */
+    private static void inOwnLevels(JFileChooser chooser) {
+        Path folder = UserFolders.ofThisUser().levels();
+        if (folder != null && (Files.isDirectory(folder) || folder.toFile().mkdirs())) {
+            chooser.setCurrentDirectory(folder.toFile());
+        }
     }
 
     private JFileChooser chooser() {

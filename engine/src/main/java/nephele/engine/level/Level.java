@@ -10,6 +10,7 @@ import nephele.engine.math.Vec3;
  * absent environment is the empty one, an absent player, portal gun or observer is {@code null}. Contains no derived data.
  *
  * @param aim the task of the level in a line for the player, in each language
+ * @param par what a good run needs; {@code null} for none. Like the editor's notes it is only read, never simulated
  * @param editor what only the editor reads: nothing that is drawn or simulated depends on it
  */
 public record Level(
@@ -31,7 +32,19 @@ public record Level(
         @Written(most = 1000) List<Billboards> billboards,
         @Written Observer observer,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
+        @Written Par par,
         @Written(absent = "{}") EditorNotes editor) {
+    /**
+     * What a good run needs: the list of levels shows it beside the player's best. With its prototype the editor begins
+     * a new one.
+     *
+     * @param seconds from the start to an exit
+     * @param portals shots that open one
+     */
+    public record Par(
+            @Written(required = true, prototype = "60") @Range(min = 0.1, max = 86_400) double seconds,
+            @Written(required = true, prototype = "2") @Range(min = 0, max = 10_000) int portals) {}
+
     /**
      * A sphere that stands for the player's body before a camera that does not move. Billboards face its centre instead
      * of the eye, and it has another colour while it touches the bounds of a model.
@@ -79,6 +92,7 @@ public record Level(
                 List.of(),
                 null,
                 Map.of(),
+                null,
                 EditorNotes.NONE);
     }
 
@@ -157,6 +171,14 @@ public record Level(
         return with(draft -> draft.editor = notes);
     }
 
+    /** Returns what is drawn and simulated of this level: without the editor's notes and the par. */
+    public Level withoutRemarks() {
+        return with(draft -> {
+            draft.par = null;
+            draft.editor = EditorNotes.NONE;
+        });
+    }
+
     private Level with(Consumer<Draft> change) {
         Draft draft = new Draft(this);
         change.accept(draft);
@@ -180,6 +202,7 @@ public record Level(
         private List<Terrain> terrains;
         private List<Billboards> billboards;
         private Observer observer;
+        private Par par;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -198,6 +221,7 @@ public record Level(
             terrains = from.terrains;
             billboards = from.billboards;
             observer = from.observer;
+            par = from.par;
             editor = from.editor;
         }
 
@@ -221,6 +245,7 @@ public record Level(
                     billboards,
                     observer,
                     from.aim,
+                    par,
                     editor);
         }
     }

@@ -16,6 +16,7 @@ import nephele.engine.terminal.CommandFailure;
 public final class LevelCatalogue {
     private static final String FOLDER = "levels/";
     private static final String CAMPAIGN = "campaign.json";
+    private static final String SAMPLES = "samples.json";
     private static final int LARGEST_BYTES = 1 << 20;
 
     private LevelCatalogue() {}
@@ -40,48 +41,52 @@ public final class LevelCatalogue {
      * @throws LevelFormatException if the campaign's file is no campaign
      */
     public static List<LevelName> campaign() {
-        return inCheckout().or(LevelCatalogue::inJar).orElse(List.of());
+        return bytes(CAMPAIGN)
+                .map(bytes -> Campaign.read(FOLDER + CAMPAIGN, bytes).levels().stream()
+                        .map(level -> new LevelName(FOLDER + level))
+                        .toList())
+                .orElse(List.of());
+    }
+
+    /**
+     * Returns the samples; no groups if there is no file of them.
+     *
+     * @throws LevelFormatException if that file is no list of samples
+     */
+    public static SampleCatalogue samples() {
+        return bytes(SAMPLES)
+                .map(bytes -> SampleCatalogue.read(FOLDER + SAMPLES, bytes))
+                .orElse(new SampleCatalogue(List.of()));
     }
 
     /** Returns the level after another one in the campaign; empty after the last and for other levels. */
     public static Optional<LevelName> after(LevelName level) {
         var all = campaign();
         for (int i = 0; i + 1 < all.size(); i++) {
-            if (all.get(i).fileName().equals(level.fileName())) {
+            if (all.get(i).key().equals(level.key())) {
                 return Optional.of(all.get(i + 1));
             }
         }
         return Optional.empty();
     }
 
-    /** Returns true for the name of a level's file: any JSON file but the campaign's. */
+    /** Returns true for the name of a level's file: any JSON file but the lists of levels. */
     public static boolean isLevel(Path file) {
         String name = file.getFileName().toString();
-        return name.endsWith(".json") && !name.equals(CAMPAIGN);
+        return name.endsWith(".json") && !name.equals(CAMPAIGN) && !name.equals(SAMPLES);
     }
 
-    private static Optional<List<LevelName>> inCheckout() {
-        Path file = Path.of(FOLDER + CAMPAIGN);
-        if (!Files.isRegularFile(file)) {
-            return Optional.empty();
+    /** Returns a file of the working directory's {@code levels/}, else that of the jar. */
+    private static Optional<byte[]> bytes(String name) {
+        Path file = Path.of(FOLDER + name);
+        if (Files.isRegularFile(file)) {
+            try {
+                return Optional.of(AtomicFile.read(file, LARGEST_BYTES));
+            } catch (IOException unreadable) {
+                throw CommandFailure.input(file + ": can't be read: " + AtomicFile.reason(unreadable));
+            }
         }
-        try {
-            return Optional.of(names(file.toString(), AtomicFile.read(file, LARGEST_BYTES)));
-        } catch (IOException unreadable) {
-            throw CommandFailure.input(file + ": can't be read: " + AtomicFile.reason(unreadable));
-        }
-    }
-
-    private static Optional<List<LevelName>> inJar() {
         AssetSource levels = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        return levels.exists(CAMPAIGN)
-                ? Optional.of(names(FOLDER + CAMPAIGN, levels.bytes(CAMPAIGN)))
-                : Optional.empty();
-    }
-
-    private static List<LevelName> names(String file, byte[] bytes) {
-        return Campaign.read(file, bytes).levels().stream()
-                .map(level -> new LevelName(FOLDER + level))
-                .toList();
+        return levels.exists(name) ? Optional.of(levels.bytes(name)) : Optional.empty();
     }
 }

@@ -34,7 +34,7 @@ public record LevelName(String typed) {
      */
     public String title() {
         String words = fileName()
-                .replaceFirst("\\.json$", "")
+                .replaceFirst("\\.(json|zip)$", "")
                 .replaceFirst("^[0-9]+-", "")
                 .replace('-', ' ');
         return words.isEmpty() ? fileName() : Character.toUpperCase(words.charAt(0)) + words.substring(1);
@@ -112,7 +112,7 @@ public record LevelName(String typed) {
      * that can be read.
      */
     public Optional<Picture> picture() {
-        String name = fileName().replaceFirst("\\.json$", ".png");
+        String name = fileName().replaceFirst("\\.(json|zip)$", ".png");
         Path beside = Path.of(typed).toAbsolutePath().resolveSibling("pictures").resolve(name);
         var jar = new ResourceAssets(LevelAssets.JAR_LEVELS);
         String resource = besideInJar("pictures/" + name);
@@ -126,6 +126,15 @@ public record LevelName(String typed) {
         } catch (IOException | AssetException unreadable) {
             return Optional.empty();
         }
+    }
+
+    /**
+     * Returns the name under which progress in the level is kept: the file's, but of a level with an absolute path the
+     * path, so that a level of the same name elsewhere is another one.
+     */
+    public String key() {
+        Path path = Path.of(typed);
+        return path.isAbsolute() ? path.normalize().toString() : fileName();
     }
 
     /** Returns the last part of the path. */

@@ -12,8 +12,9 @@ import java.util.Optional;
  *
  * @param settings folder of the settings; {@code null} if the environment names none
  * @param state folder of what is kept between runs: progress, the editor's journals and backups; {@code null} if the environment names none
+ * @param data folder of what the user makes, such as levels; {@code null} if the environment names none
  */
-public record UserFolders(Path settings, Path state) {
+public record UserFolders(Path settings, Path state, Path data) {
     private static final String NAME = "nephele";
 
     /**
@@ -28,23 +29,29 @@ public record UserFolders(Path settings, Path state) {
             Path both = absolute(environment.get("APPDATA"))
                     .map(folder -> folder.resolve(NAME))
                     .orElse(null);
-            return new UserFolders(both, both);
+            return new UserFolders(both, both, both);
         }
         if (name.contains("mac")) {
             Path both = home.map(folder -> folder.resolve("Library")
                             .resolve("Application Support")
                             .resolve(NAME))
                     .orElse(null);
-            return new UserFolders(both, both);
+            return new UserFolders(both, both, both);
         }
         return new UserFolders(
                 xdg(environment.get("XDG_CONFIG_HOME"), home, ".config"),
-                xdg(environment.get("XDG_STATE_HOME"), home, ".local/state"));
+                xdg(environment.get("XDG_STATE_HOME"), home, ".local/state"),
+                xdg(environment.get("XDG_DATA_HOME"), home, ".local/share"));
     }
 
     /** Returns the folders of this process. */
     public static UserFolders ofThisUser() {
         return of(System.getProperty("os.name"), System.getenv());
+    }
+
+    /** Returns the folder of the user's own levels; {@code null} if the environment names none. */
+    public Path levels() {
+        return data == null ? null : data.resolve("levels");
     }
 
     private static Path xdg(String named, Optional<Path> home, String belowHome) {

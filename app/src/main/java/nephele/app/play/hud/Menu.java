@@ -1,9 +1,12 @@
 package nephele.app.play.hud;
 
+import java.nio.file.Path;
 import java.util.List;
+import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.GameSetting;
 import nephele.app.window.Control;
 import nephele.engine.asset.Picture;
+import nephele.engine.compare.TechniquePair;
 import nephele.engine.named.LevelName;
 
 /**
@@ -21,21 +24,58 @@ public record Menu(
      * A line of the menu and the choice that it makes.
      *
      * @param value text at the right end; empty for none
-     * @param picture shown beside the menu while the entry is selected; {@code null} for none
+     * @param choice {@code null} for an entry that can only be read
+     * @param help a sentence below the entries while this one is selected; empty for none
+     * @param card shown beside the menu while the entry is selected; {@code null} for none
      */
-    public record Entry(String label, String value, Choice choice, Picture picture) {
+    public record Entry(String label, String value, Choice choice, String help, Card card) {
         public Entry(String label, String value, Choice choice) {
-            this(label, value, choice, null);
+            this(label, value, choice, "", null);
         }
 
         public Entry(String label, Choice choice) {
             this(label, "", choice);
+        }
+
+        /** Returns this entry with a sentence of help. */
+        public Entry helped(String sentence) {
+            return new Entry(label, value, choice, sentence, card);
+        }
+
+        /** Returns this entry with a card. */
+        public Entry with(Card shown) {
+            return new Entry(label, value, choice, help, shown);
+        }
+    }
+
+    /**
+     * What is told of an entry beside the menu.
+     *
+     * @param picture {@code null} for none
+     * @param text below the facts; its line ends begin new paragraphs
+     */
+    public record Card(Picture picture, List<Fact> facts, String text) {
+        public Card {
+            facts = List.copyOf(facts);
+        }
+    }
+
+    /**
+     * A line of a card: a name at its left end, a value at its right end.
+     *
+     * @param aim what the value is measured by, in a column of its own; empty for none
+     */
+    public record Fact(String name, String value, String aim) {
+        public Fact(String name, String value) {
+            this(name, value, "");
         }
     }
 
     /** A page that an entry opens. */
     public enum Page {
         LEVELS,
+        SAMPLES,
+        YOUR_LEVELS,
         SETTINGS,
         KEYS,
         RESTART_QUESTION
@@ -51,7 +91,22 @@ public record Menu(
         /** Starts a level from its beginning. */
         record Play(LevelName level) implements Choice {}
 
+        /** Starts a level whose clouds two techniques draw, with a wipe between them. */
+        record Compare(LevelName level, TechniquePair techniques) implements Choice {}
+
+        /** Shows an XML scene in its viewer. */
+        record Show(SceneVisit scene) implements Choice {}
+
         record Open(Page page) implements Choice {}
+
+        /** Opens the settings of a group. */
+        record OpenSettings(GameSetting.Group group) implements Choice {}
+
+        /** Opens the samples of a group, by its place in the catalogue. */
+        record OpenSamples(int group) implements Choice {}
+
+        /** Shows a folder in the system's own window for files. */
+        record ShowFolder(Path folder) implements Choice {}
 
         /** Changes a setting by a step. */
         record Step(GameSetting<?> setting, int step) implements Choice {}
@@ -75,14 +130,19 @@ public record Menu(
         }
     }
 
-    /** Returns true if an entry has a picture. */
-    boolean hasPictures() {
-        return entries.stream().anyMatch(entry -> entry.picture() != null);
+    /** Returns true if an entry has a card. */
+    boolean hasCards() {
+        return entries.stream().anyMatch(entry -> entry.card() != null);
     }
 
-    /** Returns the selected entry's picture, or {@code null}. */
-    Picture picture() {
-        return entries.get(selected).picture();
+    /** Returns true if an entry has a sentence of help. */
+    boolean hasHelp() {
+        return entries.stream().anyMatch(entry -> !entry.help().isEmpty());
+    }
+
+    /** Returns the selected entry. */
+    Entry entry() {
+        return entries.get(selected);
     }
 
     /** Returns the menu with the selection moved, around both ends. */
@@ -99,7 +159,7 @@ public record Menu(
         return new Menu(name, title, lines, entries, row, escape, foot);
     }
 
-    /** Returns the choice of the selected entry. */
+    /** Returns the choice of the selected entry; {@code null} if it makes none. */
     public Choice chosen() {
         return entries.get(selected).choice();
     }

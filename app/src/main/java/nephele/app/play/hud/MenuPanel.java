@@ -1,7 +1,6 @@
 package nephele.app.play.hud;
 
 import java.util.List;
-import nephele.engine.asset.Picture;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 
@@ -18,13 +17,18 @@ public final class MenuPanel {
     private static final double LINE_HEIGHT = 28;
     private static final double ROW_HEIGHT = 44;
     private static final double ROW_EM = 22;
+    /** The most that a label takes of a row with a value. */
+    private static final double LABEL_SHARE = 0.72;
+
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
-    private static final double PICTURE_WIDTH = 384;
+    private static final double HELP_HEIGHT = 62;
+    private static final double HELP_EM = 17;
+    private static final int HELP_LINES = 2;
     private static final double BESIDE = 16;
 
     private final Menu menu;
@@ -38,7 +42,7 @@ public final class MenuPanel {
         this.menu = menu;
         this.area = area;
         int rows = menu.entries().size();
-        blockWidth = WIDTH + (menu.hasPictures() ? BESIDE + PICTURE_WIDTH : 0);
+        blockWidth = WIDTH + (menu.hasCards() ? BESIDE + CardPanel.WIDTH : 0);
         double wanted = Math.min(area.height() / height(rows), area.width() / (blockWidth + 2 * BESIDE));
         scale = Math.max(LEAST_SCALE, Math.min(1, wanted));
         int fitting = (int) Math.floor((area.height() / scale - height(0)) / ROW_HEIGHT);
@@ -47,11 +51,15 @@ public final class MenuPanel {
     }
 
     private double height(int rows) {
-        return PADDING + TITLE_HEIGHT + linesHeight() + rows * ROW_HEIGHT + FOOT_HEIGHT + PADDING;
+        return PADDING + TITLE_HEIGHT + linesHeight() + rows * ROW_HEIGHT + helpHeight() + FOOT_HEIGHT + PADDING;
     }
 
     private double linesHeight() {
         return menu.lines().isEmpty() ? 0 : menu.lines().size() * LINE_HEIGHT + GAP;
+    }
+
+    private double helpHeight() {
+        return menu.hasHelp() ? HELP_HEIGHT : 0;
     }
 
     /** Returns the row under a point, or −1. */
@@ -75,25 +83,44 @@ public final class MenuPanel {
         fitted(canvas, x, top() + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, menu.title());
         double y = top() + scale * (PADDING + TITLE_HEIGHT);
         for (String line : menu.lines()) {
-            canvas.text(x, y, scale * LINE_EM, HudPalette.INK, line);
+            fitted(canvas, x, y, scale * LINE_EM, line);
             y += scale * LINE_HEIGHT;
         }
         for (int row = 0; row < visibleRows; row++) {
             drawRow(canvas, firstVisible + row, firstRow() + row * scale * ROW_HEIGHT);
         }
+        drawHelp(canvas, x);
         drawFoot(canvas, x, foot, ink);
-        drawPicture(canvas);
+        drawCard(canvas);
         drawArrows(canvas);
     }
 
-    private void drawPicture(OverlayCanvas canvas) {
-        Picture picture = menu.picture();
-        if (picture != null) {
+    private void drawCard(OverlayCanvas canvas) {
+        Menu.Card card = menu.entry().card();
+        if (card != null) {
             double x = left() + scale * (WIDTH + BESIDE);
-            double width = scale * PICTURE_WIDTH;
-            double height = width * picture.height() / picture.width();
-            canvas.rectangle(x, top(), width, 3, HudPalette.ACCENT);
-            canvas.picture(x, top() + 3, width, height, picture);
+            new CardPanel(card, scale).draw(canvas, x, top(), area.height() - top());
+        }
+    }
+
+    private void drawHelp(OverlayCanvas canvas, double x) {
+        if (!menu.hasHelp()) {
+            return;
+        }
+        double y = firstRow() + scale * visibleRows * ROW_HEIGHT;
+        canvas.rectangle(x, y + scale * GAP / 2, scale * (WIDTH - 2 * PADDING - GAP), 1, HudPalette.SELECTED);
+        double em = HELP_EM;
+        List<String> lines =
+                TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+        if (lines.size() > HELP_LINES) {
+            em = HELP_EM * HELP_LINES / (HELP_LINES + 0.5);
+            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+        }
+        double line = (HELP_HEIGHT - GAP) / Math.max(HELP_LINES, lines.size());
+        double baseline = y + scale * (GAP + em);
+        for (String text : lines) {
+            canvas.text(x, baseline, scale * em, HudPalette.INK, text);
+            baseline += scale * line;
         }
     }
 
@@ -104,14 +131,14 @@ public final class MenuPanel {
             em = FOOT_EM * FOOT_LINES / (FOOT_LINES + 1);
             lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
         }
-        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
+        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight() + FOOT_HEIGHT);
         for (String line : lines) {
             canvas.text(x, baseline, scale * em, ink, line);
             baseline += scale * em * FOOT_LINE_EMS;
         }
     }
 
-    /** Draws a title, smaller if it is wider than the panel. */
+    /** Draws a line, smaller if it is wider than the panel. */
     private void fitted(OverlayCanvas canvas, double x, double baseline, double em, String title) {
         double room = scale * (WIDTH - 2 * PADDING);
         double width = canvas.width(em, title);
@@ -120,13 +147,13 @@ public final class MenuPanel {
 
     /** Draws a mark at the end of a list that continues. */
     private void drawArrows(OverlayCanvas canvas) {
-        double x = left() + scale * (WIDTH - PADDING);
+        double x = left() + scale * (WIDTH - PADDING / 2 - FOOT_EM / 2);
         if (firstVisible > 0) {
-            canvas.text(x, firstRow() + scale * 4, scale * FOOT_EM, HudPalette.ACCENT, "↑");
+            canvas.text(x, firstRow() + scale * FOOT_EM, scale * FOOT_EM, HudPalette.ACCENT, "↑");
         }
         if (firstVisible + visibleRows < menu.entries().size()) {
             double bottom = firstRow() + scale * visibleRows * ROW_HEIGHT;
-            canvas.text(x, bottom + scale * 12, scale * FOOT_EM, HudPalette.ACCENT, "↓");
+            canvas.text(x, bottom - scale * 4, scale * FOOT_EM, HudPalette.ACCENT, "↓");
         }
     }
 
@@ -140,7 +167,9 @@ public final class MenuPanel {
         double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
         var entry = menu.entries().get(row);
         var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
-        double end = canvas.text(left() + scale * PADDING, baseline, em, ink, entry.label());
+        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_SHARE);
+        double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
+        double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
             double valueEm = 0.85 * em;
             double right = left() + scale * (WIDTH - PADDING);

@@ -27,12 +27,16 @@ public final class LevelFile {
     public record Opened(String file, Level level, AssetSource assets, Optional<String> notice) {}
 
     /**
-     * Opens what a user typed: a file, or else a level of the jar, such as {@code levels/samples/sky.json}.
+     * Opens what a user typed: a file, a package that the editor exported, or else a level of the jar, such as {@code
+     * levels/samples/sky.json}.
      *
      * @throws LevelFormatException if there is neither, or if it is no level
      */
     public static Opened open(String typed) throws LevelFormatException {
         Path path = path(typed);
+        if (PackageContent.isPackage(typed)) {
+            return unpacked(typed, path);
+        }
         if (Files.exists(path) || Files.exists(LevelSaver.beside(path, ".bak"))) {
             return load(path);
         }
@@ -43,6 +47,36 @@ public final class LevelFile {
                     typed, LevelJson.read(typed, levels.bytes(name)), LevelAssets.inJar(name), Optional.empty());
         }
         return load(path);
+    }
+
+    private static Opened unpacked(String typed, Path zip) {
+        try {
+            PackageContent content = PackageContent.read(zip);
+            var assets = new Unpacked(content.assets(), LevelAssets.beside(zip));
+            return new Opened(typed, content.level(), assets, Optional.empty());
+        } catch (PackageContent.Refused refused) {
+            String place = refused.entry().orElse("$");
+            String remedy = "; ask its author for a new export, or name a .zip that the editor exported";
+            throw new LevelFormatException(typed, List.of(Problem.error(place, refused.getMessage() + remedy)));
+        }
+    }
+
+    /** The assets in a package, and behind them those that a level beside it would have: the game's and the derived ones. */
+    private record Unpacked(AssetSource inside, AssetSource beside) implements AssetSource {
+        @Override
+        public byte[] bytes(String assetId) {
+            return (inside.exists(assetId) ? inside : beside).bytes(assetId);
+        }
+
+        @Override
+        public boolean exists(String assetId) {
+            return inside.exists(assetId) || beside.exists(assetId);
+        }
+
+        @Override
+        public Optional<Path> cacheFolder() {
+            return beside.cacheFolder();
+        }
     }
 
     /** Loads a file; if it is missing or no JSON at all (after a crash or on a full disk), loads its {@code .bak}. */

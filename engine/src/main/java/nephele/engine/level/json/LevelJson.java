@@ -5,7 +5,6 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
-import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 
 /** Converts level files of version 1 to records and back. */
@@ -59,11 +58,12 @@ public final class LevelJson {
     }
 
     /**
-     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits; the editor's notes do not change it.
+     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits; the par and the editor's notes do
+     * not change it.
      */
     public static String sha256(Level level) {
         try {
-            byte[] text = write(level.with(EditorNotes.NONE)).getBytes(StandardCharsets.UTF_8);
+            byte[] text = write(level.withoutRemarks()).getBytes(StandardCharsets.UTF_8);
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
         } catch (NoSuchAlgorithmException impossible) {
             throw new IllegalStateException("every Java has SHA-256", impossible);

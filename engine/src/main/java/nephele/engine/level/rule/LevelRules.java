@@ -32,6 +32,7 @@ public final class LevelRules {
             PlayerRules.SOMEWHERE,
             ObserverRules.SEEN,
             ExitRules.REACHABLE,
+            ExitRules.PAR,
             EmitterRules.COUNT,
             EmitterRules.USED,
             TerrainRules.LAYERS,

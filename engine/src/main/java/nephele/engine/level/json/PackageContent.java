@@ -1,4 +1,4 @@
-package nephele.editor.save;
+package nephele.engine.level.json;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
@@ -18,64 +19,77 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.MessageText;
 import nephele.engine.level.Level;
-import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.level.json.LevelJson;
 
 /**
- * The content of a package, checked and in memory.
+ * The content of a package, checked and in memory: a .zip whose only .json at the top is a level, and whose other entries
+ * are its assets.
  *
  * @param levelName the entry of the level
  * @param assets all entries by their names
  */
-record PackageContent(String levelName, Level level, AssetSource assets) {
-    static final int MOST_ENTRIES = 2_000;
-    static final int MOST_ENTRY_BYTES = 128 << 20;
+public record PackageContent(String levelName, Level level, AssetSource assets) {
+    public static final int MOST_ENTRIES = 2_000;
+    public static final int MOST_ENTRY_BYTES = 128 << 20;
 
     /** Bounds memory: entries are counted as they are unpacked, whatever size they declare. */
     static final int MOST_BYTES = 512 << 20;
 
+    /** Thrown for a file that is no package, or one with an unsafe or damaged entry. */
+    public static final class Refused extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        private final String entry;
+
+        private Refused(String entry, String reason, Throwable cause) {
+            super(reason, cause);
+            this.entry = entry;
+        }
+
+        /** Returns the entry at fault as text for messages; empty if it is the file as a whole. */
+        public Optional<String> entry() {
+            return Optional.ofNullable(entry);
+        }
+    }
+
+    /** Returns true for the name of a package. */
+    public static boolean isPackage(String file) {
+        return file.toLowerCase(Locale.ROOT).endsWith(".zip");
+    }
+
     /**
      * Reads a package.
      *
-     * @throws PackageException if it is none, or has an unsafe or damaged entry
+     * @throws Refused if it is none, or has an unsafe or damaged entry
      */
-    static PackageContent read(Path zip) {
+    public static PackageContent read(Path zip) {
         Map<String, byte[]> entries;
         try (var file = new ZipFile(zip.toFile())) {
-            entries = new Reading(zip).entries(file);
+            entries = new Reading().entries(file);
         } catch (ZipException | IllegalArgumentException noZip) {
-            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, "it is no whole zip file"), noZip);
+            throw new Refused(null, "it is no whole zip file", noZip);
         } catch (IOException unreadable) {
-            String reason = AtomicFile.reason(unreadable);
-            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason), unreadable);
+            throw new Refused(null, AtomicFile.reason(unreadable), unreadable);
         }
         var levels = entries.keySet().stream()
                 .filter(name -> !name.contains("/") && name.endsWith(".json"))
                 .toList();
         if (levels.size() != 1) {
             String reason = levels.isEmpty() ? "it holds no level" : "it holds several levels: " + levels;
-            throw new PackageException(SaveText.PACKAGE_UNREADABLE.with(zip, reason));
+            throw new Refused(null, reason, null);
         }
         String name = levels.get(0);
         try {
-            Level level = LevelJson.read(name, entries.get(name));
-            return new PackageContent(name, level, new Entries(entries));
+            return new PackageContent(name, LevelJson.read(name, entries.get(name)), new Entries(entries));
         } catch (LevelFormatException noLevel) {
-            String reason = noLevel.getMessage().lines().findFirst().orElse("");
-            throw new PackageException(SaveText.PACKAGE_ENTRY.with(zip, name, reason), noLevel);
+            throw new Refused(name, noLevel.getMessage().lines().findFirst().orElse(""), noLevel);
         }
     }
 
     /** Unpacks one file within its limits. */
     private static final class Reading {
-        private final Path zip;
         private final Map<String, byte[]> entries = new LinkedHashMap<>();
         private final Set<String> lowerCase = new HashSet<>();
         private long total;
-
-        Reading(Path zip) {
-            this.zip = zip;
-        }
 
         Map<String, byte[]> entries(ZipFile file) throws IOException {
             if (file.size() > MOST_ENTRIES) {
@@ -121,10 +135,10 @@ record PackageContent(String levelName, Level level, AssetSource assets) {
             }
         }
 
-        private PackageException refused(String name, String reason) {
+        private static Refused refused(String name, String reason) {
             String printable = MessageText.printable(name);
             String shown = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
-            return new PackageException(SaveText.PACKAGE_ENTRY.with(zip, shown, reason));
+            return new Refused(shown, reason, null);
         }
     }
 

@@ -1,0 +1,250 @@
+package nephele.app.play;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import nephele.app.play.LevelReader.Read;
+import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.Menu.Card;
+import nephele.app.play.hud.Menu.Choice;
+import nephele.app.play.hud.Menu.Entry;
+import nephele.app.play.hud.Menu.Fact;
+import nephele.app.scenes.SceneName;
+import nephele.app.scenes.SceneVisit;
+import nephele.app.settings.Progress;
+import nephele.app.text.Phrase;
+import nephele.engine.compare.TechniquePair;
+import nephele.engine.level.Level;
+import nephele.engine.named.LevelCatalogue;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelSummary;
+import nephele.engine.named.OwnLevels;
+import nephele.engine.named.SampleCatalogue;
+import nephele.engine.named.SampleCatalogue.Group;
+import nephele.engine.named.SampleCatalogue.Sample;
+
+/** The pages that list levels: the campaign, the samples in groups, and the player's own folder. */
+final class LevelPages {
+    private static final int TICKS_PER_SECOND = 120;
+    private static final int MOST_PROBLEMS = 3;
+
+    private final PageWriter writer;
+    private final List<LevelName> campaign;
+    private LevelReader campaignReader;
+    private LevelReader ownReader;
+    private SampleCatalogue samples;
+    private int shownCampaign;
+    private int shownOwn;
+
+    LevelPages(PageWriter writer, List<LevelName> campaign) {
+        this.writer = writer;
+        this.campaign = campaign;
+    }
+
+    /** Returns the list in which a level stands. */
+    Menu.Page listOf(LevelName level) {
+        if (sample(level).isPresent()) {
+            return Menu.Page.SAMPLES;
+        }
+        Path folder = writer.files().levels();
+        return folder != null && OwnLevels.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
+    }
+
+    /** Returns the title of a level: of a sample that in the list. */
+    String title(LevelName level) {
+        return sample(level)
+                .map(sample -> sample.title().get(writer.language()))
+                .orElseGet(level::title);
+    }
+
+    private Optional<Sample> sample(LevelName level) {
+        return samples().groups().stream()
+                .flatMap(group -> group.samples().stream())
+                .filter(sample -> sample.file().equals(level.typed()))
+                .findFirst();
+    }
+
+    /** Returns an open page with what has been read since it was written; empty if that is nothing. */
+    Optional<Menu> refreshed(Menu page) {
+        boolean isCampaign = page.name().equals("levels") && campaignReader.done() != shownCampaign;
+        boolean isOwn = page.name().equals("your-levels") && ownReader.done() != shownOwn;
+        return isCampaign ? Optional.of(campaignPage()) : isOwn ? Optional.of(ownPage()) : Optional.empty();
+    }
+
+    /** Returns true if all levels of the opened lists have been read. */
+    boolean isRead() {
+        return (campaignReader == null || campaignReader.isDone()) && (ownReader == null || ownReader.isDone());
+    }
+
+    Menu campaign() {
+        if (campaignReader == null) {
+            campaignReader = LevelReader.begin(campaign, LevelSummary::unchecked);
+        }
+        return campaignPage();
+    }
+
+    private Menu campaignPage() {
+        shownCampaign = campaignReader.done();
+        List<Entry> entries = new ArrayList<>();
+        for (LevelName level : campaign) {
+            Optional<Read> read = campaignReader.of(level);
+            entries.add(new Entry(level.title(), best(level), new Choice.Play(level)).with(card(level, read)));
+        }
+        entries.add(writer.back());
+        return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, new Choice.Back());
+    }
+
+    private String best(LevelName level) {
+        long best = writer.files().progress().bestTicks(level.key());
+        return best > 0 ? "✓ " + PageWriter.time(best) : writer.text(Phrase.NOT_YET);
+    }
+
+    /** Returns picture, records beside the par, and aim of a level; the facts alone until it was read. */
+    private Card card(LevelName level, Optional<Read> read) {
+        Level.Par par = read.map(known -> known.summary().par()).orElse(null);
+        String about = read.map(Read::summary).map(this::about).orElse("");
+        return new Card(read.flatMap(Read::picture).orElse(null), facts(level, par), about);
+    }
+
+    private String about(LevelSummary summary) {
+        String aim = summary.aim().get(writer.language());
+        return aim == null ? summary.description() : aim;
+    }
+
+    private List<Fact> facts(LevelName level, Level.Par par) {
+        Progress progress = writer.files().progress();
+        boolean isFinished = progress.isFinished(level.key());
+        String best = isFinished ? PageWriter.time(progress.bestTicks(level.key())) : "–";
+        String portals = isFinished ? Long.toString(progress.portals(level.key())) : "–";
+        return List.of(
+                new Fact(writer.text(Phrase.BEST_TIME), best, par == null ? "" : par(parTime(par.seconds()))),
+                new Fact(
+                        writer.text(Phrase.PORTALS_USED),
+                        portals,
+                        par == null ? "" : par(Integer.toString(par.portals()))));
+    }
+
+    private String par(String value) {
+        return Phrase.PAR.in(writer.language(), value);
+    }
+
+    /** Returns the time of a par, without hundredths where it has none. */
+    private static String parTime(double seconds) {
+        return PageWriter.time(Math.round(seconds * TICKS_PER_SECOND)).replaceFirst("\\.00$", "");
+    }
+
+    private SampleCatalogue samples() {
+        if (samples == null) {
+            samples = LevelCatalogue.samples();
+        }
+        return samples;
+    }
+
+    Menu sampleGroups() {
+        List<Entry> entries = new ArrayList<>();
+        for (int i = 0; i < samples().groups().size(); i++) {
+            Group group = samples().groups().get(i);
+            entries.add(new Entry(
+                            group.title().get(writer.language()),
+                            Integer.toString(group.samples().size()),
+                            new Choice.OpenSamples(i))
+                    .helped(group.about().get(writer.language())));
+        }
+        entries.add(writer.back());
+        return writer.page("samples", writer.text(Phrase.SAMPLES), List.of(), entries, new Choice.Back());
+    }
+
+    /** @param number of the group in the catalogue */
+    Menu samples(int number) {
+        Group group = samples().groups().get(number);
+        List<Entry> entries = new ArrayList<>();
+        for (Sample sample : group.samples()) {
+            String title = sample.title().get(writer.language());
+            entries.add(new Entry(title, choice(sample)).helped(sample.about().get(writer.language())));
+        }
+        entries.add(writer.back());
+        String title = group.title().get(writer.language());
+        return writer.page("samples-" + (number + 1), title, List.of(), entries, new Choice.Back());
+    }
+
+    private static Choice choice(Sample sample) {
+        if (sample.isScene()) {
+            return new Choice.Show(SceneVisit.of(new SceneName(sample.file())));
+        }
+        LevelName level = new LevelName(sample.file());
+        return sample.compare() == null
+                ? new Choice.Play(level)
+                : new Choice.Compare(level, TechniquePair.parse(sample.compare()));
+    }
+
+    /** Returns the player's own levels; the folder is looked through anew. */
+    Menu own() {
+        Path folder = writer.files().levels();
+        ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder), LevelSummary::checked);
+        return ownPage();
+    }
+
+    private Menu ownPage() {
+        Path folder = writer.files().levels();
+        shownOwn = ownReader.done();
+        List<Entry> entries = new ArrayList<>();
+        int broken = 0;
+        for (LevelName level : ownReader.levels()) {
+            Optional<Read> read = ownReader.of(level);
+            boolean isBroken = read.isPresent() && !read.get().summary().isGood();
+            broken += isBroken ? 1 : 0;
+            entries.add(isBroken ? broken(level, read.get().summary()) : own(level, read));
+        }
+        if (folder != null) {
+            entries.add(new Entry(writer.text(Phrase.SHOW_FOLDER), new Choice.ShowFolder(folder))
+                    .with(new Card(null, List.of(), Phrase.YOUR_LEVELS_HOW.in(writer.language(), folder))));
+        }
+        entries.add(writer.back());
+        String line = folder == null ? writer.text(Phrase.NO_LEVELS_FOLDER) : count(broken);
+        return writer.page("your-levels", writer.text(Phrase.YOUR_LEVELS), List.of(line), entries, new Choice.Back());
+    }
+
+    private String count(int broken) {
+        int all = ownReader.levels().size();
+        if (all == 0) {
+            return writer.text(Phrase.NO_LEVEL_YET);
+        }
+        if (shownOwn < all) {
+            return Phrase.LEVELS_READ.in(writer.language(), shownOwn, all);
+        }
+        return broken == 0
+                ? Phrase.LEVELS_GOOD.in(writer.language(), all)
+                : Phrase.LEVELS_BROKEN.in(writer.language(), all, broken);
+    }
+
+    private Entry own(LevelName level, Optional<Read> read) {
+        String name = read.map(known -> known.summary().name()).orElse("");
+        String title = name.isEmpty() ? level.title() : name;
+        String value = read.isPresent() ? best(level) : "…";
+        List<Fact> facts = new ArrayList<>(card(level, read).facts());
+        facts.add(
+                0,
+                new Fact(
+                        writer.text(Phrase.FILE),
+                        OwnLevels.nameIn(writer.files().levels(), level)));
+        Card card = new Card(
+                read.flatMap(Read::picture).orElse(null),
+                facts,
+                read.map(Read::summary).map(this::about).orElse(""));
+        return new Entry(title, value, new Choice.Play(level)).with(card);
+    }
+
+    /** Returns an entry that tells what is wrong with a level, and starts nothing. */
+    private Entry broken(LevelName level, LevelSummary summary) {
+        List<String> problems = summary.problems();
+        String shown = String.join("\n", problems.subList(0, Math.min(MOST_PROBLEMS, problems.size())));
+        String more = problems.size() > MOST_PROBLEMS
+                ? "\n" + Phrase.MORE_PROBLEMS.in(writer.language(), problems.size() - MOST_PROBLEMS)
+                : "";
+        Fact file = new Fact(
+                writer.text(Phrase.FILE), OwnLevels.nameIn(writer.files().levels(), level));
+        return new Entry(level.title(), writer.text(Phrase.BROKEN), null)
+                .with(new Card(null, List.of(file), shown + more));
+    }
+}

@@ -1,0 +1,60 @@
+package nephele.app.play;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import nephele.engine.asset.Picture;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelSummary;
+
+/** Reads the levels of a list one after another on a thread of its own, so that the menu never waits for them. */
+final class LevelReader {
+    private final List<LevelName> levels;
+    private final Function<LevelName, LevelSummary> summary;
+    private final Map<LevelName, Read> read = new ConcurrentHashMap<>();
+
+    /** A level that was read, with its picture if it has one. */
+    record Read(LevelSummary summary, Optional<Picture> picture) {}
+
+    private LevelReader(List<LevelName> levels, Function<LevelName, LevelSummary> summary) {
+        this.levels = List.copyOf(levels);
+        this.summary = summary;
+    }
+
+    /** Starts to read. */
+    static LevelReader begin(List<LevelName> levels, Function<LevelName, LevelSummary> summary) {
+        LevelReader reader = new LevelReader(levels, summary);
+        Thread thread = new Thread(reader::readAll, "list of levels");
+        thread.setDaemon(true);
+        thread.setPriority(Thread.MIN_PRIORITY);
+        thread.start();
+        return reader;
+    }
+
+    private void readAll() {
+        for (LevelName level : levels) {
+            read.put(level, new Read(summary.apply(level), level.picture()));
+        }
+    }
+
+    /** Returns the levels in the order in which they are read. */
+    List<LevelName> levels() {
+        return levels;
+    }
+
+    /** Returns the number of levels that were read so far. */
+    int done() {
+        return read.size();
+    }
+
+    boolean isDone() {
+        return done() == levels.size();
+    }
+
+    /** Returns a level of the list; empty until it was read. */
+    Optional<Read> of(LevelName level) {
+        return Optional.ofNullable(read.get(level));
+    }
+}

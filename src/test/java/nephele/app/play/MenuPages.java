@@ -1,0 +1,140 @@
+package nephele.app.play;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.app.play.hud.Area;
+import nephele.app.play.hud.Hud;
+import nephele.app.play.hud.HudContent;
+import nephele.app.play.hud.Menu;
+import nephele.app.settings.GameSetting;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Progress;
+import nephele.app.settings.Settings;
+import nephele.app.window.Control;
+import nephele.app.window.Input;
+import nephele.engine.level.Language;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.named.LevelCatalogue;
+import nephele.engine.named.LevelName;
+import nephele.engine.render.Capture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayPass;
+import nephele.engine.userfile.UserFolders;
+
+/**
+ * Every page of the menu, as players of each language see it. As a program it draws all of them, or those whose name
+ * begins with a word, into a folder: {@code FOLDER [WORD]}.
+ */
+final class MenuPages {
+    /** The windows in which every page is legible: width and height in pixels. */
+    static final int[][] WINDOWS = {{640, 360}, {1280, 720}, {1920, 1080}, {2560, 1080}, {3840, 2160}};
+
+    private final PlayerFiles files;
+    private final GameMenus menus;
+
+    /** @param folder for the user's files; four levels are put there, one of them broken */
+    MenuPages(Path folder) throws IOException {
+        files = new PlayerFiles(new UserFolders(folder, folder, folder));
+        Path own = Files.createDirectories(files.levels());
+        Files.writeString(
+                own.resolve("broken.json"),
+                """
+                {"format": "nephele-level", "version": 1,
+                 "solids": [{"id": "a wall", "kind": "box", "centre": [0, 0], "size": [1, 2, 3]}],
+                 "lights": [{"id": "lamp", "kind": "lantern"}], "gravity": 3, "player": {"feet": 7}, "exits": 4}""");
+        Files.writeString(own.resolve("torn.zip"), "no zip", StandardCharsets.UTF_8);
+        LevelFile.save(own.resolve("my-first-room.json"), level("levels/samples/empty.json"));
+        LevelFile.save(own.resolve("another.json"), level("levels/samples/exits.json"));
+        menus = new GameMenus(files, LevelCatalogue.campaign(), () -> Input.Device.KEYBOARD);
+        files.keep(Progress.NONE
+                .withFinished("01-courtyard.json", 3467, 0)
+                .withFinished("02-first-shot.json", 71_790, 12));
+    }
+
+    private static nephele.engine.level.Level level(String file) {
+        return LevelFile.open(file).level();
+    }
+
+    /** Returns all pages in a language, with all that they show of levels read. */
+    List<Menu> in(Language language) {
+        files.keep(files.settings().with(Settings.LANGUAGE, language));
+        LevelName first = LevelCatalogue.first();
+        List<Menu> all = new ArrayList<>();
+        all.add(menus.title());
+        all.add(menus.pause(first));
+        for (Menu.Page page : Menu.Page.values()) {
+            all.add(read(menus.page(page)));
+        }
+        for (GameSetting.Group group : GameSetting.Group.values()) {
+            all.add(menus.settings(group));
+        }
+        all.add(menus.keys(Control.FIRE_FIRST));
+        for (int i = 0; i < LevelCatalogue.samples().groups().size(); i++) {
+            all.add(menus.samples(i));
+        }
+        return all;
+    }
+
+    /** Returns a page once its levels are read. */
+    private Menu read(Menu page) {
+        Menu read = page;
+        while (!menus.isRead()) {
+            Thread.onSpinWait();
+        }
+        return menus.refreshed(read).orElse(read);
+    }
+
+    HudContent content(Menu page, Language language) {
+        var keys = new HudContent.Keys(Settings.bindings(files.settings()), Input.Device.KEYBOARD, language);
+        return new HudContent(page, HudContent.Page.NONE, List.of(), List.of(), null, null, null, keys);
+    }
+
+    /** Returns what a window of this size shows, in points. */
+    static Area area(int[] window) {
+        double scale = scale(window);
+        return new Area(window[0] / scale, window[1] / scale);
+    }
+
+    static double scale(int[] window) {
+        return Math.max(1, window[1] / Display.HIGHEST_POINTS);
+    }
+
+    public static void main(String[] arguments) throws IOException {
+        Path out = Files.createDirectories(Path.of(arguments[0]));
+        String word = arguments.length > 1 ? arguments[1] : "";
+        MenuPages pages = new MenuPages(Files.createTempDirectory("pages"));
+        Lettering lettering = new Lettering();
+        Hud hud = new Hud(lettering);
+        try (var gl = GlContext.offscreen();
+                var overlay = new OverlayPass(gl, lettering)) {
+            for (int[] window : WINDOWS) {
+                try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, window[0], window[1])) {
+                    for (Language language : Language.values()) {
+                        for (Menu page : pages.in(language)) {
+                            if (!page.name().startsWith(word)) {
+                                continue;
+                            }
+                            for (int row = 0; row < page.entries().size() - 1; row += row == 0 ? 1 : 100) {
+                                target.bind();
+                                target.clear(0.3f, 0.4f, 0.5f);
+                                HudContent content = pages.content(page.pointedAt(row), language);
+                                overlay.draw(hud.canvas(content, area(window), scale(window)), target);
+                                Capture.png(
+                                        target,
+                                        out.resolve(page.name() + "-" + GameSetting.word(language) + "-" + window[0]
+                                                + "x" + window[1] + "-" + row + ".png"));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
