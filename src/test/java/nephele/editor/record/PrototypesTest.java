@@ -46,7 +46,8 @@ class PrototypesTest {
                         "exits",
                         "emitters",
                         "terrains",
-                        "billboards"),
+                        "billboards",
+                        "hints"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(
@@ -58,7 +59,8 @@ class PrototypesTest {
                         "environment.lightning",
                         "player",
                         "portalGun",
-                        "observer"),
+                        "observer",
+                        "landmark"),
                 LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());
     }
 

@@ -10,6 +10,8 @@ import nephele.engine.math.Vec3;
  * absent environment is the empty one, an absent player, portal gun or observer is {@code null}. Contains no derived data.
  *
  * @param aim the task of the level in a line for the player, in each language
+ * @param landmark what the player should see: the goal's key points at it; {@code null} for the exits
+ * @param hints in the order in which they are given
  * @param editor what only the editor reads: nothing that is drawn or simulated depends on it
  */
 public record Level(
@@ -31,6 +33,8 @@ public record Level(
         @Written(most = 1000) List<Billboards> billboards,
         @Written Observer observer,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
+        @Written Place landmark,
+        @Written(most = 100) List<Hint> hints,
         @Written(absent = "{}") EditorNotes editor) {
     /**
      * A sphere that stands for the player's body before a camera that does not move. Billboards face its centre instead
@@ -79,6 +83,8 @@ public record Level(
                 List.of(),
                 null,
                 Map.of(),
+                null,
+                List.of(),
                 EditorNotes.NONE);
     }
 
@@ -147,6 +153,14 @@ public record Level(
         return with(draft -> draft.billboards = otherBillboards);
     }
 
+    /** Returns this level with another landmark, which can be {@code null}, and other hints. */
+    public Level with(Place otherLandmark, List<Hint> otherHints) {
+        return with(draft -> {
+            draft.landmark = otherLandmark;
+            draft.hints = otherHints;
+        });
+    }
+
     /** Returns this level with another observer; {@code null} for none. */
     public Level withObserver(Observer other) {
         return with(draft -> draft.observer = other);
@@ -180,6 +194,8 @@ public record Level(
         private List<Terrain> terrains;
         private List<Billboards> billboards;
         private Observer observer;
+        private Place landmark;
+        private List<Hint> hints;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -198,6 +214,8 @@ public record Level(
             terrains = from.terrains;
             billboards = from.billboards;
             observer = from.observer;
+            landmark = from.landmark;
+            hints = from.hints;
             editor = from.editor;
         }
 
@@ -221,6 +239,8 @@ public record Level(
                     billboards,
                     observer,
                     from.aim,
+                    landmark,
+                    hints,
                     editor);
         }
     }

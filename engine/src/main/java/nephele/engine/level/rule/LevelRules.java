@@ -32,6 +32,7 @@ public final class LevelRules {
             PlayerRules.SOMEWHERE,
             ObserverRules.SEEN,
             ExitRules.REACHABLE,
+            HintRules.READ,
             EmitterRules.COUNT,
             EmitterRules.USED,
             TerrainRules.LAYERS,
