@@ -61,12 +61,18 @@ final class GameMenus {
         return menu("title", GameLoop.TITLE, List.of(ProgramVersion.text()), entries, null);
     }
 
-    /** @param level the level that is paused */
-    Menu pause(LevelName level) {
+    /**
+     * Returns the page of a game that pauses.
+     *
+     * @param goal of the level that is paused; {@code null} if it says none
+     */
+    Menu pause(LevelName level, String goal) {
+        List<String> lines = new ArrayList<>(List.of(level.title()));
+        lines.addAll(goal == null ? List.of() : Menu.broken(goal));
         return menu(
                 "pause",
                 text(Phrase.PAUSED),
-                List.of(level.title()),
+                lines,
                 List.of(
                         new Entry(text(Phrase.CONTINUE), new Choice.Resume()),
                         new Entry(text(Phrase.RESTART), new Choice.Open(Menu.Page.RESTART_QUESTION)),
@@ -93,6 +99,9 @@ final class GameMenus {
             lines.add(text(Phrase.BEST) + "  " + time(isBest ? run.ticks() : best));
         }
         lines.add(text(Phrase.PORTALS) + "  " + run.portals());
+        if (run.hints() > 0) {
+            lines.add(text(Phrase.HINTS) + "  " + run.hints());
+        }
         if (!request.isRanked()) {
             lines.add(text(Phrase.UNRANKED));
         }

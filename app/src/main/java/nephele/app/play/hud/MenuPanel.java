@@ -75,7 +75,7 @@ public final class MenuPanel {
         fitted(canvas, x, top() + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, menu.title());
         double y = top() + scale * (PADDING + TITLE_HEIGHT);
         for (String line : menu.lines()) {
-            canvas.text(x, y, scale * LINE_EM, HudPalette.INK, line);
+            fitted(canvas, x, y, scale * LINE_EM, line);
             y += scale * LINE_HEIGHT;
         }
         for (int row = 0; row < visibleRows; row++) {
@@ -111,7 +111,7 @@ public final class MenuPanel {
         }
     }
 
-    /** Draws a title, smaller if it is wider than the panel. */
+    /** Draws a line, smaller if it is wider than the panel. */
     private void fitted(OverlayCanvas canvas, double x, double baseline, double em, String title) {
         double room = scale * (WIDTH - 2 * PADDING);
         double width = canvas.width(em, title);
