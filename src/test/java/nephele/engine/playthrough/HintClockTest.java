@@ -2,14 +2,23 @@ package nephele.engine.playthrough;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import nephele.engine.level.Hint;
 import nephele.engine.level.Language;
+import nephele.engine.level.Level;
 import nephele.engine.level.Place;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Hints are offered after their time near their place, given one at a time in the level's order, and counted. */
 class HintClockTest {
@@ -28,6 +37,22 @@ class HintClockTest {
         for (int i = 0; i < seconds * 120; i++) {
             clock.tick(at);
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"02-first-shot", "03-momentum", "04-cube", "05-above-the-clouds", "06-standing-stones"})
+    void theCampaignHelpsInThreeLanguagesEachHintLaterThanTheOneBefore(String name) throws IOException {
+        Level level = LevelFile.read(Path.of("levels", name + ".json"));
+        assertTrue(level.hints().size() >= 3, name);
+        for (Hint hint : level.hints()) {
+            assertEquals(Set.of(Language.values()), hint.text().keySet(), hint.id());
+        }
+        List<Hint> everywhere =
+                level.hints().stream().filter(hint -> hint.near() == null).toList();
+        for (int i = 1; i < everywhere.size(); i++) {
+            assertTrue(everywhere.get(i).afterSeconds() > everywhere.get(i - 1).afterSeconds(), name);
+        }
+        assertEquals(LevelJson.sha256(level), LevelJson.sha256(level.with((Place) null, List.of())), "replays go on");
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.HexFormat;
 import java.util.List;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
+import nephele.engine.level.Place;
 
 /** Converts level files of version 1 to records and back. */
 public final class LevelJson {
@@ -59,11 +60,13 @@ public final class LevelJson {
     }
 
     /**
-     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits; the editor's notes do not change it.
+     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. The editor's notes do not change it,
+     * neither do landmark and hints: what was recorded in a level plays on as before.
      */
     public static String sha256(Level level) {
         try {
-            byte[] text = write(level.with(EditorNotes.NONE)).getBytes(StandardCharsets.UTF_8);
+            byte[] text = write(level.with(EditorNotes.NONE).with((Place) null, List.of()))
+                    .getBytes(StandardCharsets.UTF_8);
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
         } catch (NoSuchAlgorithmException impossible) {
             throw new IllegalStateException("every Java has SHA-256", impossible);
