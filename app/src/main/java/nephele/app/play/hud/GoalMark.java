@@ -78,8 +78,8 @@ public record GoalMark(double right, double down, String arrow, double half, lon
         double top = downwards < 0 ? cornerY : cornerY - arm;
         double edge = downwards < 0 ? cornerY : cornerY - WIDTH;
         double side = sideways < 0 ? cornerX : cornerX - WIDTH;
-        canvas.rectangle(left - EDGE, edge - EDGE, arm + 2 * EDGE, WIDTH + 2 * EDGE, HudPalette.SHADOW);
-        canvas.rectangle(side - EDGE, top - EDGE, WIDTH + 2 * EDGE, arm + 2 * EDGE, HudPalette.SHADOW);
+        canvas.rectangle(left - EDGE, edge - EDGE, arm + 2 * EDGE, WIDTH + 2 * EDGE, HudPalette.HANDLE);
+        canvas.rectangle(side - EDGE, top - EDGE, WIDTH + 2 * EDGE, arm + 2 * EDGE, HudPalette.HANDLE);
         canvas.rectangle(left, edge, arm, WIDTH, HudPalette.ACCENT);
         canvas.rectangle(side, top, WIDTH, arm, HudPalette.ACCENT);
     }
