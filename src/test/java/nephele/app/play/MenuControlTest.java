@@ -39,7 +39,7 @@ class MenuControlTest {
 
     @BeforeEach
     void open() {
-        control.open(menus.pause(COURTYARD));
+        control.open(menus.pause(COURTYARD, "Find the way."));
     }
 
     @Test
@@ -74,7 +74,7 @@ class MenuControlTest {
         control.choiceOf(Control.BACK);
         files.keep(files.settings().stepped(Settings.LANGUAGE, 1));
         control.rewrite(menus.page(Menu.Page.SETTINGS));
-        control.rewriteFirst(menus.pause(COURTYARD));
+        control.rewriteFirst(menus.pause(COURTYARD, "Find the way."));
         assertEquals(1, control.page().selected());
         assertEquals("Configurações", control.page().title());
         control.back();
@@ -85,19 +85,19 @@ class MenuControlTest {
     void theTitleBeginsAndThenContinues() {
         assertEquals("Begin", menus.title().entries().get(0).label());
         assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
-        files.keep(files.progress().withFinished("01-courtyard.json", 3467, 0));
+        files.keep(files.progress().withFinished("01-courtyard.json", 3467, 0, 0));
         assertEquals("Continue", menus.title().entries().get(0).label());
         assertEquals(new Choice.Play(SHOT), menus.title().chosen());
-        files.keep(files.progress().withFinished("02-first-shot.json", 1790, 2));
+        files.keep(files.progress().withFinished("02-first-shot.json", 1790, 2, 0));
         assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
     }
 
     @Test
     void theEndTellsTimePortalsAndBest() {
-        Menu first = menus.ended(request(null), new FinishedRun(1790, 2), Progress.NONE, Optional.empty());
+        Menu first = menus.ended(request(null), new FinishedRun(1790, 2, 0), Progress.NONE, Optional.empty());
         assertEquals(List.of("Time  0:14.92", "Portals  2", "You have finished every level."), first.lines());
-        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4);
-        Menu slower = menus.ended(request(null), new FinishedRun(1790, 2), before, Optional.of(COURTYARD));
+        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4, 0);
+        Menu slower = menus.ended(request(null), new FinishedRun(1790, 2, 0), before, Optional.of(COURTYARD));
         assertEquals(List.of("Time  0:14.92", "Best  0:10.00", "Portals  2"), slower.lines());
         assertEquals(new Choice.Play(COURTYARD), slower.chosen());
     }
@@ -105,9 +105,9 @@ class MenuControlTest {
     /** A run that is not ranked is no best time, however fast, and the page says so. */
     @Test
     void theEndOfPracticeTellsNoRecord() {
-        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4);
+        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4, 0);
         PlayRequest practice = request(new PlayerStart(Vec3.ZERO, 0, 0));
-        Menu faster = menus.ended(practice, new FinishedRun(600, 2), before, Optional.of(COURTYARD));
+        Menu faster = menus.ended(practice, new FinishedRun(600, 2, 0), before, Optional.of(COURTYARD));
         assertEquals(
                 List.of("Time  0:05.00", "Best  0:10.00", "Portals  2", "Practice: no record is kept."),
                 faster.lines());
@@ -207,7 +207,7 @@ class MenuControlTest {
 
     /** Returns the middle of a row of the pause menu, counted from 0. */
     private double row(int number) {
-        MenuPanel panel = new MenuPanel(menus.pause(COURTYARD), AREA);
+        MenuPanel panel = new MenuPanel(menus.pause(COURTYARD, "Find the way."), AREA);
         int y = 0;
         while (panel.rowAt(640, y) != number) {
             y++;

@@ -54,8 +54,8 @@ final class MenuPages {
         LevelFile.save(own.resolve("another.json"), level("levels/samples/exits.json"));
         menus = new GameMenus(files, LevelCatalogue.campaign(), () -> Input.Device.KEYBOARD);
         files.keep(Progress.NONE
-                .withFinished("01-courtyard.json", 3467, 0)
-                .withFinished("02-first-shot.json", 71_790, 12));
+                .withFinished("01-courtyard.json", 3467, 0, 0)
+                .withFinished("02-first-shot.json", 71_790, 12, 0));
     }
 
     private static nephele.engine.level.Level level(String file) {
@@ -68,7 +68,7 @@ final class MenuPages {
         LevelName first = LevelCatalogue.first();
         List<Menu> all = new ArrayList<>();
         all.add(menus.title());
-        all.add(menus.pause(first));
+        all.add(menus.pause(first, "Find the way to the belvedere."));
         for (Menu.Page page : Menu.Page.values()) {
             all.add(read(menus.page(page)));
         }
@@ -93,7 +93,7 @@ final class MenuPages {
 
     HudContent content(Menu page, Language language) {
         var keys = new HudContent.Keys(Settings.bindings(files.settings()), Input.Device.KEYBOARD, language);
-        return new HudContent(page, HudContent.Page.NONE, List.of(), List.of(), null, null, null, keys);
+        return new HudContent(page, HudContent.Page.NONE, List.of(), List.of(), null, null, null, keys, null);
     }
 
     /** Returns what a window of this size shows, in points. */

@@ -34,7 +34,7 @@ class PlayerFilesTest {
     void whatIsKeptIsThereAfterARestart() {
         PlayerFiles first = files();
         first.keep(first.settings().with(Settings.LANGUAGE, Language.PT_BR).with(Settings.FIELD_OF_VIEW, 105.0));
-        first.keep(first.progress().withFinished("01-courtyard.json", 3467, 0));
+        first.keep(first.progress().withFinished("01-courtyard.json", 3467, 0, 0));
         PlayerFiles second = files();
         assertEquals(List.of(), second.takeProblems());
         assertEquals(Language.PT_BR, second.settings().get(Settings.LANGUAGE));
@@ -99,14 +99,32 @@ class PlayerFilesTest {
     @Test
     void theBestRunIsKept() {
         Progress progress = Progress.NONE
-                .withFinished("a.json", 500, 3)
-                .withFinished("a.json", 700, 1)
-                .withFinished("b.json", 100, 2);
+                .withFinished("a.json", 500, 3, 0)
+                .withFinished("a.json", 700, 1, 0)
+                .withFinished("b.json", 100, 2, 0);
         assertEquals(500, progress.bestTicks("a.json"));
         assertEquals(3, progress.portals("a.json"));
-        assertEquals(400, progress.withFinished("a.json", 400, 9).bestTicks("a.json"));
+        assertEquals(400, progress.withFinished("a.json", 400, 9, 0).bestTicks("a.json"));
         assertEquals(2, progress.portals("b.json"));
         assertEquals(0, progress.bestTicks("c.json"));
+    }
+
+    @Test
+    void hintsOfTheBestRunAndLearnedActionsAreKept() {
+        Progress progress = Progress.NONE.withFinished("a.json", 500, 3, 2).withLearned("walk");
+        assertEquals(2, progress.hints("a.json"));
+        assertTrue(progress.withFinished("a.json", 700, 1, 0).hasLearned("walk"));
+        assertEquals(2, progress.withFinished("a.json", 700, 1, 0).hints("a.json"));
+        assertEquals(0, progress.withFinished("a.json", 400, 1, 0).hints("a.json"));
+        Progress broken = Progress.of(
+                JsonParser.parseString(
+                                "{\"learned\": 5, \"levels\": {\"a.json\": {\"finished\": true, \"bestTicks\": 9,"
+                                        + " \"portals\": 1}}}")
+                        .getAsJsonObject(),
+                problems::add);
+        assertEquals(List.of("learned: must be a list of actions; it is written anew"), problems);
+        assertEquals(0, broken.hints("a.json"), "files of earlier versions count none");
+        assertTrue(broken.withLearned("run").hasLearned("run"));
     }
 
     @Test
@@ -124,7 +142,7 @@ class PlayerFilesTest {
         assertEquals(4, problems.size());
         assertTrue(progress.isFinished("good.json"));
         assertFalse(progress.isFinished("half.json"));
-        Progress changed = progress.withFinished("good.json", 5, 0);
+        Progress changed = progress.withFinished("good.json", 5, 0, 0);
         JsonObject levels = changed.members().getAsJsonObject("levels");
         assertEquals("finished", levels.get("text.json").getAsString());
         assertEquals("kept", levels.getAsJsonObject("good.json").get("note").getAsString());

@@ -46,7 +46,8 @@ class PrototypesTest {
                         "exits",
                         "emitters",
                         "terrains",
-                        "billboards"),
+                        "billboards",
+                        "hints"),
                 LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(
@@ -59,7 +60,8 @@ class PrototypesTest {
                         "player",
                         "portalGun",
                         "observer",
-                        "par"),
+                        "par",
+                        "landmark"),
                 LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());
     }
 

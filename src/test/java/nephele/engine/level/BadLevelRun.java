@@ -24,6 +24,7 @@ final class BadLevelRun {
         all.addAll(BadRelations.ALL);
         all.addAll(BadBillboards.ALL);
         all.addAll(BadObservers.ALL);
+        all.addAll(BadHints.ALL);
         all.addAll(BadImpostors.ALL);
         return all;
     }

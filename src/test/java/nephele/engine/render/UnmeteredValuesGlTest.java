@@ -13,6 +13,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -20,6 +21,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.level.appearance.LuminanceHistogram;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
@@ -33,15 +35,16 @@ class UnmeteredValuesGlTest {
     /** A curtain has the same display values at every exposure: it does not count, so the exposure does not follow it. */
     @Test
     void theCurtainOfAnExitDoesNotCount() {
+        Exit exit = new Exit("exit", new Vec3(0, -1, -3), 1, 2.5);
         List<Double> shown = new ArrayList<>();
         for (double light : new double[] {2e-4, 0.3}) {
             TestLevel level = new TestLevel().autoExposure().sky(new Sky.Constant(TestLevel.grey(light)));
             try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                    Renderer renderer = load(
-                            offscreen,
-                            level.exit(new Exit("exit", new Vec3(0, -1, -3), 1, 2.5))
-                                    .level())) {
+                    Renderer veiled = load(offscreen, level.exit(exit).level());
+                    Renderer renderer =
+                            Renderer.load(offscreen.gl, level.level(), TestAssets.NONE, HDR.with(Decoration.OFF))) {
                 double metered = draw(offscreen, renderer, TO_WALL, 0);
+                assertEquals(metered, draw(offscreen, veiled, TO_WALL, 0), 1e-3, "nor does its veil");
                 float[] even = {(float) light, (float) light, (float) light};
                 double expected = AutoExposure.stops(LuminanceHistogram.of(even, 1), AutoExposure.MOST_STOPS);
                 assertEquals(expected, metered, 2e-3, "light " + light);

@@ -34,8 +34,6 @@ final class Captions {
         if (begun == null || System.nanoTime() - begunNanos > AIM_NANOS) {
             return null;
         }
-        String aim = begun.level().aim().get(language);
-        String shown = aim != null ? aim : begun.level().aim().get(Language.EN);
-        return shown == null ? null : new Banner(begun.request().level().title(), shown);
+        return GoalSight.text(begun.level(), language) == null ? null : GoalSight.banner(begun, language);
     }
 }

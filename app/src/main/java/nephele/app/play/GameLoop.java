@@ -173,6 +173,7 @@ public final class GameLoop implements AutoCloseable {
         switch (key) {
             case RESTART -> openMenu(menus.page(Menu.Page.RESTART_QUESTION));
             case PERSON -> current.session().walk().changePerson();
+            case HINT -> picture.giveHint();
             case FIGURES -> current.toggleFigures();
             case MENU -> openPause();
             default -> {}
@@ -192,7 +193,7 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void openPause() {
-        openMenu(menus.pause(current.session().request().level()));
+        openMenu(pauseMenu());
     }
 
     /** Opens a menu above the game, to which its first page leads back. */
@@ -297,9 +298,12 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private Menu firstPage() {
-        return stages.in(GameStage.TITLE)
-                ? menus.title()
-                : menus.pause(current.session().request().level());
+        return stages.in(GameStage.TITLE) ? menus.title() : pauseMenu();
+    }
+
+    private Menu pauseMenu() {
+        Session session = current.session();
+        return menus.pause(session.request().level(), GoalSight.text(session.level(), language()));
     }
 
     private void leaveMenu(GameStage stage) {
@@ -416,7 +420,7 @@ public final class GameLoop implements AutoCloseable {
                 + session.walk().state().world().exit().tick());
         Progress before = files.progress();
         if (session.request().isRanked()) {
-            files.keep(before.withFinished(level.key(), run.ticks(), run.portals()));
+            files.keep(before.withFinished(level.key(), run.ticks(), run.portals(), run.hints()));
         }
         page = Page.NONE;
         menu.open(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));

@@ -57,12 +57,18 @@ final class GameMenus {
         return writer.page("title", GameLoop.TITLE, List.of(ProgramVersion.text()), entries, null);
     }
 
-    /** @param level the level that is paused */
-    Menu pause(LevelName level) {
+    /**
+     * Returns the page of a game that pauses.
+     *
+     * @param goal of the level that is paused; {@code null} if it says none
+     */
+    Menu pause(LevelName level, String goal) {
+        List<String> lines = new ArrayList<>(List.of(levels.title(level)));
+        lines.addAll(goal == null ? List.of() : Menu.broken(goal));
         return writer.page(
                 "pause",
                 text(Phrase.PAUSED),
-                List.of(levels.title(level)),
+                lines,
                 List.of(
                         new Entry(text(Phrase.CONTINUE), new Choice.Resume()),
                         new Entry(text(Phrase.RESTART), new Choice.Open(Menu.Page.RESTART_QUESTION)),
@@ -89,6 +95,9 @@ final class GameMenus {
             lines.add(text(Phrase.BEST) + "  " + PageWriter.time(isBest ? run.ticks() : best));
         }
         lines.add(text(Phrase.PORTALS) + "  " + run.portals());
+        if (run.hints() > 0) {
+            lines.add(text(Phrase.HINTS) + "  " + run.hints());
+        }
         if (!request.isRanked()) {
             lines.add(text(Phrase.UNRANKED));
         }

@@ -12,6 +12,7 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
+import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
@@ -25,7 +26,8 @@ final class GamePicture {
     private final Message message;
     private final PlayerFiles files;
     private final Captions captions = new Captions();
-    private final Prompts prompts = new Prompts();
+    private final Prompts prompts;
+    private final GivenHints hints;
     private final ComparisonTexts comparisonTexts = new ComparisonTexts();
     private long titleNanos;
     private final Input input;
@@ -42,6 +44,15 @@ final class GamePicture {
         this.files = files;
         this.input = input;
         wipe = new WipeControl(input);
+        prompts = new Prompts(files);
+        hints = new GivenHints(message, this::keys);
+    }
+
+    /** Says a hint that the player asked for. */
+    void giveHint() {
+        if (current.session().isInPlayersHands()) {
+            hints.give(current.session().walk());
+        }
     }
 
     /** Starts the motion behind the title. */
@@ -57,6 +68,7 @@ final class GamePicture {
     /** Shows the aim of the current level for its first seconds. */
     void levelBegins() {
         captions.begin(current.session());
+        hints.restart();
         keysOf = null;
         if (isCompared()) {
             message.say("← →  " + keys().withRun(Phrase.MOVE_WIPE));
@@ -73,7 +85,7 @@ final class GamePicture {
         Language language = files.settings().get(Settings.LANGUAGE);
         Banner banner = Captions.preparing(current.session().request().level(), language);
         display.drawEmpty(
-                new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys()),
+                new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys(), null),
                 Display.Shot.NONE);
     }
 
@@ -87,12 +99,23 @@ final class GamePicture {
         if (session == null) {
             display.drawEmpty(
                     new HudContent(
-                            menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, null, keys()),
+                            menu.page(),
+                            page,
+                            List.of(),
+                            message.texts(),
+                            banner(stage, loading),
+                            null,
+                            null,
+                            keys(),
+                            null),
                     shot);
             return;
         }
         var area = display.area();
         boolean isPlaying = stage == GameStage.RUNNING;
+        if (isPlaying && session.isInPlayersHands()) {
+            hints.offer(session.walk());
+        }
         var content = new HudContent(
                 menu.page(),
                 page,
@@ -101,7 +124,8 @@ final class GamePicture {
                 banner(stage, loading),
                 isPlaying && session.walk().observer() == null ? sight(session, area) : null,
                 comparison(session),
-                keys());
+                keys(),
+                page == Page.HELP && stage != GameStage.TITLE ? GoalSight.banner(session, keys().language()) : null);
         var listener = current.figures().frameBegins();
         if (stage == GameStage.TITLE) {
             display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot);
@@ -152,7 +176,12 @@ final class GamePicture {
                 files.settings().get(Settings.PORTAL_COLOURS),
                 session.isInPlayersHands()
                         ? prompts.text(session.walk(), crosshair, files.settings(), input.device())
-                        : null);
+                        : null,
+                showsGoal() ? GoalSight.mark(session.level(), session.walk().view(display.aspect()), area) : null);
+    }
+
+    private boolean showsGoal() {
+        return input.holds(Control.GOAL);
     }
 
     private double titleSeconds() {
@@ -160,6 +189,10 @@ final class GamePicture {
     }
 
     private Banner running(Language language) {
+        if (showsGoal()) {
+            prompts.goalShown();
+            return GoalSight.banner(current.session(), language);
+        }
         Banner aim = captions.aim(language);
         return aim != null ? aim : ObserverTexts.banner(current.session().walk(), keys());
     }

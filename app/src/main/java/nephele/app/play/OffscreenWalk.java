@@ -148,7 +148,7 @@ public final class OffscreenWalk {
         var lettering = new Lettering();
         double pixelsPerPoint = Math.max(1, target.height() / Display.HIGHEST_POINTS);
         var area = new Area(target.width() / pixelsPerPoint, target.height() / pixelsPerPoint);
-        var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null);
+        var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null, null);
         try (var overlay = new OverlayPass(gl, lettering)) {
             overlay.draw(new Hud(lettering).canvas(content, area, pixelsPerPoint), target);
         }

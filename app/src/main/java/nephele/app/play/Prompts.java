@@ -1,33 +1,86 @@
 package nephele.app.play;
 
+import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.app.play.hud.HudContent;
+import nephele.app.settings.GameSetting;
 import nephele.app.settings.GameSettings;
+import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
+import nephele.engine.math.Vec3;
 import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.PlayerDimensions.Stance;
+import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
+import nephele.engine.sim.state.ViewAngles;
 
 /**
- * Names the key of an action that is possible now, until the player has done it once. Where none is, it says by how much
- * the ground aimed at is too uneven for a portal: unlike other reasons, that cannot be seen.
+ * Names the key of an action that is possible now, until the player has done it once, in whichever level; the player's
+ * progress keeps what was done. What a level may not need is named for some seconds only, one after the other. Where no
+ * action is named, it says by how much the ground aimed at is too uneven for a portal: unlike other reasons, that
+ * cannot be seen.
  */
 final class Prompts {
-    /** The actions in the order of their prompts. */
-    private static final List<Control> ACTIONS =
-            List.of(Control.CARRY, Control.THROW, Control.FIRE_FIRST, Control.FIRE_SECOND);
+    /** An action, in the order of the prompts; the lower-case name is its word in the file of progress. */
+    private enum Verb {
+        CARRY(Phrase.PROMPT_PICK_UP, Control.CARRY),
+        THROW(Phrase.PROMPT_THROW, Control.THROW),
+        FIRE_FIRST(Phrase.PROMPT_FIRST, Control.FIRE_FIRST),
+        FIRE_SECOND(Phrase.PROMPT_SECOND, Control.FIRE_SECOND),
+        LOOK(Phrase.LOOK, null),
+        WALK(Phrase.PROMPT_WALK, Control.FORWARD),
+        RUN(Phrase.CONTROL_RUN, Control.RUN),
+        JUMP(Phrase.CONTROL_JUMP, Control.JUMP),
+        GOAL(Phrase.CONTROL_GOAL, Control.GOAL),
+        CROUCH(Phrase.CONTROL_CROUCH, Control.CROUCH);
 
-    private final Set<Control> learned = EnumSet.noneOf(Control.class);
-    private Control shownAction;
+        private final Phrase phrase;
+        /** {@code null} for the mouse or a stick. */
+        private final Control control;
+
+        Verb(Phrase phrase, Control control) {
+            this.phrase = phrase;
+            this.control = control;
+        }
+
+        private boolean isOptional() {
+            return compareTo(RUN) >= 0;
+        }
+    }
+
+    private static final List<Verb> VERBS = List.of(Verb.values());
+    private static final double TURNED_DEGREES = 20;
+    private static final double WALKED_METRES = 1.5;
+    private static final double FASTER_THAN_WALKING = 4.6;
+    private static final double RISING_METRES_PER_SECOND = 2;
+    /** A longer way between two frames is a portal's or a restart's. */
+    private static final double MOST_STEP_METRES = 1;
+    /** The time for which an action is named that the level may not need, and that between two of them. */
+    private static final double OPTIONAL_SECONDS = 8;
+
+    private static final double REST_SECONDS = 3;
+
+    private final PlayerFiles files;
+    private final Set<Verb> learned = EnumSet.noneOf(Verb.class);
+    private final Map<Verb, Double> shownSeconds = new EnumMap<>(Verb.class);
+    private double turnedDegrees;
+    private double walkedMetres;
+    private double restSeconds;
+    private Playthrough watched;
+    private PlayerState before;
+    private long beforeTick;
+    private Verb shownVerb;
     private GameSettings shownSettings;
     private Input.Device shownDevice;
     private String shown;
@@ -35,11 +88,21 @@ final class Prompts {
     private Language unevenIn;
     private String uneven;
 
+    /** @param files keep what was learned */
+    Prompts(PlayerFiles files) {
+        this.files = files;
+        for (Verb verb : VERBS) {
+            if (files.progress().hasLearned(GameSetting.word(verb))) {
+                learned.add(verb);
+            }
+        }
+    }
+
     /** Learns what the player did in these events. */
     void after(List<TickEvent> events) {
         for (TickEvent event : events) {
             if (event instanceof TickEvent.PortalOpened opened) {
-                learned.add(opened.shot() == GunPortals.Colour.FIRST ? Control.FIRE_FIRST : Control.FIRE_SECOND);
+                learn(opened.shot() == GunPortals.Colour.FIRST ? Verb.FIRE_FIRST : Verb.FIRE_SECOND);
             } else if (event instanceof Handled handled) {
                 learn(handled.kind());
             }
@@ -48,22 +111,101 @@ final class Prompts {
 
     private void learn(Handled.Kind kind) {
         switch (kind) {
-            case PICKED_UP -> learned.add(Control.CARRY);
-            case THROWN, DROPPED -> learned.add(Control.THROW);
+            case PICKED_UP -> learn(Verb.CARRY);
+            case THROWN, DROPPED -> learn(Verb.THROW);
             case LOST, TOO_HEAVY -> {}
+        }
+    }
+
+    /** Learns that the goal was looked at. */
+    void goalShown() {
+        learn(Verb.GOAL);
+    }
+
+    private void learn(Verb verb) {
+        if (learned.add(verb)) {
+            files.keep(files.progress().withLearned(GameSetting.word(verb)));
         }
     }
 
     /** Returns the line below the crosshair; null for none. */
     String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings, Input.Device device) {
-        for (int i = 0; i < ACTIONS.size(); i++) {
-            Control action = ACTIONS.get(i);
-            if (!learned.contains(action) && isPossible(action, playthrough, crosshair)) {
-                return shown(action, settings, device);
+        double seconds = watch(playthrough);
+        Verb verb = named(playthrough, crosshair, false);
+        if (verb == null && unevenMillimetres(crosshair) != 0) {
+            return uneven(unevenMillimetres(crosshair), settings.get(Settings.LANGUAGE));
+        } else if (verb == null && learned.contains(Verb.WALK)) {
+            verb = optional(playthrough, crosshair, seconds);
+        }
+        return verb == null ? null : shown(verb, settings, device);
+    }
+
+    private Verb named(Playthrough playthrough, CrosshairState crosshair, boolean optional) {
+        for (int i = 0; i < VERBS.size(); i++) {
+            Verb verb = VERBS.get(i);
+            boolean isMeant = verb.isOptional() == optional
+                    && !learned.contains(verb)
+                    && shownSeconds.getOrDefault(verb, 0.0) < OPTIONAL_SECONDS;
+            if (isMeant && isPossible(verb, playthrough, crosshair)) {
+                return verb;
             }
         }
-        long millimetres = unevenMillimetres(crosshair);
-        return millimetres == 0 ? null : uneven(millimetres, settings.get(Settings.LANGUAGE));
+        return null;
+    }
+
+    /** Names one action for some seconds, then none for some. */
+    private Verb optional(Playthrough playthrough, CrosshairState crosshair, double seconds) {
+        restSeconds -= seconds;
+        Verb verb = restSeconds > 0 ? null : named(playthrough, crosshair, true);
+        if (verb != null && shownSeconds.merge(verb, seconds, Double::sum) >= OPTIONAL_SECONDS) {
+            restSeconds = REST_SECONDS;
+        }
+        return verb;
+    }
+
+    /** Learns from how the player moved since the last frame. Returns the simulated time since then. */
+    private double watch(Playthrough playthrough) {
+        PlayerState now = playthrough.state().player();
+        long tick = playthrough.state().tick();
+        if (watched != playthrough) {
+            watched = playthrough;
+            shownSeconds.clear();
+            restSeconds = REST_SECONDS;
+        } else if (now != before) {
+            turned(before.heading(), now.heading());
+            moved(before, now);
+        }
+        double seconds = Math.max(0, tick - beforeTick) * playthrough.secondsPerTick();
+        before = now;
+        beforeTick = tick;
+        return seconds;
+    }
+
+    private void turned(ViewAngles from, ViewAngles to) {
+        turnedDegrees += Math.abs(Math.toDegrees(from.yawRadiansTo(to)))
+                + Math.abs(from.pitchMillidegrees() - to.pitchMillidegrees()) / 1000.0;
+        if (turnedDegrees > TURNED_DEGREES) {
+            learn(Verb.LOOK);
+        }
+    }
+
+    private void moved(PlayerState from, PlayerState to) {
+        Vec3 way = to.feet().minus(from.feet());
+        double metres = Math.hypot(way.x(), way.z());
+        walkedMetres += metres < MOST_STEP_METRES ? metres : 0;
+        if (walkedMetres > WALKED_METRES) {
+            learn(Verb.WALK);
+        }
+        boolean isFast = Math.hypot(to.velocity().x(), to.velocity().z()) > FASTER_THAN_WALKING;
+        if (isFast && from.isGrounded() && to.isGrounded()) {
+            learn(Verb.RUN);
+        }
+        if (from.isGrounded() && !to.isGrounded() && to.velocity().y() > RISING_METRES_PER_SECOND) {
+            learn(Verb.JUMP);
+        }
+        if (to.stance() == Stance.CROUCHED) {
+            learn(Verb.CROUCH);
+        }
     }
 
     private static long unevenMillimetres(CrosshairState crosshair) {
@@ -85,24 +227,24 @@ final class Prompts {
     }
 
     /** Returns the same text while action, settings and device stay the same. */
-    private String shown(Control action, GameSettings settings, Input.Device device) {
-        if (shownAction != action || shownSettings != settings || shownDevice != device) {
+    private String shown(Verb verb, GameSettings settings, Input.Device device) {
+        if (shownVerb != verb || shownSettings != settings || shownDevice != device) {
             shownDevice = device;
-            shownAction = action;
+            shownVerb = verb;
             shownSettings = settings;
-            shown = text(action, settings, device);
+            shown = text(verb, settings, device);
         }
         return shown;
     }
 
-    private static boolean isPossible(Control action, Playthrough playthrough, CrosshairState crosshair) {
+    private static boolean isPossible(Verb verb, Playthrough playthrough, CrosshairState crosshair) {
         boolean holds = playthrough.state().world().holding().isHolding();
-        return switch (action) {
+        return switch (verb) {
             case CARRY -> playthrough.canPickUp();
             case THROW -> holds;
             case FIRE_FIRST -> !holds && opens(crosshair.first());
             case FIRE_SECOND -> opens(crosshair.second());
-            default -> false;
+            case LOOK, WALK, RUN, JUMP, GOAL, CROUCH -> true;
         };
     }
 
@@ -110,16 +252,14 @@ final class Prompts {
         return half != null && half.shot() == CrosshairState.Shot.OPENS;
     }
 
-    private static String text(Control action, GameSettings settings, Input.Device device) {
-        Phrase phrase =
-                switch (action) {
-                    case CARRY -> Phrase.PROMPT_PICK_UP;
-                    case THROW -> Phrase.PROMPT_THROW;
-                    case FIRE_FIRST -> Phrase.PROMPT_FIRST;
-                    default -> Phrase.PROMPT_SECOND;
-                };
+    private static String text(Verb verb, GameSettings settings, Input.Device device) {
         var keys = new HudContent.Keys(Settings.bindings(settings), device, settings.get(Settings.LANGUAGE));
-        boolean hasKey = !keys.names(action).isEmpty();
-        return hasKey ? keys.inSentence(action) + ": " + phrase.in(keys.language()) : null;
+        String names =
+                switch (verb) {
+                    case LOOK -> keys.look();
+                    case WALK -> keys.walk();
+                    default -> keys.names(verb.control).isEmpty() ? "" : keys.inSentence(verb.control);
+                };
+        return names.isEmpty() ? null : names + ": " + verb.phrase.in(keys.language());
     }
 }

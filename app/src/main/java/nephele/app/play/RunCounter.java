@@ -26,7 +26,10 @@ final class RunCounter {
             } else if (event instanceof TickEvent.ExitReached) {
                 long tick = playthrough.state().world().exit().tick();
                 double seconds = tick * playthrough.secondsPerTick();
-                return Optional.of(new FinishedRun(Math.round(seconds * TICKS_PER_SECOND), portals));
+                return Optional.of(new FinishedRun(
+                        Math.round(seconds * TICKS_PER_SECOND),
+                        portals,
+                        playthrough.hints().given()));
             }
         }
         return Optional.empty();

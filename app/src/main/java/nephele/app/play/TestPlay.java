@@ -123,6 +123,7 @@ final class TestPlay {
             case PERSON -> current.session().walk().changePerson();
             case SCREENSHOT ->
                 shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
+            case HINT -> picture.giveHint();
             case FIGURES -> current.toggleFigures();
             case HELP -> page = page == Page.HELP ? Page.NONE : Page.HELP;
             default -> {}

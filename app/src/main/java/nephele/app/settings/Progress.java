@@ -1,11 +1,15 @@
 package nephele.app.settings;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.util.function.Consumer;
 
-/** The levels that a player has finished; immutable. Broken entries count as unfinished and stay in the file. */
+/**
+ * The levels that a player has finished, and the actions that the player has learned; immutable. Broken entries count as
+ * unfinished and stay in the file.
+ */
 public final class Progress {
     public static final Progress NONE = new Progress(new JsonObject());
 
@@ -13,6 +17,8 @@ public final class Progress {
     private static final String FINISHED = "finished";
     private static final String BEST_TICKS = "bestTicks";
     private static final String PORTALS = "portals";
+    private static final String HINTS = "hints";
+    private static final String LEARNED = "learned";
 
     private final JsonObject members;
 
@@ -38,7 +44,27 @@ public final class Progress {
                 }
             });
         }
+        if (members.has(LEARNED) && !members.get(LEARNED).isJsonArray()) {
+            report.accept(LEARNED + ": must be a list of actions; it is written anew");
+        }
         return new Progress(members.deepCopy());
+    }
+
+    /** Returns true if an action was done once, so that its key needs no naming. */
+    public boolean hasLearned(String action) {
+        return members.get(LEARNED) instanceof JsonArray all && all.contains(new JsonPrimitive(action));
+    }
+
+    /** Returns the progress after an action was done for the first time. */
+    public Progress withLearned(String action) {
+        if (hasLearned(action)) {
+            return this;
+        }
+        JsonObject changed = members.deepCopy();
+        JsonArray all = changed.get(LEARNED) instanceof JsonArray before ? before : new JsonArray();
+        all.add(action);
+        changed.add(LEARNED, all);
+        return new Progress(changed);
     }
 
     private static boolean isGood(JsonElement level) {
@@ -46,7 +72,9 @@ public final class Progress {
                 && level.getAsJsonObject().get(FINISHED) instanceof JsonPrimitive finished
                 && finished.isBoolean()
                 && isCount(level.getAsJsonObject().get(BEST_TICKS))
-                && isCount(level.getAsJsonObject().get(PORTALS));
+                && isCount(level.getAsJsonObject().get(PORTALS))
+                && (!level.getAsJsonObject().has(HINTS)
+                        || isCount(level.getAsJsonObject().get(HINTS)));
     }
 
     private static boolean isCount(JsonElement value) {
@@ -73,6 +101,13 @@ public final class Progress {
         return isFinished(file) ? level(file).get(PORTALS).getAsLong() : 0;
     }
 
+    /** Returns the hints taken in the best run of a level; 0 if it was not finished. */
+    public long hints(String file) {
+        return isFinished(file) && level(file).has(HINTS)
+                ? level(file).get(HINTS).getAsLong()
+                : 0;
+    }
+
     private JsonObject level(String file) {
         JsonElement levels = members.get(LEVELS);
         JsonElement level = levels != null && levels.isJsonObject()
@@ -82,7 +117,7 @@ public final class Progress {
     }
 
     /** Returns the progress after a level was finished; a slower run than the best changes nothing. */
-    public Progress withFinished(String file, long ticks, long portals) {
+    public Progress withFinished(String file, long ticks, long portals, long hints) {
         if (isFinished(file) && bestTicks(file) <= ticks) {
             return this;
         }
@@ -94,6 +129,7 @@ public final class Progress {
         level.addProperty(FINISHED, true);
         level.addProperty(BEST_TICKS, ticks);
         level.addProperty(PORTALS, portals);
+        level.addProperty(HINTS, hints);
         all.add(file, level);
         changed.add(LEVELS, all);
         return new Progress(changed);

@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import nephele.engine.level.Language;
 import nephele.engine.render.Capture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
@@ -61,7 +62,7 @@ public final class OffscreenTour {
             return;
         }
         for (int i = 0; i < leg.turns; i++) {
-            viewer.press(ViewerKey.TURN_LEFT);
+            viewer.press(ViewerKey.TURN_LEFT, Language.EN);
         }
         viewer.advance(leg.seconds, leg.held);
     }

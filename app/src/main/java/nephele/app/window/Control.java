@@ -16,6 +16,8 @@ public enum Control {
     CARRY("E"),
     THROW("F"),
     PERSON("V"),
+    GOAL("Tab"),
+    HINT("H"),
     RESTART("R"),
     MENU("Escape"),
     CONFIRM("Enter", "Keypad Enter"),

@@ -16,9 +16,9 @@ public enum PadButton {
     GUIDE(null, null),
     L3(Control.RUN, null),
     R3(null, null),
-    UP(null, Control.FORWARD),
+    UP(Control.GOAL, Control.FORWARD),
     RIGHT(null, Control.RIGHT),
-    DOWN(null, Control.BACK),
+    DOWN(Control.HINT, Control.BACK),
     LEFT(null, Control.LEFT),
     LT(Control.FIRE_SECOND, null),
     RT(Control.FIRE_FIRST, null);
@@ -34,6 +34,17 @@ public enum PadButton {
     /** Returns the button's control; null for none. */
     Control control(Gamepad.Use use) {
         return use == Gamepad.Use.MENU ? inMenu : inPlay;
+    }
+
+    /** Returns the name that pads have for it: the same in every language. */
+    public String title() {
+        return switch (this) {
+            case UP -> "D-pad ↑";
+            case RIGHT -> "D-pad →";
+            case DOWN -> "D-pad ↓";
+            case LEFT -> "D-pad ←";
+            default -> name();
+        };
     }
 
     /** Returns the button of a control while playing; null for none. */

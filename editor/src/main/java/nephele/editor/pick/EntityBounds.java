@@ -9,6 +9,7 @@ import nephele.engine.level.Billboards;
 import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Exit;
+import nephele.engine.level.Hint;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
@@ -45,6 +46,8 @@ public final class EntityBounds {
             return terrain(terrain);
         } else if (entity instanceof Billboards billboards) {
             return billboards.listedBounds();
+        } else if (entity instanceof Hint hint) {
+            return hint.near() == null ? Aabb.EMPTY : cube(hint.near().position(), SYMBOL_METRES);
         }
         return generic(entity);
     }

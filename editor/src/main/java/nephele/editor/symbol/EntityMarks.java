@@ -15,6 +15,7 @@ import nephele.engine.level.Emitter;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
+import nephele.engine.level.Place;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.placed.PlacedModel;
@@ -56,6 +57,12 @@ public final class EntityMarks {
             all.player(level.player());
         }
         level.exits().forEach(all::exit);
+        if (level.landmark() != null) {
+            all.place("landmark", "landmark", level.landmark());
+        }
+        level.hints().stream()
+                .filter(hint -> hint.near() != null)
+                .forEach(hint -> all.place("hints/" + hint.id(), hint.id(), hint.near()));
         level.emitters().forEach(all::emitter);
         level.billboards().forEach(all::billboards);
         level.cameras().forEach(all::camera);
@@ -103,6 +110,13 @@ public final class EntityMarks {
         String name = "exits/" + exit.id();
         if (!isHidden(name)) {
             wires(name).cylinder(exit.feet(), exit.radiusMetres(), exit.heightMetres());
+        }
+    }
+
+    private void place(String name, String label, Place place) {
+        if (!isFar(place.position()) && !isHidden(name)) {
+            wires(name).sphere(place.position(), place.radiusMetres());
+            wires(name).label(place.position(), label);
         }
     }
 

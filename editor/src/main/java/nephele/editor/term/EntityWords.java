@@ -44,6 +44,8 @@ public final class EntityWords {
         kind("portalGun", Group.PLAY);
         kind("observer", Group.PLAY);
         kind("par", Group.PLAY);
+        kind("landmark", Group.PLAY, Words.of("Landmark", "Marco", "Marco"));
+        kind("hints", Group.PLAY);
         kind("lights", Group.LIGHT);
         kind("environment.sun", Group.LIGHT);
         kind("emitters", Group.SCENE);

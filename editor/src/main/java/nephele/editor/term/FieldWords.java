@@ -10,7 +10,8 @@ import nephele.editor.text.Words;
 /** The names of record components in words. A component that has none here is named by its English identifier. */
 public final class FieldWords {
     private static final Map<String, Words> ALL = Map.ofEntries(
-            word("aim", "View at the start", "Vista inicial", "Vista inicial"),
+            word("afterSeconds", "Offered after", "Oferecida após", "Oferecida após"),
+            word("aim", "Goal in words", "Objetivo em palavras", "Objetivo em palavras"),
             word("albedo", "Albedo", "Albedo", "Albedo"),
             word("ambient", "Ambient light", "Luz ambiente", "Luz ambiente"),
             word("angleDegrees", "Angle", "Ângulo", "Ângulo"),
@@ -81,6 +82,7 @@ public final class FieldWords {
             word("heightVariation", "Variation of the height", "Variação da altura", "Variação da altura"),
             word("hidden", "Hidden", "Ocultos", "Ocultos"),
             word("high", "Highest", "Mais alta", "Mais alta"),
+            word("hints", "Hints", "Dicas", "Pistas"),
             word("horizon", "Horizon", "Horizonte", "Horizonte"),
             word(
                     "horizontalFovDegrees",
@@ -93,6 +95,7 @@ public final class FieldWords {
             word("innerConeDegrees", "Inner cone", "Cone interno", "Cone interior"),
             word("irradiance", "Irradiance", "Irradiância", "Irradiância"),
             word("kind", "Kind", "Tipo", "Tipo"),
+            word("landmark", "Landmark", "Marco", "Marco"),
             word("latitudeDegrees", "Latitude", "Latitude", "Latitude"),
             word("layerMap", "Painted layers", "Camadas pintadas", "Camadas pintadas"),
             word("layers", "Layers", "Camadas", "Camadas"),
@@ -117,6 +120,7 @@ public final class FieldWords {
             word("models", "Models", "Modelos", "Modelos"),
             word("motion", "Motion", "Movimento", "Movimento"),
             word("name", "Name", "Nome", "Nome"),
+            word("near", "Only near", "Só perto de", "Só perto de"),
             word("nearMetres", "Near distance", "Distância mínima", "Distância mínima"),
             word("normal", "Normal", "Normal", "Normal"),
             word("normalTexture", "Normal texture", "Textura de normais", "Textura de normais"),
@@ -175,6 +179,7 @@ public final class FieldWords {
             word("technique", "Technique", "Técnica", "Técnica"),
             word("terrain", "Terrain", "Terreno", "Terreno"),
             word("terrains", "Terrains", "Terrenos", "Terrenos"),
+            word("text", "Text", "Texto", "Texto"),
             word("texture", "Texture", "Textura", "Textura"),
             word("textureMapping", "Texture mapping", "Projeção da textura", "Projeção da textura"),
             word("textureMetres", "Texture size", "Tamanho da textura", "Tamanho da textura"),

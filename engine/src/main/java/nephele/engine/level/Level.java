@@ -11,6 +11,8 @@ import nephele.engine.math.Vec3;
  *
  * @param aim the task of the level in a line for the player, in each language
  * @param par what a good run needs; {@code null} for none. Like the editor's notes it is only read, never simulated
+ * @param landmark what the player should see: the goal's key points at it; {@code null} for the exits
+ * @param hints in the order in which they are given
  * @param editor what only the editor reads: nothing that is drawn or simulated depends on it
  */
 public record Level(
@@ -33,6 +35,8 @@ public record Level(
         @Written Observer observer,
         @Written(text = TextKind.NAME) Map<Language, String> aim,
         @Written Par par,
+        @Written Place landmark,
+        @Written(most = 100) List<Hint> hints,
         @Written(absent = "{}") EditorNotes editor) {
     /**
      * What a good run needs: the list of levels shows it beside the player's best. With its prototype the editor begins
@@ -93,6 +97,8 @@ public record Level(
                 null,
                 Map.of(),
                 null,
+                null,
+                List.of(),
                 EditorNotes.NONE);
     }
 
@@ -161,6 +167,14 @@ public record Level(
         return with(draft -> draft.billboards = otherBillboards);
     }
 
+    /** Returns this level with another landmark, which can be {@code null}, and other hints. */
+    public Level with(Place otherLandmark, List<Hint> otherHints) {
+        return with(draft -> {
+            draft.landmark = otherLandmark;
+            draft.hints = otherHints;
+        });
+    }
+
     /** Returns this level with another observer; {@code null} for none. */
     public Level withObserver(Observer other) {
         return with(draft -> draft.observer = other);
@@ -171,10 +185,12 @@ public record Level(
         return with(draft -> draft.editor = notes);
     }
 
-    /** Returns what is drawn and simulated of this level: without the editor's notes and the par. */
+    /** Returns what is drawn and simulated of this level: without par, landmark, hints and the editor's notes. */
     public Level withoutRemarks() {
         return with(draft -> {
             draft.par = null;
+            draft.landmark = null;
+            draft.hints = List.of();
             draft.editor = EditorNotes.NONE;
         });
     }
@@ -203,6 +219,8 @@ public record Level(
         private List<Billboards> billboards;
         private Observer observer;
         private Par par;
+        private Place landmark;
+        private List<Hint> hints;
         private EditorNotes editor;
 
         Draft(Level from) {
@@ -222,6 +240,8 @@ public record Level(
             billboards = from.billboards;
             observer = from.observer;
             par = from.par;
+            landmark = from.landmark;
+            hints = from.hints;
             editor = from.editor;
         }
 
@@ -246,6 +266,8 @@ public record Level(
                     observer,
                     from.aim,
                     par,
+                    landmark,
+                    hints,
                     editor);
         }
     }

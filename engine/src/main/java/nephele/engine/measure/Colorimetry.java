@@ -46,6 +46,11 @@ final class Colorimetry {
         lab[2] = 0.01 * lightness * 200 * (fy - fz);
     }
 
+    /** Returns L* of a luminance relative to white. */
+    static double lightness(double relativeY) {
+        return 116 * compressed(relativeY) - 16;
+    }
+
     private static double compressed(double t) {
         return t > KINK * KINK * KINK ? Math.cbrt(t) : t / (3 * KINK * KINK) + 4.0 / 29;
     }

@@ -48,6 +48,7 @@ public final class Playthrough {
     private final FrameInterpolation live;
     private final CameraBoom boom;
     private final ShotPreviews aiming;
+    private final HintClock hints;
     private double verticalFovDegrees = Viewpoints.PLAYER_FOV_DEGREES;
     private SimState before;
     private SimState after;
@@ -93,6 +94,7 @@ public final class Playthrough {
         live = new FrameInterpolation(level);
         boom = new CameraBoom(simLevel.statics(), secondsPerTick);
         aiming = new ShotPreviews(simulation);
+        hints = new HintClock(level.hints(), secondsPerTick);
     }
 
     /** Shows the walk before an observer's camera; {@code null} for the player's view. */
@@ -149,6 +151,7 @@ public final class Playthrough {
         }
         ages.after(after);
         aiming.after(after);
+        hints.tick(after.player().centre());
         fadeHeld(PlayerPose.heldFromEye(after));
         animationBefore = animationAfter;
         animationAfter = animationAfter.next(after, secondsPerTick);
@@ -209,6 +212,11 @@ public final class Playthrough {
     /** Returns the record of all input so far. */
     public ReplayRecorder recorder() {
         return recorder;
+    }
+
+    /** Returns the level's hints as this walk has earned and taken them. */
+    public HintClock hints() {
+        return hints;
     }
 
     /** Returns true if the player would pick up a body now. */

@@ -25,7 +25,7 @@ import org.joml.Vector3d;
  */
 public final class ReferencePicture {
     /** Raise it whenever a picture of any level changes: traced pictures are stored under it. */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
 
     private static final Point MIDDLE = new Point(0.5, 0.5);
 

@@ -73,6 +73,7 @@ public final class RenderFeatures {
             BillboardPass.BLENDED,
             ParticlePass.FEATURE,
             ExitPass.FEATURE,
+            ExitPass.VEIL,
             DynamicPass.HELD,
             // After the views.
             ExposurePass.FEATURE,

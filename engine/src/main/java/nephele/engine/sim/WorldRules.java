@@ -27,6 +27,7 @@ public final class WorldRules {
         List<PlacedRule> placed = new ArrayList<>(List.of(StartRules.FREE, FixedPortalRules.SEEN));
         placed.add(RoomRules.LARGE_ENOUGH);
         placed.addAll(LayoutRules.ALL);
+        placed.add(LandmarkRules.SEEN);
         placed.add(CloudReachRules.FAR);
         return List.copyOf(placed);
     }

@@ -28,6 +28,7 @@ import nephele.lab.prove.picture.PortalIdsProof;
 import nephele.lab.prove.picture.PortalLightProof;
 import nephele.lab.prove.picture.SceneCullingProof;
 import nephele.lab.prove.picture.ShadowEdgesProof;
+import nephele.lab.prove.picture.StandingOutProof;
 import nephele.lab.prove.placement.PlacementProof;
 import nephele.lab.prove.placement.RetriangulationProof;
 import nephele.lab.prove.portals.ClosedRoomProof;
@@ -68,6 +69,7 @@ public final class Proofs {
             new PortalLightProof(),
             new MirrorsProof(),
             new ShadowEdgesProof(),
+            new StandingOutProof(),
             new SceneCullingProof(),
             new RayProof(),
             new HeightFieldProof(4097),

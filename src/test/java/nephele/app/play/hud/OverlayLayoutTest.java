@@ -77,11 +77,15 @@ class OverlayLayoutTest {
         for (Comparison comparison : comparisons(language)) {
             String[] prompts = {null, Phrase.PROMPT_SECOND.in(language), uneven(language)};
             for (int i = 0; i < prompts.length; i++) {
-                Sight sight = new Sight(new CrosshairState(0, 0, half(), half()), ShotPalette.BLUE_ORANGE, prompts[i]);
+                Sight sight =
+                        new Sight(new CrosshairState(0, 0, half(), half()), ShotPalette.BLUE_ORANGE, prompts[i], null);
                 Banner banner = banners(language)[i];
-                check(area, new HudContent(null, Page.NONE, figures, messages, banner, sight, comparison, keys));
+                check(area, new HudContent(null, Page.NONE, figures, messages, banner, sight, comparison, keys, null));
             }
-            check(area, new HudContent(null, Page.HELP, figures, messages, null, null, comparison, keys));
+            check(
+                    area,
+                    new HudContent(
+                            null, Page.HELP, figures, messages, null, null, comparison, keys, banners(language)[1]));
         }
     }
 
@@ -146,9 +150,11 @@ class OverlayLayoutTest {
     private static List<List<String>> messages(Language language) {
         String slow = Phrase.SLOW.in(language) + " " + Phrase.ADVICE_OTHER_WINDOW.in(language);
         String path = "/home/somebody/" + "a-folder-with-a-name/".repeat(9) + "level-2026-11-28.png";
+        String hint = Phrase.HINT_GIVEN.in(language, 3, 3, "a word and ".repeat(12) + "the end.");
         return List.of(
                 List.of(),
                 List.of(Phrase.TOO_HEAVY.in(language)),
+                List.of(Phrase.HINT_OFFERED.in(language, "H"), hint),
                 List.of(Phrase.TOO_HEAVY.in(language), slow, Phrase.SAVED.in(language, path)),
                 List.of(Phrase.NOT_LOADED.in(language, path + ": " + "and why it is so ".repeat(15))));
     }

@@ -86,7 +86,18 @@ class OutlinerModelTest {
                 .map(entry -> entry.words().english())
                 .toList();
         assertEquals(
-                List.of("Start", "Exit", "Cube", "Ball", "Capsule", "Portal", "Portal gun", "Observer's sphere"), game);
+                List.of(
+                        "Start",
+                        "Exit",
+                        "Cube",
+                        "Ball",
+                        "Capsule",
+                        "Portal",
+                        "Portal gun",
+                        "Observer's sphere",
+                        "Landmark",
+                        "Hint"),
+                game);
         for (PaletteModel.Entry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
         }

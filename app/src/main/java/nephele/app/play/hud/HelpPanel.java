@@ -1,28 +1,30 @@
 package nephele.app.play.hud;
 
+import java.util.List;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
-import nephele.app.window.Input;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The F1 page: every key and its function. Lengths are in points. */
+/** The F1 page: the level's goal, then every key and its function. Lengths are in points. */
 final class HelpPanel {
     static final double WIDTH = 560;
     static final double PADDING = 32;
     private static final double TITLE_EM = 32;
-    private static final double ROW_HEIGHT = 29;
+    private static final double ROW_HEIGHT = 26;
     static final double EM = 18;
     static final double KEY_COLUMN = 210;
     /** The rows of a level whose techniques are not compared. */
     static final int ROWS = Control.values().length + 1;
 
     private static final int WIPE_ROWS = 2;
+    private static final int GOAL_ROWS = 2;
+    private static final double SMALLER = 0.9;
 
     private HelpPanel() {}
 
     /** Returns the number of rows for this content. */
     static int rows(HudContent content) {
-        return content.comparison() == null ? ROWS : ROWS + WIPE_ROWS;
+        return ROWS + (content.comparison() == null ? 0 : WIPE_ROWS) + (content.goal() == null ? 0 : GOAL_ROWS);
     }
 
     private static double full(int rows) {
@@ -44,7 +46,8 @@ final class HelpPanel {
     }
 
     /** @param rows see {@link #rows} */
-    static void draw(OverlayCanvas canvas, Box box, HudContent.Keys keys, int rows) {
+    static void draw(OverlayCanvas canvas, Box box, HudContent content, int rows) {
+        HudContent.Keys keys = content.keys();
         double scale = box.height() / full(rows);
         double left = box.left();
         double top = box.top();
@@ -58,18 +61,38 @@ final class HelpPanel {
                 HudPalette.INK,
                 Phrase.KEYS.in(keys.language()));
         double baseline = top + scale * (PADDING + 2 * TITLE_EM + 0.5 * ROW_HEIGHT);
-        boolean isPad = keys.device() == Input.Device.GAMEPAD;
-        String look = isPad ? "R" : Phrase.MOUSE.in(keys.language());
-        row(canvas, x, baseline, scale, look, Phrase.LOOK.in(keys.language()));
+        if (content.goal() != null) {
+            goal(
+                    canvas,
+                    x,
+                    baseline,
+                    scale,
+                    Phrase.GOAL.in(keys.language()) + ": " + content.goal().line());
+            baseline += GOAL_ROWS * scale * ROW_HEIGHT;
+        }
+        row(canvas, x, baseline, scale, keys.look(), Phrase.LOOK.in(keys.language()));
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
             row(canvas, x, baseline, scale, keys.names(control), keys.meaning(control));
         }
-        if (rows > ROWS) {
+        if (content.comparison() != null) {
             double below = scale * ROW_HEIGHT;
             row(canvas, x, baseline + below, scale, wipeKeys(keys, "Left", "Right"), keys.withRun(Phrase.MOVE_WIPE));
             String ends = wipeKeys(keys, "Home", "End");
             row(canvas, x, baseline + 2 * below, scale, ends, Phrase.WHOLE_SIDE.in(keys.language()));
+        }
+    }
+
+    /** Draws the goal in at most two lines; a longer one is smaller. */
+    private static void goal(OverlayCanvas canvas, double x, double baseline, double scale, String text) {
+        double em = scale * EM;
+        List<String> lines = TextLines.of(canvas, em, scale * (WIDTH - 2 * PADDING), text);
+        while (lines.size() > GOAL_ROWS) {
+            em *= SMALLER;
+            lines = TextLines.of(canvas, em, scale * (WIDTH - 2 * PADDING), text);
+        }
+        for (int i = 0; i < lines.size(); i++) {
+            canvas.text(x, baseline - 0.25 * scale * ROW_HEIGHT + i * 1.2 * em, em, HudPalette.INK, lines.get(i));
         }
     }
 

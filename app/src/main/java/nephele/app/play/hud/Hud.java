@@ -40,6 +40,9 @@ public final class Hud {
         } else if (content.page() == HudContent.Page.NONE && content.comparison() != null) {
             new WipeLine(canvas, area, Box.of(area), content.comparison()).drawLine(content.sight());
         }
+        if (content.sight() != null && content.sight().goal() != null) {
+            content.sight().goal().draw(canvas, area);
+        }
         parts(content, area).forEach(part -> part.drawing.run());
     }
 
@@ -60,7 +63,7 @@ public final class Hud {
             layout.addMessages(content.messages());
         }
         if (isHelp) {
-            layout.addHelp(content.keys(), HelpPanel.rows(content));
+            layout.addHelp(content);
             return layout.parts;
         }
         if (content.sight() != null) {
@@ -113,9 +116,10 @@ public final class Hud {
             room = room.above(bar.box().top());
         }
 
-        void addHelp(HudContent.Keys keys, int rows) {
+        void addHelp(HudContent content) {
+            int rows = HelpPanel.rows(content);
             Box box = apart(room, free -> HelpPanel.box(area, free, rows), placed -> placed);
-            parts.add(new Part("help", box, () -> HelpPanel.draw(canvas, box, keys, rows)));
+            parts.add(new Part("help", box, () -> HelpPanel.draw(canvas, box, content, rows)));
         }
 
         void addSight(HudContent.Sight sight) {

@@ -21,6 +21,7 @@ import nephele.engine.scene.ShotPalette;
  * @param banner what is being loaded, or the level's aim; null for none
  * @param sight null if there is no crosshair
  * @param comparison null unless two techniques are compared
+ * @param goal the goal of the level, for the page of keys; null for none
  */
 public record HudContent(
         Menu menu,
@@ -30,7 +31,8 @@ public record HudContent(
         Banner banner,
         Sight sight,
         Comparison comparison,
-        Keys keys) {
+        Keys keys,
+        Banner goal) {
     /**
      * Two compared techniques.
      *
@@ -57,7 +59,7 @@ public record HudContent(
                         };
                 PadButton button = PadButton.of(control);
                 if (stick != null || button != null) {
-                    return stick != null ? stick : button.name();
+                    return stick != null ? stick : button.title();
                 }
             }
             return bindings.keys(control).stream()
@@ -68,10 +70,25 @@ public record HudContent(
         /** Returns the first key of a control for a sentence, in which mouse buttons are clicks; a dash for none. */
         public String inSentence(Control control) {
             if (device == Input.Device.GAMEPAD && PadButton.of(control) != null) {
-                return PadButton.of(control).name();
+                return PadButton.of(control).title();
             }
             List<String> keys = bindings.keys(control);
             return keys.isEmpty() ? NO_KEY : Phrase.ofKeyInSentence(keys.get(0), language);
+        }
+
+        /** Returns what turns the view. */
+        public String look() {
+            return device == Input.Device.GAMEPAD ? "R" : Phrase.MOUSE.in(language);
+        }
+
+        /** Returns what walks: the left stick, or the first key of each direction; empty if one has none. */
+        public String walk() {
+            if (device == Input.Device.GAMEPAD) {
+                return "L";
+            }
+            List<Control> ways = List.of(Control.FORWARD, Control.LEFT, Control.BACK, Control.RIGHT);
+            boolean hasAll = ways.stream().noneMatch(way -> bindings.keys(way).isEmpty());
+            return hasAll ? ways.stream().map(this::inSentence).collect(Collectors.joining(" ")) : "";
         }
 
         /** Returns the meaning of a control. */
@@ -85,8 +102,13 @@ public record HudContent(
         }
     }
 
-    /** The crosshair, the colours of its halves, and a line below it; null for none. */
-    public record Sight(CrosshairState crosshair, ShotPalette palette, String prompt) {}
+    /**
+     * The crosshair, the colours of its halves, a line below it and where the goal is.
+     *
+     * @param prompt null for none
+     * @param goal null for none
+     */
+    public record Sight(CrosshairState crosshair, ShotPalette palette, String prompt, GoalMark goal) {}
 
     /** A title and a line in the upper part of the picture. */
     public record Banner(String title, String line) {}

@@ -1,6 +1,7 @@
 package nephele.app.play.hud;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.GameSetting;
@@ -20,6 +21,9 @@ import nephele.engine.named.LevelName;
  */
 public record Menu(
         String name, String title, List<String> lines, List<Entry> entries, int selected, Choice escape, String foot) {
+    private static final int LETTERS_OF_LINE = 40;
+    private static final int MOST_LINES = 3;
+
     /**
      * A line of the menu and the choice that it makes.
      *
@@ -69,6 +73,23 @@ public record Menu(
         public Fact(String name, String value) {
             this(name, value, "");
         }
+    }
+
+    /** Returns a long text in lines that fit into the menu; its end is cut if it is longer than three. */
+    public static List<String> broken(String text) {
+        List<String> lines = new ArrayList<>(List.of(""));
+        for (String word : text.split(" ")) {
+            String last = lines.get(lines.size() - 1);
+            if (last.isEmpty() || last.length() + 1 + word.length() <= LETTERS_OF_LINE) {
+                lines.set(lines.size() - 1, (last + " " + word).strip());
+            } else if (lines.size() == MOST_LINES) {
+                lines.set(lines.size() - 1, last + " …");
+                break;
+            } else {
+                lines.add(word);
+            }
+        }
+        return List.copyOf(lines);
     }
 
     /** A page that an entry opens. */

@@ -6,14 +6,14 @@ import nephele.engine.math.Vec3;
 /**
  * The light of an exit: a shell along the cylinder's side, {@value #SHELL_SHARE} of its radius thick, that emits light
  * and absorbs none. The emission fades with height and varies around the axis in waves that wander with time. The twin
- * of {@code exit-curtain.glsl}.
+ * of {@code exit-curtain.glsl}; the veil that is drawn between the strands is a decoration and has none.
  */
 public final class ExitCurtain {
     /** Thickness of the shell as a share of the radius. */
     public static final double SHELL_SHARE = 0.15;
 
     /** Display value, linear, of the shell at its base seen at a right angle: emission is scaled by exposure. */
-    private static final double BASE = 0.3;
+    private static final double BASE = 0.66;
 
     private static final Vec3 LOW_COLOUR = new Vec3(1, 0.86, 0.58);
     private static final Vec3 HIGH_COLOUR = new Vec3(0.72, 0.92, 1);
@@ -45,8 +45,7 @@ public final class ExitCurtain {
     }
 
     private static double fade(double height) {
-        double left = 1 - height;
-        return left * left * (1 + 2 * StrictMath.exp(-24 * height));
+        return (1 - height * height) * (1 + 2 * StrictMath.exp(-24 * height));
     }
 
     private double waves(double angle) {

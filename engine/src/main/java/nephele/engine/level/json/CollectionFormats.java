@@ -3,6 +3,7 @@ package nephele.engine.level.json;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -65,15 +66,22 @@ final class CollectionFormats {
             int before = problems.count();
             for (int i = 0; i < members.size(); i++) {
                 int mark = problems.enter(members.name(i));
-                Object key = keys == null ? members.name(i) : keys.constant(members.name(i));
+                Object key = keys == null ? members.name(i) : keys.constant(anyCase(members.name(i)));
                 if (key == null) {
                     problems.error("unknown key; known here: " + keys.words());
+                } else if (table.containsKey(key)) {
+                    problems.error("is given twice: delete one");
                 } else {
                     table.put(key, element.read(members.value(i), problems));
                 }
                 problems.leave(mark);
             }
             return problems.count() > before ? null : table.isEmpty() ? Map.of() : Collections.unmodifiableMap(table);
+        }
+
+        /** Tags of languages have no case (RFC 5646, section 2.1.1): {@code pt-BR} is {@code pt-br}. */
+        private static String anyCase(String name) {
+            return name.toLowerCase(Locale.ROOT);
         }
 
         @Override

@@ -58,8 +58,8 @@ public final class LevelJson {
     }
 
     /**
-     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits; the par and the editor's notes do
-     * not change it.
+     * Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. What is neither drawn nor simulated
+     * (par, landmark, hints, the editor's notes) does not change it: what was recorded in a level plays on as before.
      */
     public static String sha256(Level level) {
         try {

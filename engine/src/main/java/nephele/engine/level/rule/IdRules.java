@@ -13,6 +13,7 @@ import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Exit;
+import nephele.engine.level.Hint;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
@@ -39,6 +40,7 @@ final class IdRules {
         unique("emitters", level.emitters(), Emitter::id, report);
         unique("terrains", level.terrains(), Terrain::id, report);
         unique("billboards", level.billboards(), Billboards::id, report);
+        unique("hints", level.hints(), Hint::id, report);
     };
 
     static final LevelRule MATERIALS = (level, assets, report) -> {

@@ -33,6 +33,7 @@ public final class LevelRules {
             ObserverRules.SEEN,
             ExitRules.REACHABLE,
             ExitRules.PAR,
+            HintRules.READ,
             EmitterRules.COUNT,
             EmitterRules.USED,
             TerrainRules.LAYERS,

@@ -18,6 +18,8 @@ import nephele.engine.level.appearance.ExitCurtain;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.ToneMapping;
@@ -35,6 +37,39 @@ class ExitGlTest {
 
     private static TestLevel level() {
         return new TestLevel().sky(new Sky.Constant(new Vec3(0.05, 0.1, 0.2))).exit(EXIT);
+    }
+
+    /** The light alone: the veil between the strands is a decoration. */
+    private static final RenderSettings LIGHT = RenderSettings.of(Output.HDR).with(Decoration.OFF);
+
+    private static float[] radiance(Offscreen offscreen, Level level, View view) {
+        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, LIGHT)) {
+            renderer.draw(view, offscreen.picture);
+            return renderer.readRadiance();
+        }
+    }
+
+    /** The veil makes a curtain stand out from a wall as bright as the display's white, in both outputs. */
+    @ParameterizedTest
+    @EnumSource(
+            value = Output.class,
+            names = {"HDR", "DIRECT"})
+    void theVeilDimsWhatIsBehindTheGaps(Output output) {
+        Level white = new TestLevel()
+                .sky(new Sky.Constant(new Vec3(1, 1, 1)))
+                .exit(EXIT)
+                .level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(Vec3.ZERO, AHEAD);
+            int[] veiled = offscreen.pixels(white, TestAssets.NONE, view, RenderSettings.of(output));
+            int[] bare = offscreen.pixels(
+                    white, TestAssets.NONE, view, RenderSettings.of(output).with(Decoration.OFF));
+            int dimmed = 0;
+            for (int i = 0; i < veiled.length; i++) {
+                dimmed += Offscreen.red(bare[i]) - Offscreen.red(veiled[i]) > 60 ? 1 : 0;
+            }
+            assertTrue(dimmed > 40, dimmed + " pixels");
+        }
     }
 
     /** Returns the integral of the emission along a ray in fine steps. */
@@ -62,7 +97,7 @@ class ExitGlTest {
             for (double forward : new double[] {0, 3.6}) {
                 Vec3 eye = new Vec3(0, 0, -forward);
                 View view = offscreen.view(eye, new Vec3(0, 0, -9));
-                float[] rgb = offscreen.radiance(level().level(), TestAssets.NONE, view);
+                float[] rgb = radiance(offscreen, level().level(), view);
                 double error = 0;
                 double light = 0;
                 for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
@@ -94,8 +129,8 @@ class ExitGlTest {
                     new Vec3(0, 2, -4000),
                     new Vec3(0, 1, 0),
                     new Projection(Math.toRadians(1), 1, 0.05, 1e4));
-            float[] dimmed = offscreen.radiance(inAir, TestAssets.NONE, view);
-            float[] bright = offscreen.radiance(inVacuum, TestAssets.NONE, view);
+            float[] dimmed = radiance(offscreen, inAir, view);
+            float[] bright = radiance(offscreen, inVacuum, view);
             int middle = 3 * (SIZE * SIZE / 2 + SIZE / 2);
             ClearSky air = new ClearSky(AirTables.of(Air.CLEAR));
             // The nearer and the farther side of the curtain emit the same along the axis.
@@ -118,9 +153,12 @@ class ExitGlTest {
                 .level();
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(Vec3.ZERO, AHEAD);
-            int[] direct =
-                    offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT, Quality.HIGH));
-            float[] linear = offscreen.radiance(level, TestAssets.NONE, view);
+            int[] direct = offscreen.pixels(
+                    level,
+                    TestAssets.NONE,
+                    view,
+                    RenderSettings.of(Output.DIRECT, Quality.HIGH).with(Decoration.OFF));
+            float[] linear = radiance(offscreen, level, view);
             for (int i = 0; i < direct.length; i++) {
                 double expected = 255 * ToneMapping.displayValue(linear[3 * i], exposure, curve);
                 assertEquals(expected, Offscreen.red(direct[i]), 2.1, "pixel " + i);
@@ -141,7 +179,8 @@ class ExitGlTest {
             View view = offscreen.view(Vec3.ZERO, AHEAD);
             List<Output> outputs = List.of(Output.HDR, Output.DIRECT);
             for (Output output : outputs) {
-                RenderSettings settings = RenderSettings.of(output, Quality.HIGH);
+                RenderSettings settings =
+                        RenderSettings.of(output, Quality.HIGH).with(Decoration.OFF);
                 int[] seen = offscreen.pixels(open, TestAssets.NONE, view, settings);
                 assertTrue(Offscreen.red(seen[SIZE * SIZE / 2 + SIZE / 2]) > 100);
                 assertArrayEquals(

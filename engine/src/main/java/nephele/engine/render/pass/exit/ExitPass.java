@@ -15,6 +15,7 @@ import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
@@ -33,11 +34,28 @@ import nephele.engine.scene.View;
 
 /**
  * Adds the light of exits' curtains to each view, as far as surfaces do not hide it. Radiance is added in linear light:
- * by blending into a linear target, or by decoding the drawn pixel and encoding the sum for output DIRECT.
+ * by blending into a linear target, or by decoding the drawn pixel and encoding the sum for output DIRECT. As a second
+ * pass it draws the veil between the strands of light, without which a curtain could not be seen before a bright wall:
+ * see the proof {@code standing-out}.
  */
 public final class ExitPass implements Pass {
     public static final RenderFeature FEATURE =
-            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, ExitPass::requiredBy);
+            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT));
+
+    public static final RenderFeature VEIL = new RenderFeature(
+            "exit.veil", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Part.VEIL));
+
+    /** What a pass draws of all curtains. */
+    private enum Part {
+        LIGHT("exits: curtains of light"),
+        VEIL("exits: veils in their curtains");
+
+        private final String because;
+
+        Part(String because) {
+            this.because = because;
+        }
+    }
 
     private static final String FOLDER = "/nephele/engine/render/pass/exit/";
 
@@ -68,18 +86,21 @@ public final class ExitPass implements Pass {
         }
     }
 
-    private ExitPass(LoadContext context) {
+    private ExitPass(LoadContext context, Part part) {
         gl = context.gl();
         shared = context.shared();
-        boolean decodes = context.output() == Output.DIRECT;
+        boolean decodes = part == Part.LIGHT && context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
-        blend = decodes ? Blend.REPLACE : MeteredExposure.added(context);
+        blend = part == Part.VEIL
+                ? MeteredExposure.over(context)
+                : decodes ? Blend.REPLACE : MeteredExposure.added(context);
         exits = context.scene().level().exits();
         bounds = exits.stream().map(ExitPass::bounds).toList();
         prism = context.own(new PrismMesh(gl));
         Map<String, String> defines = Defines.of(context)
                 .with("SHELL_SHARE", ExitCurtain.SHELL_SHARE)
                 .with("EXITS", exits.size())
+                .withIf(part == Part.VEIL, "VEILS")
                 .values();
         program = new GlProgram<>(
                 gl,
@@ -96,10 +117,10 @@ public final class ExitPass implements Pass {
                 });
     }
 
-    private static List<Required> requiredBy(FrameRequest request) {
+    private static List<Required> requiredBy(FrameRequest request, Part part) {
         return request.level().exits().isEmpty()
                 ? List.of()
-                : List.of(new Required("exits: curtains of light", ExitPass::new));
+                : List.of(new Required(part.because, context -> new ExitPass(context, part)));
     }
 
     private static Aabb bounds(Exit exit) {

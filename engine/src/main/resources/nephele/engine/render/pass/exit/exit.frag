@@ -1,3 +1,6 @@
+// With VEILS it dims what is behind the gaps between the curtains' strands; without, it adds the light of the curtains,
+// as follows.
+//
 // Adds the light of exits' curtains between the eye and the surface behind them: the ray's two ways through a shell,
 // each integrated at the two points of Gauss and Legendre.
 //
@@ -6,7 +9,7 @@
 #include "displayed.glsl"
 #include "exits.glsl"
 #include "exit-curtain.glsl"
-#ifdef OUTPUT_DIRECT
+#if defined(OUTPUT_DIRECT) && !defined(VEILS)
 #include "radiance-of-pixel.glsl"
 uniform sampler2D viewColour;
 #else
@@ -34,7 +37,12 @@ vec3 lightOfPart(vec2 part, vec3 direction, int exit) {
     for (int i = 0; i < 2; i++) {
         float place = mix(part.x, part.y, i == 0 ? 0.2113249 : 0.7886751);
         vec3 fromFeet = place * direction - feetAndRadius[exit].xyz;
-        vec3 emission = curtainEmission(fromFeet, vec2(feetAndRadius[exit].w, heightMetres[exit]), seconds);
+        vec2 size = vec2(feetAndRadius[exit].w, heightMetres[exit]);
+#ifdef VEILS
+        vec3 emission = vec3(curtainVeil(fromFeet, size, seconds));
+#else
+        vec3 emission = curtainEmission(fromFeet, size, seconds);
+#endif
 #ifdef FOG
         emission *= throughFog(place * direction);
 #endif
@@ -73,7 +81,7 @@ void main() {
     }
 #endif
     vec3 light = vec3(0.0);
-#ifdef OUTPUT_DIRECT
+#if defined(OUTPUT_DIRECT) && !defined(VEILS)
     for (int exit = 0; exit < EXITS; exit++) {
         light += lightOf(exit, direction, visible);
     }
@@ -83,6 +91,15 @@ void main() {
     if (light.r <= 0.0) {
         discard;
     }
+#ifdef VEILS
+    float passing = exp(-light.g);
+#ifdef OUTPUT_DIRECT
+    passing = pow(passing, 1.0 / 2.2); // of a value that is encoded already
+    pixel = vec4(pow(VEIL_COLOUR, vec3(1.0 / 2.2)), 1.0 - passing);
+#else
+    pixel = vec4(radianceOf(VEIL_COLOUR), 1.0 - passing);
+#endif
+#else
     vec3 radiance = radianceOf(light);
 #ifdef MIRRORS
     radiance *= mirrorTint.rgb;
@@ -91,5 +108,6 @@ void main() {
     pixel = vec4(toneMapped(radianceOfPixel(texelFetch(viewColour, at, 0).rgb) + radiance, exposureFactor()), 1.0);
 #else
     pixel = vec4(radiance, 1.0);
+#endif
 #endif
 }

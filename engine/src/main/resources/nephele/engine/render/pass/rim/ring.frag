@@ -34,11 +34,12 @@ float doubleLine(float cell, float across) {
     return below(fromLine, 0.12) * breath;
 }
 
-// One line with studs: a portal of the level.
+// A broad line with studs between dark edges: a portal of the level. The line stands out from dark walls, the edges
+// from bright ones; the inner edge does so also where a door frame covers the outer one.
 float studs(float cell, float across) {
     float stud = length(vec2((fract(cell) - 0.5) * 3.2, across - 0.5));
-    float line = below(abs(across - 0.5), 0.09);
-    return max(line * 0.8, 1.0 - smoothstep(0.28, 0.36, stud));
+    float line = below(abs(across - 0.5), 0.27);
+    return max(line * 0.9, 1.0 - smoothstep(0.28, 0.36, stud));
 }
 
 void main() {
@@ -50,10 +51,10 @@ void main() {
     vec3 towardsEye = normalize(-relativePosition);
     vec3 normal = normalize(cross(dFdx(relativePosition), dFdy(relativePosition)));
     float facing = abs(dot(normal, towardsEye));
-    float inner = 1.0 - smoothstep(0.0, 0.012, rimPlace.x);
+    float inner = pattern.x < 1.5 ? 1.0 - smoothstep(0.0, 0.012, rimPlace.x) : 0.0;
     vec3 housing = vec3(0.016, 0.018, 0.022) * (0.5 + facing) + tint * (0.07 * pow(1.0 - facing, 2.0) + 0.55 * inner);
-    vec3 hot = mix(tint, vec3(1.0), 0.22);
-    vec3 luminous = mix(tint * 0.10, hot * 1.5, lit);
+    vec3 hot = mix(tint, vec3(1.0), pattern.x < 1.5 ? 0.22 : 0.4);
+    vec3 luminous = mix(tint * (pattern.x < 1.5 ? 0.10 : 0.02), hot * 1.5, lit);
     writeRadiance(radianceOf(mix(housing, luminous, strip)), relativePosition);
     bool isGhost = tintAndOpacity.a < 1.0;
 #ifdef EXPOSURE_METERED

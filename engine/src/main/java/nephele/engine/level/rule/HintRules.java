@@ -1,0 +1,39 @@
+package nephele.engine.level.rule;
+
+import java.util.Map;
+import java.util.function.Consumer;
+import nephele.engine.level.Hint;
+import nephele.engine.level.Language;
+import nephele.engine.level.Problem;
+import nephele.engine.level.json.WordFormats;
+
+/** Rules for hints that a player cannot read or never gets. */
+final class HintRules {
+    /** The longest text that the smallest window shows whole. */
+    private static final int MOST_LETTERS = 140;
+
+    static final LevelRule READ = (level, assets, report) -> {
+        LevelRule.each("hints", level.hints(), (path, hint) -> text(path + ".text", hint, report));
+        if (!level.hints().isEmpty() && level.player() == null) {
+            report.accept(Problem.warning("hints", "nobody plays the level: add a player, or delete the hints"));
+        }
+    };
+
+    private HintRules() {}
+
+    private static void text(String path, Hint hint, Consumer<Problem> report) {
+        String english = hint.text().get(Language.EN);
+        if (english == null || english.isBlank()) {
+            report.accept(Problem.error(
+                    path, "has no English text, which stands for every language that is missing: add en"));
+        }
+        for (Map.Entry<Language, String> said : hint.text().entrySet()) {
+            int letters = said.getValue().codePointCount(0, said.getValue().length());
+            if (letters > MOST_LETTERS) {
+                report.accept(Problem.warning(
+                        path + "." + WordFormats.Choice.word(said.getKey()),
+                        letters + " letters are too long for a small window: use at most " + MOST_LETTERS));
+            }
+        }
+    }
+}
