@@ -30,7 +30,7 @@ import nephele.engine.userfile.UserFolders;
 
 /**
  * Every page of the menu, as players of each language see it. As a program it draws all of them, or those whose name
- * begins with a word, into a folder: {@code FOLDER [WORD]}.
+ * begins with a word, into a folder, in all windows or one: {@code FOLDER [WORD [WINDOW]]}.
  */
 final class MenuPages {
     /** The windows in which every page is legible: width and height in pixels. */
@@ -50,7 +50,12 @@ final class MenuPages {
                  "solids": [{"id": "a wall", "kind": "box", "centre": [0, 0], "size": [1, 2, 3]}],
                  "lights": [{"id": "lamp", "kind": "lantern"}], "gravity": 3, "player": {"feet": 7}, "exits": 4}""");
         Files.writeString(own.resolve("torn.zip"), "no zip", StandardCharsets.UTF_8);
-        LevelFile.save(own.resolve("my-first-room.json"), level("levels/samples/empty.json"));
+        Files.writeString(
+                own.resolve("my-first-room.json"),
+                """
+                {"format": "nephele-level", "version": 1, "name": "The long way round from the harbour to the Łódź gate",
+                 "description": "%s", "par": {"seconds": 3600.5, "portals": 100}}"""
+                        .formatted("A room with a view of rooms with views. ".repeat(40)));
         LevelFile.save(own.resolve("another.json"), level("levels/samples/exits.json"));
         menus = new GameMenus(files, LevelCatalogue.campaign(), () -> Input.Device.KEYBOARD);
         files.keep(Progress.NONE
@@ -114,14 +119,15 @@ final class MenuPages {
         Hud hud = new Hud(lettering);
         try (var gl = GlContext.offscreen();
                 var overlay = new OverlayPass(gl, lettering)) {
-            for (int[] window : WINDOWS) {
+            for (int[] window :
+                    arguments.length > 2 ? new int[][] {WINDOWS[Integer.parseInt(arguments[2])]} : WINDOWS) {
                 try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, window[0], window[1])) {
                     for (Language language : Language.values()) {
                         for (Menu page : pages.in(language)) {
                             if (!page.name().startsWith(word)) {
                                 continue;
                             }
-                            for (int row = 0; row < page.entries().size() - 1; row += row == 0 ? 1 : 100) {
+                            for (int row = 0; row < page.entries().size() - 1; row += 2) {
                                 target.bind();
                                 target.clear(0.3f, 0.4f, 0.5f);
                                 HudContent content = pages.content(page.pointedAt(row), language);

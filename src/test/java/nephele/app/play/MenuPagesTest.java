@@ -107,6 +107,8 @@ class MenuPagesTest {
         assertEquals("broken", broken.value());
         assertTrue(broken.card().text().startsWith("player.feet: this must be an array"), broken.toString());
         assertTrue(broken.card().text().endsWith("… and 2 more"), broken.toString());
+        Entry longest = own.entries().get(2);
+        assertEquals("The long way round from the…", longest.label());
         Entry torn = own.entries().get(3);
         assertTrue(torn.card().text().startsWith("it is no whole zip file; ask its author"), torn.toString());
         assertInstanceOf(Choice.Play.class, own.entries().get(0).choice());

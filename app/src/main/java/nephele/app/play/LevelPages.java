@@ -28,6 +28,8 @@ import nephele.engine.named.SampleCatalogue.Sample;
 final class LevelPages {
     private static final int TICKS_PER_SECOND = 120;
     private static final int MOST_PROBLEMS = 3;
+    private static final int LONGEST_TITLE = 28;
+    private static final int LONGEST_TEXT = 320;
 
     private final PageWriter writer;
     private final List<LevelName> campaign;
@@ -109,7 +111,7 @@ final class LevelPages {
 
     private String about(LevelSummary summary) {
         String aim = summary.aim().get(writer.language());
-        return aim == null ? summary.description() : aim;
+        return shortened(aim == null ? summary.description() : aim, LONGEST_TEXT);
     }
 
     private List<Fact> facts(LevelName level, Level.Par par) {
@@ -220,7 +222,7 @@ final class LevelPages {
 
     private Entry own(LevelName level, Optional<Read> read) {
         String name = read.map(known -> known.summary().name()).orElse("");
-        String title = name.isEmpty() ? level.title() : name;
+        String title = shortened(name.isEmpty() ? level.title() : name, LONGEST_TITLE);
         String value = read.isPresent() ? best(level) : "…";
         List<Fact> facts = new ArrayList<>(card(level, read).facts());
         facts.add(
@@ -235,6 +237,12 @@ final class LevelPages {
         return new Entry(title, value, new Choice.Play(level)).with(card);
     }
 
+    private static String shortened(String text, int most) {
+        return text.codePointCount(0, text.length()) <= most
+                ? text
+                : text.substring(0, text.offsetByCodePoints(0, most - 1)).strip() + "…";
+    }
+
     /** Returns an entry that tells what is wrong with a level, and starts nothing. */
     private Entry broken(LevelName level, LevelSummary summary) {
         List<String> problems = summary.problems();
@@ -244,7 +252,7 @@ final class LevelPages {
                 : "";
         Fact file = new Fact(
                 writer.text(Phrase.FILE), OwnLevels.nameIn(writer.files().levels(), level));
-        return new Entry(level.title(), writer.text(Phrase.BROKEN), null)
+        return new Entry(shortened(level.title(), LONGEST_TITLE), writer.text(Phrase.BROKEN), null)
                 .with(new Card(null, List.of(file), shown + more));
     }
 }

@@ -11,6 +11,11 @@ import nephele.engine.named.LevelSummary;
 
 /** Reads the levels of a list one after another on a thread of its own, so that the menu never waits for them. */
 final class LevelReader {
+    /** Bounds the memory of pictures, which are those of strangers in the user's folder. */
+    private static final int MOST_PICTURES = 100;
+
+    private static final int MOST_PIXELS = 1 << 18;
+
     private final List<LevelName> levels;
     private final Function<LevelName, LevelSummary> summary;
     private final Map<LevelName, Read> read = new ConcurrentHashMap<>();
@@ -34,8 +39,13 @@ final class LevelReader {
     }
 
     private void readAll() {
+        int pictures = 0;
         for (LevelName level : levels) {
-            read.put(level, new Read(summary.apply(level), level.picture()));
+            Optional<Picture> picture = pictures < MOST_PICTURES
+                    ? level.picture().filter(shown -> shown.width() * shown.height() <= MOST_PIXELS)
+                    : Optional.empty();
+            pictures += picture.isPresent() ? 1 : 0;
+            read.put(level, new Read(summary.apply(level), picture));
         }
     }
 

@@ -64,7 +64,7 @@ final class CardPanel {
         if (!fact.aim().isEmpty()) {
             double width = canvas.width(scale * FACT_EM, fact.aim());
             canvas.text(right - width, baseline, scale * FACT_EM, HudPalette.ACCENT, fact.aim());
-            right -= scale * AIM_COLUMN;
+            right -= Math.max(scale * AIM_COLUMN, width + scale * GAP);
         }
         double width = canvas.width(scale * FACT_EM, fact.value());
         double room = right - end - scale * GAP;
