@@ -39,7 +39,7 @@ final class PortalUpright {
      * @param turn maps a unit direction along the surface to another one
      */
     static Vec3 on(Vec3 normal, Basis view, UnaryOperator<Vec3> turn) {
-        double level = share(Math.abs(normal.y()));
+        double level = level(normal);
         if (level == 0) {
             return alongSurface(UP, normal);
         }
@@ -52,7 +52,11 @@ final class PortalUpright {
 
     /** Returns true for surfaces on which the up direction depends on the shooter's view. */
     static boolean followsView(Vec3 normal) {
-        return share(Math.abs(normal.y())) > 0;
+        return level(normal) > 0;
+    }
+
+    private static double level(Vec3 normal) {
+        return share(Math.abs(normal.y()));
     }
 
     /** Returns 0 for walls, 1 for floors and ceilings, and smooth values between. */
