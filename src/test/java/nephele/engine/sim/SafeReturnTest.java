@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
@@ -117,6 +118,28 @@ final class SafeReturnTest {
         lab.hold(AHEAD, 0.5).hold(PlayerInput.NONE, 2);
         assertTrue(lab.told().contains(new TickEvent.PlayerReturned()));
         assertEquals(start, lab.player().feet());
+    }
+
+    /** A body that has come into the place since is pushed out of it, not flung. */
+    @Test
+    void aBodyInThePlaceIsPushedOutOfIt() {
+        Lab lab = helped().cube(new Vec3(6, 0.3, 0), 0.6, 20).hold(PlayerInput.NONE, 1.2);
+        lab.hold(AHEAD, 1);
+        BodyState there = BodyState.resting(new Vec3(0.05, 0.3, 0));
+        lab.set(lab.state()
+                .with(lab.state().world().with(lab.state().world().bodies().with(0, there))));
+        double[] most = new double[1];
+        lab.hold(PlayerInput.NONE, 4, state -> {
+            boolean isBack = state.world().fall().returnedTick() > 0;
+            double body = state.world().bodies().state(0).velocity().length();
+            most[0] = isBack
+                    ? Math.max(most[0], Math.max(body, state.player().velocity().length()))
+                    : 0;
+        });
+        assertTrue(lab.told().contains(new TickEvent.PlayerReturned()));
+        assertTrue(most[0] < 3, "flung at " + most[0]);
+        assertTrue(lab.player().feet().y() > -0.01, lab.player()::toString);
+        assertTrue(lab.body(0).y() > 0.29, "the cube at " + lab.body(0));
     }
 
     /** The picture is black when the player is put back, as always before the fall and a quarter of a second after. */

@@ -15,7 +15,8 @@ import nephele.lab.prove.proof.ProofResult;
 
 /**
  * Sends players with the game's assists through random portals, lets them come to rest without a key, and then has them
- * walk in eight directions: one of these has to lead away. Who still falls from portal to portal then is in no corner.
+ * walk in eight directions: one of these has to lead away. Who still falls from portal to portal then is in no corner, and who
+ * was flung into a hole of the room, as behind its ramp, did not find it at the exit; both are counted apart.
  */
 public final class RoomExitsProof implements Proof {
     private static final long EXITS_PER_ROOM = 100;
@@ -26,6 +27,9 @@ public final class RoomExitsProof implements Proof {
     /** Whoever gets so far has left the corner. */
     private static final double AWAY_METRES = 0.5;
 
+    /** Farther away than this from where it came out a player is in no corner of the exit: it was flung there. */
+    private static final double EXIT_METRES = 2;
+
     private static final double AT_REST_METRES_PER_SECOND = 1e-3;
     private static final int DIRECTIONS = 8;
     private static final int MOST_EXAMPLES = 10;
@@ -34,6 +38,7 @@ public final class RoomExitsProof implements Proof {
     private static final class Tally {
         long without;
         long moving;
+        long pits;
         final List<String> failures = new ArrayList<>();
     }
 
@@ -67,7 +72,8 @@ public final class RoomExitsProof implements Proof {
                 tally.failures.size(),
                 List.of(
                         Figure.sum("units without a crossing", tally.without, ""),
-                        Figure.sum("still falling from portal to portal", tally.moving, "")),
+                        Figure.sum("still falling from portal to portal", tally.moving, ""),
+                        Figure.sum("flung more than 2 m away, into a pit of the room", tally.pits, "")),
                 tally.failures.subList(0, Math.min(tally.failures.size(), MOST_EXAMPLES)));
     }
 
@@ -78,15 +84,26 @@ public final class RoomExitsProof implements Proof {
             return;
         }
         SimState rest = out;
+        Vec3 exit = out.player().feet();
         for (int tick = 0; tick < REST_SECONDS * rate && !isAtRest(rest); tick++) {
             rest = players.step(rest, PlayerInput.NONE);
+            exit = rest.world().trace().playerCrossed().length() > 0
+                    ? rest.player().feet()
+                    : exit;
         }
         double depth = players.depth(rest.player());
         if (depth > 0) {
             tally.failures.add("exit " + unit + ": " + depth + " m in a solid: " + rest.player());
         } else if (!isAtRest(rest)) {
             tally.moving++;
-        } else if (!leaves(players, rate, rest)) {
+        } else if (leaves(players, rate, rest)) {
+            return;
+        } else if (Math.hypot(
+                        rest.player().feet().x() - exit.x(),
+                        rest.player().feet().z() - exit.z())
+                > EXIT_METRES) {
+            tally.pits++;
+        } else {
             tally.failures.add("exit " + unit + " ends in a corner: " + rest.player());
         }
     }
