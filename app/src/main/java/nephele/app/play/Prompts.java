@@ -64,8 +64,8 @@ final class Prompts {
     private static final double WALKED_METRES = 1.5;
     private static final double FASTER_THAN_WALKING = 4.6;
     private static final double RISING_METRES_PER_SECOND = 2;
-    /** A longer way between two frames is a portal's or a restart's. */
-    private static final double MOST_STEP_METRES = 1;
+    /** A longer way between two frames, of a quarter of a second at most, is a portal's or a restart's. */
+    private static final double MOST_STEP_METRES = 1.6;
     /** The time for which an action is named that the level may not need, and that between two of them. */
     private static final double OPTIONAL_SECONDS = 8;
 
