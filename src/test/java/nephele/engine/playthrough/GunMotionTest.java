@@ -38,7 +38,8 @@ class GunMotionTest {
         assertEquals(1, gun(room).flash(), "muzzle light");
         room.ticks(40);
         assertEquals(1, gun(room).secondShare(), 1e-9, "the second");
-        room.hold(SECOND.turning(90_000, 0)).ticks(1).hold(PlayerInput.NONE).ticks(120);
+        room.hold(PlayerInput.NONE.turning(90_000, 0)).ticks(1);
+        room.hold(SECOND).ticks(1).hold(PlayerInput.NONE).ticks(120);
         assertEquals(0, gun(room).secondShare(), 1e-9);
         assertEquals(0, gun(room).flash());
     }
@@ -102,7 +103,7 @@ class GunMotionTest {
     @Test
     void withReducedMotionItIsStill() {
         HandWalk room = inHall();
-        room.walk().motion(Motion.REDUCED);
+        room.walk().motion(PictureMotion.REDUCED);
         Vec3 place = gun(room).place();
         room.hold(PlayerInput.FORWARD.turning(700, 300).holding(Action.JUMP));
         for (int i = 0; i < 60; i++) {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class LandingDipTest {
     private record Landing(double deepest, double last, double bent) {}
 
-    private static Landing fallFrom(double metres, Motion motion) {
+    private static Landing fallFrom(double metres, PictureMotion motion) {
         HandWalk room =
                 new HandWalk(RoomLevel.hall().startAt(0, metres, 0, 0, 0).level());
         room.walk().motion(motion);
@@ -33,9 +33,9 @@ class LandingDipTest {
 
     @Test
     void theCameraDipsBySpeedAndComesBack() {
-        Landing step = fallFrom(0.2, Motion.FULL);
-        Landing low = fallFrom(1, Motion.FULL);
-        Landing high = fallFrom(4, Motion.FULL);
+        Landing step = fallFrom(0.2, PictureMotion.FULL);
+        Landing low = fallFrom(1, PictureMotion.FULL);
+        Landing high = fallFrom(4, PictureMotion.FULL);
         assertEquals(0, step.deepest, 1e-9, "a step");
         assertTrue(low.deepest > 0.02 && low.deepest < 0.05, "from 1 m: " + low);
         assertTrue(high.deepest > 0.06 && high.deepest < 0.2, "from 4 m: " + high);
@@ -45,13 +45,13 @@ class LandingDipTest {
 
     @Test
     void reducedMotionDoesWithout() {
-        assertEquals(0, fallFrom(4, Motion.REDUCED).deepest, 1e-9);
+        assertEquals(0, fallFrom(4, PictureMotion.REDUCED).deepest, 1e-9);
     }
 
     /** Black at once when the player is put back, and clear a quarter of a second later. */
     @Test
     void afterAFallThePictureComesBack() {
-        for (Motion motion : Motion.values()) {
+        for (PictureMotion motion : PictureMotion.values()) {
             HandWalk room =
                     new HandWalk(new RoomLevel().box(-1, -1, -1, 1, 0, 1).level());
             room.walk().motion(motion);
@@ -64,7 +64,7 @@ class LandingDipTest {
                 assertTrue(ticks++ < 2000, "fell");
             }
             room.hold(PlayerInput.NONE);
-            assertEquals(motion == Motion.FULL ? 1 : 0, room.walk().darkness());
+            assertEquals(motion == PictureMotion.FULL ? 1 : 0, room.walk().darkness());
             assertEquals(0, room.ticks(31).walk().darkness());
         }
     }

@@ -8,7 +8,7 @@ import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.appearance.FlashStyle;
-import nephele.engine.playthrough.Motion;
+import nephele.engine.playthrough.PictureMotion;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
 
@@ -56,8 +56,8 @@ final class ChosenSettings {
     }
 
     /** Returns how much the picture moves by itself. */
-    static Motion motion(GameSettings settings) {
-        return settings.get(Settings.REDUCED_MOTION) == Switch.ON ? Motion.REDUCED : Motion.FULL;
+    static PictureMotion motion(GameSettings settings) {
+        return settings.get(Settings.REDUCED_MOTION) == Switch.ON ? PictureMotion.REDUCED : PictureMotion.FULL;
     }
 
     /** Returns how flashes of lightning come and go. */

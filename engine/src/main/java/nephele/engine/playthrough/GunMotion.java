@@ -84,7 +84,7 @@ record GunMotion(
     }
 
     /** The moment between two ticks at which the gun is drawn. */
-    record Moment(long tick, double share, double secondsPerTick, Motion motion, FlashStyle flashes) {}
+    record Moment(long tick, double share, double secondsPerTick, PictureMotion motion, FlashStyle flashes) {}
 
     /**
      * Returns the gun between this motion and that of the next tick.
@@ -95,7 +95,7 @@ record GunMotion(
     GunInHand at(Moment moment, GunMotion later, AnimationState animation, double dip) {
         double share = moment.share;
         double shotSeconds = (moment.tick - later.shotTick + share) * moment.secondsPerTick;
-        double whole = moment.motion == Motion.FULL ? 1 : 0;
+        double whole = moment.motion == PictureMotion.FULL ? 1 : 0;
         double kick = whole * kick(shotSeconds);
         double stride = whole * Math.min(1.3, animation.stride()) * (1 - animation.airborne());
         double swing = stride * Math.sin(2 * Math.PI * animation.step());

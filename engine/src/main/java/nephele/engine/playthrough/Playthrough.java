@@ -76,7 +76,7 @@ public final class Playthrough {
     private GunMotion gunAfter = GunMotion.AT_REST;
     private LandingDip dipBefore = LandingDip.NONE;
     private LandingDip dipAfter = LandingDip.NONE;
-    private Motion motion = Motion.FULL;
+    private PictureMotion motion = PictureMotion.FULL;
     private long leaptInTick = NEVER;
 
     /**
@@ -148,7 +148,7 @@ public final class Playthrough {
     }
 
     /** Sets how much the picture moves by itself. */
-    public void motion(Motion chosen) {
+    public void motion(PictureMotion chosen) {
         motion = chosen;
     }
 
@@ -204,7 +204,7 @@ public final class Playthrough {
     /** Returns how dark the picture is after a fall out of the level, 0 (as always) to 1 (black). */
     public double darkness() {
         double seconds = (after.tick() - leaptInTick + clock.share()) * secondsPerTick;
-        return motion == Motion.REDUCED ? 0 : Math.max(0, Math.min(1, 1 - seconds / FADE_SECONDS));
+        return motion == PictureMotion.REDUCED ? 0 : Math.max(0, Math.min(1, 1 - seconds / FADE_SECONDS));
     }
 
     private boolean isDiscontinuity() {
@@ -343,7 +343,7 @@ public final class Playthrough {
 
     /** Returns by how much the eye is below its usual height after a landing, metres. */
     private double dip(double share) {
-        return motion == Motion.REDUCED ? 0 : dipBefore.metres(dipAfter, share);
+        return motion == PictureMotion.REDUCED ? 0 : dipBefore.metres(dipAfter, share);
     }
 
     /** @param fromEye position of the held body, {@code null} for none, which is never transparent */

@@ -24,8 +24,10 @@ public record GunInHand(
     public static final double FOV_DEGREES = 54;
 
     private static final double TAN_HALF = StrictMath.tan(StrictMath.toRadians(FOV_DEGREES / 2));
-    /** The aspect below which the gun moves towards the middle. */
+    /** The aspect below which the gun moves towards the middle, and how far it does at most. */
     private static final double LEAST_ASPECT = 1.5;
+
+    private static final double LEAST_SHARE = 0.7;
 
     /** Returns the factor on lengths to the right and up that gives the gun its size in another field of view. */
     public static double widening(double tanHalfHeight) {
@@ -34,6 +36,6 @@ public record GunInHand(
 
     /** Returns the distance of the gun's origin to the right, metres, in a picture of this aspect. */
     public double rightMetres(double aspect) {
-        return place.x() * Math.min(1, aspect / LEAST_ASPECT);
+        return place.x() * Math.max(LEAST_SHARE, Math.min(1, aspect / LEAST_ASPECT));
     }
 }

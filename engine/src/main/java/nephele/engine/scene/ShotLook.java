@@ -35,10 +35,10 @@ public final class ShotLook {
         if (radius >= 1) {
             return 0;
         }
-        double behind = (Math.sqrt(age) - radius) * 4;
+        double behind = (Math.sqrt(age) - radius) * 3;
         double ring = behind < 0 ? Math.max(0, 1 + 6 * behind) : 0.5 + 0.5 * Math.cos(2 * Math.PI * behind);
         double fade = (1 - age) * (1 - radius * radius);
-        return ring * fade * fade / (1 + 0.6 * Math.max(behind, 0));
+        return ring * fade / (1 + 0.6 * Math.max(behind, 0));
     }
 
     private static double clamp(double x) {

@@ -56,10 +56,10 @@ public final class GunMesh {
             material("mark", 0.05, 0.05, 0.05, 0.3, 0));
 
     /** Fineness of the mesh for small pictures. */
-    private static final double COARSE = 0.34;
+    private static final double COARSE = 0.3;
 
     /** The space, in the gun's frame, in which the eye is whatever the gun's motion. */
-    public static final Aabb EYES = new Aabb(-0.36, -0.08, 0.38, 0.08, 0.32, 0.66);
+    public static final Aabb EYES = new Aabb(-0.32, -0.03, 0.4, -0.07, 0.28, 0.62);
 
     private static final double AXIS = AXIS_METRES;
 
@@ -170,11 +170,11 @@ public final class GunMesh {
 
     private void hoop(int material, double z, double... halves) {
         mesh.tag(0, material);
-        Loft.hoop(mesh, new double[] {0, AXIS + 0.004, z}, halves, sides(40));
+        Loft.hoop(mesh, new double[] {0, AXIS + 0.004, z}, halves, Math.max(20, sides(40)));
     }
 
     private Loft turned(double... zAndRadius) {
-        return loft(Join.EDGED, 24).turned(0, AXIS, zAndRadius);
+        return new Loft(Join.EDGED, Math.max(12, sides(24))).turned(0, AXIS, zAndRadius);
     }
 
     private void barrel() {
@@ -183,7 +183,6 @@ public final class GunMesh {
         put(METAL, turned(-0.128, 0.040, -0.131, 0.0445, -0.147, 0.0445, -0.151, 0.040, -0.151, 0.022));
         put(LAMP, turned(-0.149, 0.024, -0.158, 0.0262, -0.212, 0.0262, -0.221, 0.024));
         put(METAL, turned(-0.219, 0.022, -0.219, 0.040, -0.222, 0.0435, -0.232, 0.0435, -0.236, 0.040, -0.236, 0.034));
-        put(DARK, turned(-0.234, 0.036, -0.252, 0.036, -0.262, 0.028, -0.262, 0.0));
         if (isCoarse()) {
             return;
         }
@@ -209,9 +208,9 @@ public final class GunMesh {
                 SHELL,
                 loft(Join.SMOOTH, 28)
                         .roundness(0.6)
-                        .at(0, 0.061, 0.1, 0.030, 0.028)
-                        .at(0, 0.061, 0.102, 0.036, 0.033)
-                        .at(0, 0.062, 0.098, 0.041, 0.037)
+                        .at(0, 0.061, 0.1035, 0.0300, 0.0290)
+                        .at(0, 0.061, 0.1028, 0.0345, 0.0325)
+                        .at(0, 0.061, 0.098, 0.041, 0.037)
                         .at(0, 0.063, 0.085, 0.046, 0.042)
                         .at(0, 0.065, 0.03, 0.052, 0.048)
                         .at(0, 0.064, -0.03, 0.053, 0.048)
@@ -240,26 +239,24 @@ public final class GunMesh {
                 DARK,
                 12,
                 Superellipsoid.at(0, 0.107, -0.06).size(0.012, 0.0085, 0.034).edges(0.4, 0.4));
-        for (int side = -1; side <= 1; side += 2) {
-            put(
-                    PANEL,
-                    16,
-                    Superellipsoid.at(0.0495 * side, 0.062, -0.05)
-                            .size(0.0065, 0.021, 0.035)
-                            .edges(0.4, 0.4));
-            put(
-                    DARK,
-                    16,
-                    Superellipsoid.at(0.0485 * side, 0.063, 0.042)
-                            .size(0.0055, 0.024, 0.028)
-                            .edges(0.45, 0.45));
-            if (isCoarse()) {
-                continue;
-            }
+        // On the left alone: the other flank is never seen.
+        put(
+                PANEL,
+                16,
+                Superellipsoid.at(-0.0495, 0.062, -0.05)
+                        .size(0.0065, 0.021, 0.035)
+                        .edges(0.4, 0.4));
+        put(
+                DARK,
+                16,
+                Superellipsoid.at(-0.0485, 0.063, 0.042)
+                        .size(0.0055, 0.024, 0.028)
+                        .edges(0.45, 0.45));
+        if (!isCoarse()) {
             put(
                     STEEL,
                     12,
-                    Superellipsoid.at(0.0525 * side, 0.063, 0.042)
+                    Superellipsoid.at(-0.0525, 0.063, 0.042)
                             .size(0.004, 0.013, 0.013)
                             .edges(0.7, 1));
         }
@@ -283,18 +280,18 @@ public final class GunMesh {
                             .at(0.072 * side, AXIS + 0.004, -0.32, 0.008, 0.0125)
                             .at(0.066 * side, AXIS + 0.004, -0.352, 0.006, 0.010)
                             .at(0.064 * side, AXIS + 0.004, -0.358, 0.0, 0.0));
-            put(
-                    ACCENT,
-                    10,
-                    Superellipsoid.at(0.0785 * side, AXIS + 0.001, -0.245)
-                            .size(0.006, 0.0045, 0.030)
-                            .edges(0.5, 0.5));
         }
+        put(
+                ACCENT,
+                10,
+                Superellipsoid.at(-0.0785, AXIS + 0.001, -0.245)
+                        .size(0.006, 0.0045, 0.030)
+                        .edges(0.5, 0.5));
     }
 
     /** The face towards the player: a gauge whose ring shines, with a mark for each shot. */
     private void rear() {
-        put(STEEL, turned(0.1075, 0.0, 0.1075, 0.0290, 0.1045, 0.0345, 0.099, 0.0345));
+        put(STEEL, turned(0.1075, 0.0, 0.1075, 0.0285, 0.105, 0.0315, 0.099, 0.0315));
         put(DARK, turned(0.1095, 0, 0.1095, 0.0235, 0.107, 0.0255));
         put(LAMP, turned(0.111, 0.0145, 0.111, 0.0200, 0.1085, 0.0212));
         put(
@@ -322,6 +319,9 @@ public final class GunMesh {
                         .at(0, -0.095, 0.06, 0.021, 0.029)
                         .at(0, -0.112, 0.065, 0.021, 0.029)
                         .at(0, -0.114, 0.066, 0, 0));
+        if (isCoarse()) {
+            return;
+        }
         put(
                 STEEL,
                 loft(Join.SMOOTH, 10)
@@ -350,7 +350,7 @@ public final class GunMesh {
                 PANEL,
                 12,
                 Superellipsoid.at(0.044, -0.032, 0.07).size(0.009, 0.032, 0.025).edges(0.5, 0.5));
-        for (int finger = 0; finger < 4; finger++) {
+        for (int finger = 0; finger < (isCoarse() ? 3 : 4); finger++) {
             finger(finger);
         }
         // The thumb lies along the left of the handle, forward.
@@ -373,9 +373,6 @@ public final class GunMesh {
         put(
                 RUBBER,
                 loft(Join.SMOOTH, 10)
-                        .at(0.036, y, 0.066 + z, 0, 0)
-                        .at(0.039, y, 0.06 + z, r * 0.95)
-                        .at(0.041, y - 0.001, 0.028 + z, r * 1.08)
                         .at(0.031, y - 0.002, 0.002 + z, r)
                         .at(0.006, y - 0.003, -0.012 + z, r)
                         .at(-0.018, y - 0.003, -0.004 + z, r * 0.95)

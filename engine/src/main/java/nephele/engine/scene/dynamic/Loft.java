@@ -149,7 +149,7 @@ final class Loft {
         double halfHeight = halves[1];
         double thickness = halves[2];
         double depth = halves[3];
-        int sides = Math.max(6, around / 4);
+        int sides = Math.max(4, around / 4);
         int[] before = null;
         for (int i = 0; i <= around; i++) {
             double angle = -2 * Math.PI * i / around;

@@ -22,8 +22,8 @@ float shimmerOpacity(float radius, float age) {
         return 0.0;
     }
     float front = sqrt(age);
-    float behind = (front - radius) * 4.0;
+    float behind = (front - radius) * 3.0;
     float ring = behind < 0.0 ? max(0.0, 1.0 + 6.0 * behind) : 0.5 + 0.5 * cos(6.2831853 * behind);
     float fade = (1.0 - age) * (1.0 - radius * radius);
-    return ring * fade * fade / (1.0 + 0.6 * max(behind, 0.0));
+    return ring * fade / (1.0 + 0.6 * max(behind, 0.0));
 }

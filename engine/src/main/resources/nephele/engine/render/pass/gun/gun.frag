@@ -6,11 +6,17 @@
 #include "gun-light.glsl"
 
 flat in float materialIndex;
-in vec3 inGun;
+in vec3 inGun; // few varyings: a software rasteriser prepares each for each triangle
 in vec3 normalInGun;
-in vec3 relativePosition;
-in vec3 normal;
 
+// The gun's axes and origin from the eye: as it is drawn, and as it is lit.
+uniform vec3 drawnRight;
+uniform vec3 drawnUp;
+uniform vec3 drawnBack;
+uniform vec3 drawnPlace;
+uniform vec3 gunRight;
+uniform vec3 gunUp;
+uniform vec3 gunBack;
 uniform vec3 lamp; // as displayed
 uniform vec4 secondMark; // rgb: as lamp, a: 1 where it shines
 uniform vec3 flash; // as lamp
@@ -29,7 +35,9 @@ const float FILL = 0.06;
 const float OUTLINE = 0.012; // more of it at the outline, as of all surfaces seen at a slant
 
 void main() {
-    vec3 n = normalize(normal);
+    vec3 own = normalize(normalInGun);
+    vec3 n = gunRight * own.x + gunUp * own.y + gunBack * own.z;
+    vec3 relativePosition = drawnPlace + drawnRight * inGun.x + drawnUp * inGun.y + drawnBack * inGun.z;
     vec3 toEye = -normalize(relativePosition);
     int index = int(materialIndex + 0.5);
     if (index >= FIRST_LAMP) {
@@ -56,8 +64,8 @@ void main() {
 #ifdef SKY_AMBIENT
         s.skyVisibility = dot(n * n, mix(skySeenBehind, skySeenAhead, step(0.0, n)));
 #endif
-        vec2 own = gunLight(inGun, normalize(normalInGun));
-        vec3 glow = (0.15 + s.baseColour) * (lamp * own.x + flash * own.y);
+        vec2 light = gunLight(inGun, own);
+        vec3 glow = (0.15 + s.baseColour) * (lamp * light.x + flash * light.y);
         float aside = 1.0 - max(dot(n, toEye), 0.0);
         glow += s.baseColour * (FILL * (1.0 + 0.5 * n.y)) + OUTLINE * aside * aside * aside;
         writeRadiance(surfaceRadiance(s) + radianceOf(glow));

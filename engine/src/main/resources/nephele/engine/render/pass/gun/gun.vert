@@ -4,21 +4,15 @@
 layout(location = 0) in vec3 position; // metres, in the gun's frame
 layout(location = 1) in vec4 normalAndMaterial;
 
-// The gun's axes and origin from the eye: as it is drawn, and as it is lit.
+// The gun's axes and origin from the eye, as it is drawn.
 uniform vec3 drawnRight;
 uniform vec3 drawnUp;
 uniform vec3 drawnBack;
 uniform vec3 drawnPlace;
 #ifndef ONLY_DEPTH
-uniform vec3 gunRight;
-uniform vec3 gunUp;
-uniform vec3 gunBack;
-
 flat out float materialIndex;
 out vec3 inGun;
 out vec3 normalInGun;
-out vec3 relativePosition;
-out vec3 normal;
 #endif
 
 const float DEPTH_SHARE = 0.05;
@@ -28,11 +22,8 @@ void main() {
     gl_Position = clipFromRelative * vec4(relative, 1.0);
     gl_Position.z = (gl_Position.z + gl_Position.w) * DEPTH_SHARE - gl_Position.w;
 #ifndef ONLY_DEPTH
-    vec3 n = normalize(normalAndMaterial.xyz);
     inGun = position;
-    normalInGun = n;
-    relativePosition = relative;
-    normal = gunRight * n.x + gunUp * n.y + gunBack * n.z;
+    normalInGun = normalAndMaterial.xyz;
     materialIndex = normalAndMaterial.w;
 #endif
 }
