@@ -87,7 +87,7 @@ class FrameInterpolationTest {
         Vec3 centre = new Vec3(0.1, 0.3, -0.2);
         Vec3 eye = new Vec3(0.1, middle + height / 2 - 0.15, -0.2);
         var pose = new PlayerPose(eye, null, new PlayerPose.Body(centre, eye, UP, yaw, 0.1), null);
-        live.character(pose, new AnimationState(height, 0, 0, 0, 0, 0), 0);
+        live.character(pose, new AnimationState(height, 0, 0, 0, 0, 0), 0, 0);
         return live.frameState().character();
     }
 }

@@ -8,6 +8,7 @@ import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.appearance.FlashStyle;
+import nephele.engine.playthrough.PictureMotion;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
 
@@ -52,6 +53,11 @@ final class ChosenSettings {
             case FAST -> 2 * SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
             case INSTANT -> SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND;
         };
+    }
+
+    /** Returns how much the picture moves by itself. */
+    static PictureMotion motion(GameSettings settings) {
+        return settings.get(Settings.REDUCED_MOTION) == Switch.ON ? PictureMotion.REDUCED : PictureMotion.FULL;
     }
 
     /** Returns how flashes of lightning come and go. */

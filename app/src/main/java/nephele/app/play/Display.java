@@ -13,6 +13,8 @@ import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.View;
@@ -29,6 +31,8 @@ final class Display implements AutoCloseable {
     /** The colour behind the overlay while there is no level, linear or sRGB as the window takes it. */
     private static final float EMPTY_RED = 0.055f;
 
+    private static final OverlayColour BLACK = OverlayColour.opaque(0);
+
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
@@ -41,6 +45,7 @@ final class Display implements AutoCloseable {
     private final OverlayPass overlay;
     private final BoundOutlines outlines;
     private final Hud hud = new Hud(lettering);
+    private final OverlayCanvas veil = new OverlayCanvas(lettering);
     private final Screenshots screenshots;
     private final Message message;
     private final FrameCost cost;
@@ -85,10 +90,20 @@ final class Display implements AutoCloseable {
                 : content.comparison().wipe();
         session.picture().draw(view, walk.frameState(), wipe, picture, listener);
         outlines.draw(walk.observer(), view, picture);
+        darken(walk.darkness(), picture);
         drawOverlay(content, picture, shot);
         cost.submitted();
         window.show();
         cost.shown();
+    }
+
+    /** Draws black over the level, but not over the overlay. */
+    private void darken(double darkness, RenderTarget picture) {
+        if (darkness > 0) {
+            veil.begin(1);
+            veil.rectangle(0, 0, picture.width(), picture.height(), BLACK.withAlpha(darkness));
+            overlay.draw(veil, picture);
+        }
     }
 
     private void drawOverlay(HudContent content, RenderTarget picture, Shot shot) {

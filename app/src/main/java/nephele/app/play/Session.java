@@ -91,6 +91,7 @@ final class Session implements AutoCloseable {
         playthrough.verticalFovDegrees(ChosenSettings.verticalFovDegrees(settings));
         playthrough.shotPalette(settings.get(Settings.PORTAL_COLOURS));
         playthrough.flashStyle(ChosenSettings.flashStyle(settings));
+        playthrough.motion(ChosenSettings.motion(settings));
     }
 
     /** Replaces the renderer by one of the chosen quality. */

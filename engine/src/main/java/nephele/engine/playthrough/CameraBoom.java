@@ -94,9 +94,14 @@ final class CameraBoom {
 
     /** Returns the first hit of a straight line from the eye. */
     Vector3d aimedAt(PlayerPose pose) {
-        Vector3d eye = pose.eye().toVector();
-        Vector3d line = pose.view().back().toVector().mul(-FARTHEST_METRES);
-        return eye.fma(reach.freeOfSolids(eye, line), line);
+        return hit(pose.eye(), pose.view().back().toVector().negate());
+    }
+
+    /** Returns the first hit of a straight line in a direction, which this changes. */
+    Vector3d hit(Vec3 from, Vector3d direction) {
+        Vector3d start = from.toVector();
+        Vector3d line = direction.mul(FARTHEST_METRES);
+        return start.fma(reach.freeOfSolids(start, line), line);
     }
 
     private static Basis carried(Basis view, PathTrace trace, Portals portals) {

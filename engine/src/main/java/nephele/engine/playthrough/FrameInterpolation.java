@@ -105,11 +105,16 @@ final class FrameInterpolation {
         }
     }
 
-    /** Sets the player's character and the time. */
-    void character(PlayerPose pose, AnimationState animation, double seconds) {
+    /**
+     * Sets the player's character and the time.
+     *
+     * @param dip metres by which the character bends its legs
+     */
+    void character(PlayerPose pose, AnimationState animation, double dip, double seconds) {
         PlayerPose.Body body = pose.body();
         frameState.seconds(seconds);
-        Vector3d middle = middle(body, animation.heightMetres());
+        double height = animation.heightMetres() - dip;
+        Vector3d middle = middle(body, height).fma(-dip, body.up().toVector());
         frameState.character(beyondPortals(
                 body.centre(),
                 new FrameState.Posture(
@@ -117,7 +122,7 @@ final class FrameInterpolation {
                         body.up(),
                         body.yawRadians(),
                         body.pitchRadians(),
-                        animation.heightMetres(),
+                        height,
                         animation.step(),
                         animation.stride(),
                         animation.travelRadians(),

@@ -10,6 +10,7 @@ import nephele.engine.named.Viewpoints;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState;
+import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.View;
 import nephele.engine.sim.FixedStep;
@@ -35,6 +36,14 @@ public final class Playthrough {
 
     private static final double LEAST_DEPTH_METRES = 0.1;
 
+    /** Time in which the picture comes back after a fall. */
+    private static final double FADE_SECONDS = 0.25;
+
+    private static final long NEVER = Long.MIN_VALUE / 2;
+
+    /** How much farther than the camera the body of a character sinks that is seen from behind. */
+    private static final double BODY_DIP_SHARE = 2;
+
     /** Time in which a held body becomes transparent, or opaque again when the camera leaves the eye. */
     private static final double CLEARING_SECONDS = 0.2;
 
@@ -49,6 +58,8 @@ public final class Playthrough {
     private final CameraBoom boom;
     private final ShotPreviews aiming;
     private final HintClock hints;
+    private final ShotEffects shots;
+    private final boolean hasGun;
     private double verticalFovDegrees = Viewpoints.PLAYER_FOV_DEGREES;
     private SimState before;
     private SimState after;
@@ -62,6 +73,12 @@ public final class Playthrough {
     private ObserverView observer;
     private AnimationState animationBefore = AnimationState.STANDING;
     private AnimationState animationAfter = AnimationState.STANDING;
+    private GunMotion gunBefore = GunMotion.AT_REST;
+    private GunMotion gunAfter = GunMotion.AT_REST;
+    private LandingDip dipBefore = LandingDip.NONE;
+    private LandingDip dipAfter = LandingDip.NONE;
+    private PictureMotion motion = PictureMotion.FULL;
+    private long leaptInTick = NEVER;
 
     /**
      * The start of a walk and the name in its recording.
@@ -95,6 +112,8 @@ public final class Playthrough {
         boom = new CameraBoom(simLevel.statics(), secondsPerTick);
         aiming = new ShotPreviews(simulation);
         hints = new HintClock(level.hints(), secondsPerTick);
+        shots = new ShotEffects(boom, secondsPerTick);
+        hasGun = level.portalGun() != null;
     }
 
     /** Shows the walk before an observer's camera; {@code null} for the player's view. */
@@ -130,6 +149,11 @@ public final class Playthrough {
         live.frameState().flashStyle(style);
     }
 
+    /** Sets how much the picture moves by itself. */
+    public void motion(PictureMotion chosen) {
+        motion = chosen;
+    }
+
     /** Sets the vertical field of view of {@link #view}. */
     public void verticalFovDegrees(double degrees) {
         verticalFovDegrees = degrees;
@@ -155,14 +179,35 @@ public final class Playthrough {
         fadeHeld(PlayerPose.heldFromEye(after));
         animationBefore = animationAfter;
         animationAfter = animationAfter.next(after, secondsPerTick);
+        gunBefore = gunAfter;
+        gunAfter = gunAfter.next(before, after, secondsPerTick);
+        dipBefore = dipAfter;
+        dipAfter = dipAfter.next(before, after, secondsPerTick);
+        shots.after(before, after, Math.tan(Math.toRadians(verticalFovDegrees) / 2));
         if (isDiscontinuity()) {
-            before = after;
-            animationBefore = animationAfter;
-            boom.cut();
-            isCut = true;
+            leap();
         } else {
             boom.tick(before, after);
         }
+    }
+
+    /** Begins anew after a discontinuity. */
+    private void leap() {
+        before = after;
+        animationBefore = animationAfter;
+        gunBefore = gunAfter;
+        dipAfter = LandingDip.NONE;
+        dipBefore = dipAfter;
+        shots.cut();
+        boom.cut();
+        leaptInTick = after.tick();
+        isCut = true;
+    }
+
+    /** Returns how dark the picture is after a fall out of the level, 0 (as always) to 1 (black). */
+    public double darkness() {
+        double seconds = (after.tick() - leaptInTick + clock.share()) * secondsPerTick;
+        return motion == PictureMotion.REDUCED ? 0 : Math.max(0, Math.min(1, 1 - seconds / FADE_SECONDS));
     }
 
     private boolean isDiscontinuity() {
@@ -278,15 +323,35 @@ public final class Playthrough {
     /** Returns the frame state between the last two ticks; always the same object. */
     public FrameState frameState() {
         double share = clock.share();
-        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        double seconds = Math.max(0, after.tick() + share) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
+        live.frameState().closing(ages.closing(after.tick(), share));
+        live.frameState().shotEffects(shots.at(after.tick(), share));
         live.held(after, heldFromCamera(share), observer == null ? heldClarity : 0);
         if (observer != null) {
             live.frameState().observer(observer.sphere(seen().player().body(), after.player()));
         }
-        live.character(seen().player(), animationBefore.towards(animationAfter, share), seconds);
+        AnimationState animation = animationBefore.towards(animationAfter, share);
+        double dip = dip(share);
+        live.frameState().gun(gun(animation, share, dip));
+        live.character(seen().player(), animation, boom.isOut() ? BODY_DIP_SHARE * dip : dip, seconds);
         return live.frameState();
+    }
+
+    /** Returns the gun in the player's hand; {@code null} without one, and if it is not the player's eye that sees. */
+    private GunInHand gun(AnimationState animation, double share, double dip) {
+        if (!hasGun || observer != null || boom.isOut()) {
+            return null;
+        }
+        var moment = new GunMotion.Moment(
+                after.tick(), share, secondsPerTick, motion, live.frameState().flashStyle());
+        return gunBefore.at(moment, gunAfter, animation, dip);
+    }
+
+    /** Returns by how much the eye is below its usual height after a landing, metres. */
+    private double dip(double share) {
+        return motion == PictureMotion.REDUCED ? 0 : dipBefore.metres(dipAfter, share);
     }
 
     /** @param fromEye position of the held body, {@code null} for none, which is never transparent */
@@ -310,10 +375,16 @@ public final class Playthrough {
      *
      * @param aimed in the camera's space
      */
-    private record Seen(SimState after, double share, PlayerPose player, PlayerPose camera, Vec3 aimed) {
-        boolean isFirstPerson() {
-            return camera == player;
-        }
+    private record Seen(
+            SimState after, double share, boolean isFirstPerson, PlayerPose player, PlayerPose camera, Vec3 aimed) {}
+
+    /** Returns a pose with its eye lowered; an eye beyond a portal stays where it is. */
+    private static PlayerPose dipped(PlayerPose pose, double metres) {
+        PlayerPose.Body body = pose.body();
+        boolean isTogether = pose.eye().equals(body.eye());
+        return metres == 0 || !isTogether
+                ? pose
+                : new PlayerPose(pose.eye().addScaled(-metres, body.up()), pose.view(), body, pose.later());
     }
 
     /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
@@ -323,8 +394,8 @@ public final class Playthrough {
             PlayerPose player = PlayerPose.between(before, after, share);
             boolean isOut = boom.isOut();
             Vector3d aimed = isOut ? boom.aimedAt(player) : new Vector3d();
-            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : player;
-            seen = new Seen(after, share, player, camera, Vec3.of(aimed));
+            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : dipped(player, dip(share));
+            seen = new Seen(after, share, !isOut, player, camera, Vec3.of(aimed));
         }
         return seen;
     }

@@ -17,6 +17,7 @@ import nephele.engine.render.pass.dynamic.DynamicPass;
 import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.exposure.ExposurePass;
+import nephele.engine.render.pass.gun.GunPass;
 import nephele.engine.render.pass.impostor.ImpostorPass;
 import nephele.engine.render.pass.lightning.LightningPass;
 import nephele.engine.render.pass.particle.ParticlePass;
@@ -28,6 +29,7 @@ import nephele.engine.render.pass.shadow.DynamicShadowPass;
 import nephele.engine.render.pass.shadow.LightShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
+import nephele.engine.render.pass.shot.ShotPass;
 import nephele.engine.render.pass.sky.AtmospherePass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
@@ -54,6 +56,7 @@ public final class RenderFeatures {
             SkyVisibilityPass.FEATURE,
             CloudShadePass.FEATURE,
             // In each view.
+            GunPass.FEATURE,
             ShaftPass.FEATURE,
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
@@ -74,7 +77,9 @@ public final class RenderFeatures {
             ParticlePass.FEATURE,
             ExitPass.FEATURE,
             ExitPass.VEIL,
+            ShotPass.FEATURE,
             DynamicPass.HELD,
+            GunPass.IN_OPENING,
             // After the views.
             ExposurePass.FEATURE,
             // After everything else.

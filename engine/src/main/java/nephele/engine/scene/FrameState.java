@@ -38,6 +38,9 @@ public final class FrameState {
     private Posture character;
     private ObserverSphere observer;
     private List<PortalPreview> previews = List.of();
+    private List<ClosingPortal> closing = List.of();
+    private List<ShotEffect> shotEffects = List.of();
+    private GunInHand gun;
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
     private double heldClarity;
@@ -231,6 +234,33 @@ public final class FrameState {
 
     public void previews(List<PortalPreview> now) {
         previews = now;
+    }
+
+    /** Returns the portals that are closing. */
+    public List<ClosingPortal> closing() {
+        return closing;
+    }
+
+    public void closing(List<ClosingPortal> now) {
+        closing = now;
+    }
+
+    /** Returns the lights of the last shots. */
+    public List<ShotEffect> shotEffects() {
+        return shotEffects;
+    }
+
+    public void shotEffects(List<ShotEffect> now) {
+        shotEffects = now;
+    }
+
+    /** Returns the gun in the hand of the player whose eye is the main view's; {@code null} if none is drawn. */
+    public GunInHand gun() {
+        return gun;
+    }
+
+    public void gun(GunInHand now) {
+        gun = now;
     }
 
     /**

@@ -13,8 +13,9 @@ import nephele.engine.scene.light.LightRequirements;
  *
  * @param all textures for solids, with the light map of static faces
  * @param dynamicObjects textures for dynamic objects, which have no place in the light map
+ * @param gun textures for the gun before the eye, on which no dynamic object's shadow falls
  */
-public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
+public record LightMaps(TargetReads all, TargetReads dynamicObjects, TargetReads gun) {
     public static LightMaps of(Level level, StaticShapes statics, Quality quality, CharacterPresence character) {
         List<Target> shadows = new ArrayList<>();
         boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
@@ -35,7 +36,9 @@ public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
                 shadows);
         List<Target> all = new ArrayList<>(shadows);
         addIf(LightRequirements.skyVisibility(level), Target.SKY_VISIBILITY, all);
-        return new LightMaps(new TargetReads(all), new TargetReads(shadows));
+        List<Target> still = new ArrayList<>(shadows);
+        still.removeAll(List.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW));
+        return new LightMaps(new TargetReads(all), new TargetReads(shadows), new TargetReads(still));
     }
 
     private static void addIf(boolean wanted, Target target, List<Target> targets) {

@@ -64,6 +64,7 @@ public final class SharedResources implements GlObject {
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
     private DynamicMeshes dynamicObjects;
+    private SkyProbes skyProbes;
     private BackgroundWork background;
     private FrameClouds clouds;
     /** The techniques of the replaced renderer; {@code null} for clouds that begin complete. */
@@ -347,10 +348,17 @@ public final class SharedResources implements GlObject {
     public DynamicMeshes dynamicObjects() {
         if (dynamicObjects == null) {
             DynamicObjects all = DynamicObjects.of(scene.level(), scene.materials(), request.character());
-            SkyProbes sky = LightRequirements.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
-            dynamicObjects = own(new DynamicMeshes(gl, all, surfaceLight().anchor(), sky));
+            dynamicObjects = own(new DynamicMeshes(gl, all, surfaceLight().anchor(), skyProbes()));
         }
         return dynamicObjects;
+    }
+
+    /** Returns the sky visibility of what has no place in the light map; {@code null} if no sky shines. */
+    public SkyProbes skyProbes() {
+        if (skyProbes == null && LightRequirements.skyShines(scene.level())) {
+            skyProbes = new SkyProbes(scene.statics());
+        }
+        return skyProbes;
     }
 
     /** Returns defines, numbers and textures of {@code surface-light.glsl}. */

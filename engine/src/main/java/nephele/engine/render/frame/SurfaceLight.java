@@ -236,8 +236,19 @@ public final class SurfaceLight implements GlObject {
         return addLights(defines).with("ANCHOR_POSITION").withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
 
+    /** Adds the defines for the gun before the eye, on which no dynamic object's shadow falls. */
+    public Defines addForGun(Defines defines) {
+        return addStaticLights(defines)
+                .with("ANCHOR_POSITION")
+                .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
+    }
+
     private Defines addLights(Defines defines) {
-        return lights.addTo(sun.addTo(dynamicShadows.addTo(defines)))
+        return addStaticLights(dynamicShadows.addTo(defines));
+    }
+
+    private Defines addStaticLights(Defines defines) {
+        return lights.addTo(sun.addTo(defines))
                 .withIf(flash != null, "FLASH")
                 .withIf(parts != LightParts.ALL, "LIGHT_PARTS")
                 .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
@@ -262,8 +273,17 @@ public final class SurfaceLight implements GlObject {
         tieLights(uniforms, LightRequirements.skyShines(level));
     }
 
+    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForGun}. */
+    public void tieForGun(Uniforms uniforms) {
+        tieStaticLights(uniforms, LightRequirements.skyShines(level));
+    }
+
     private void tieLights(Uniforms uniforms, boolean ofSky) {
         dynamicShadows.tie(uniforms);
+        tieStaticLights(uniforms, ofSky);
+    }
+
+    private void tieStaticLights(Uniforms uniforms, boolean ofSky) {
         sun.tie(uniforms);
         lights.tie(uniforms);
         if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky || flash != null) {

@@ -91,7 +91,7 @@ record Superellipsoid(double[] centre, double[] half, double[] roundness, double
         return new double[] {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     }
 
-    private static double power(double x, double exponent) {
+    static double power(double x, double exponent) {
         return Math.signum(x) * Math.pow(Math.abs(x), exponent);
     }
 }

@@ -6,6 +6,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.scene.ClosingPortal;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Opening;
 import nephele.engine.scene.PortalPreview;
@@ -20,6 +21,10 @@ final class RimLook {
     private static final int OF_LEVEL = 2;
 
     private static final Vec3 SILVER = new Vec3(0.3, 0.33, 0.36);
+
+    private static final Vec3 WHITE = new Vec3(1, 1, 1);
+    /** Share of white in a rim when it begins to open. */
+    private static final double HOT_WHITE = 0.85;
 
     private static final double PREVIEW_OPACITY = 0.92;
 
@@ -49,10 +54,22 @@ final class RimLook {
         lie(frameState.portals().portal(index));
         tint = tint(frameState, index);
         openness = frameState.openness(index);
+        tint = heated(tint, 1 - openness);
         opacity = 1;
         seconds = frameState.seconds() % REPEAT_SECONDS;
         kind = Math.min(frameState.colour(index), OF_LEVEL);
         isOpen = frameState.portals().partner(index) != Portals.CLOSED;
+    }
+
+    void of(ClosingPortal closing, FrameState frameState, View newView) {
+        view = newView;
+        lie(closing.portal());
+        tint = frameState.shotPalette().rim(closing.colour());
+        openness = closing.openness();
+        opacity = 1;
+        seconds = frameState.seconds() % REPEAT_SECONDS;
+        kind = closing.colour();
+        isOpen = false;
     }
 
     void of(PortalPreview preview, FrameState frameState, View newView) {
@@ -79,6 +96,11 @@ final class RimLook {
         seconds = now % REPEAT_SECONDS;
         kind = OF_LEVEL;
         isOpen = true;
+    }
+
+    /** Returns the colour of a rim that is hot from its shot: whiter. */
+    private static Vec3 heated(Vec3 tint, double heat) {
+        return heat <= 0 ? tint : tint.lerp(WHITE, HOT_WHITE * heat);
     }
 
     private void lie(Portal newPortal) {

@@ -56,6 +56,12 @@ public final class RimPass implements Pass {
                 drawRim(frame);
             }
         }
+        for (int i = 0; i < frameState.closing().size(); i++) {
+            look.of(frameState.closing().get(i), frameState, frame.view());
+            if (look.isIn(frame.surface().height())) {
+                drawRim(frame);
+            }
+        }
         for (int i = 0; i < frameState.previews().size(); i++) {
             look.of(frameState.previews().get(i), frameState, frame.view());
             if (look.isIn(frame.surface().height())) {

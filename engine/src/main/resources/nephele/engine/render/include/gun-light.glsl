@@ -1,0 +1,29 @@
+// The light of the portal gun's own lamps on it; twin: nephele.engine.scene.dynamic.GunLight. Positions are the gun's own.
+
+// = GunMesh.AXIS_METRES, CHAMBER_METRES, MUZZLE_METRES
+const vec3 CHAMBER = vec3(0.0, 0.058, -0.185);
+const vec3 HOOP = vec3(0.0, 0.062, -0.345);
+const vec2 HOOP_HALF = vec2(0.055, 0.075);
+const float LAMP_REACH = 0.03; // metres
+const float FLASH_REACH = 0.11;
+const float WRAPPED = 0.35; // share of a lamp's light at right angles: lamps are no points
+
+float lampLight(vec3 p, vec3 n, vec3 lamp, float reach) {
+    vec3 towards = lamp - p;
+    float square = dot(towards, towards);
+    float facing = dot(n, towards) * inversesqrt(max(square, 1e-10));
+    return max(0.0, mix(facing, 1.0, WRAPPED)) * reach * reach / (square + reach * reach);
+}
+
+// Returns the point of the hoop that is nearest in direction.
+vec3 hoopNear(vec3 p) {
+    vec2 out2 = (p.xy - HOOP.xy) / HOOP_HALF;
+    return vec3(HOOP.xy + HOOP_HALF * out2 / max(length(out2), 1e-5), HOOP.z);
+}
+
+// Returns the light of the lamps, and that of a shot's flash in the hoop.
+vec2 gunLight(vec3 p, vec3 n) {
+    float along = clamp(p.z, CHAMBER.z - 0.03, CHAMBER.z + 0.03);
+    float lamps = lampLight(p, n, vec3(CHAMBER.xy, along), LAMP_REACH) + lampLight(p, n, hoopNear(p), LAMP_REACH);
+    return vec2(lamps, lampLight(p, n, HOOP, FLASH_REACH));
+}
