@@ -1,0 +1,145 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.Flip;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.measure.Overshoot;
+import nephele.engine.measure.Shimmer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/**
+ * Sizes of the drawn picture and the filters that scale it up, in five levels: FLIP to the whole picture, shimmer along a
+ * path relative to 64 samples a pixel, and how far flat colours overshoot beside their edges. A run draws a frame of each
+ * level.
+ */
+final class UpscaleExperiment implements Experiment {
+    private static final List<String> LEVELS = Stream.of(
+                    "01-courtyard", "02-first-shot", "03-momentum", "04-cube", "06-standing-stones")
+            .map(name -> "levels/" + name + ".json")
+            .toList();
+
+    static final List<String> FIGURES = Stream.concat(
+                    Stream.of("shimmer", "halo, codes"), LEVELS.stream().map(name -> "FLIP " + name.substring(7, 9)))
+            .toList();
+
+    /** A run draws a frame of each level. */
+    static final CostMetric COST = new CostMetric("CPU a frame", "ms", 1e6, LEVELS.size(), CostMetric.Clock.PROCESS);
+
+    private static final int EXACT_SIDE = 8;
+
+    /** How far a colour may be from its place in a picture of fewer pixels; further than any filter reaches. */
+    private static final int REACH_PIXELS = 6;
+
+    private final List<InLevel> levels;
+    private final TradeSite site;
+
+    UpscaleExperiment(TradeSite site, List<PictureSetting> settings) {
+        this.site = site;
+        levels = LEVELS.stream()
+                .map(level -> new InLevel(site.in(level), settings))
+                .toList();
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        List<ErrorMap> flips = levels.stream().map(level -> level.flip(setting)).toList();
+        List<Double> figures = new ArrayList<>();
+        figures.add(levels.stream()
+                .mapToDouble(level -> level.shimmer(setting))
+                .average()
+                .orElseThrow());
+        figures.add(levels.get(0).halo(setting));
+        flips.forEach(flip -> figures.add(flip.mean()));
+        double mean = flips.stream().mapToDouble(ErrorMap::mean).average().orElseThrow();
+        var first = levels.get(0);
+        return new Judgement(mean, figures, first.shown(first.still(setting)), flips.get(0));
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return levels.get(0).shown(levels.get(0).whole);
+    }
+
+    @Override
+    public void run(int setting) {
+        levels.forEach(level -> level.pictures.run(setting));
+        site.gl().finish();
+    }
+
+    @Override
+    public void close() {
+        levels.forEach(level -> level.pictures.close());
+    }
+
+    /** The settings in one of the levels. */
+    private static final class InLevel {
+        final PictureExperiment pictures;
+        final LinearPicture whole;
+        private final TradeSite site;
+        private final Footage still;
+        private final Footage path;
+        private final List<LinearPicture> exactPath;
+
+        InLevel(TradeSite site, List<PictureSetting> settings) {
+            this.site = site;
+            pictures = new PictureExperiment(site, settings, Compared.SEEN);
+            still = Footage.still(site);
+            path = Footage.path(site);
+            Shot usual = pictures.shot(0).set("pictureResolution", 1);
+            try (var renderer = pictures.renderer(usual)) {
+                whole = still.displayed(site.gl(), renderer, 1).get(0);
+                exactPath = path.displayed(site.gl(), renderer, EXACT_SIDE);
+            }
+        }
+
+        LinearPicture still(int setting) {
+            try (var renderer = pictures.renderer(pictures.shot(setting))) {
+                return still.displayed(site.gl(), renderer, 1).get(0);
+            }
+        }
+
+        ErrorMap flip(int setting) {
+            return Flip.ofDisplayed(whole, still(setting));
+        }
+
+        double shimmer(int setting) {
+            try (var renderer = pictures.renderer(pictures.shot(setting))) {
+                return Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1));
+            }
+        }
+
+        /** Returns how far the flat colours of the surfaces' ids leave the range of those around them. */
+        double halo(int setting) {
+            var shot = pictures.shot(setting);
+            var flat = new Shot(IdLevel.of(shot.level()), Output.PLAIN, shot.preset(), shot.set()).set("rims", "off");
+            return Overshoot.codes(stored(flat.set("pictureResolution", 1)), stored(flat), still.width(), REACH_PIXELS);
+        }
+
+        private byte[] stored(Shot shot) {
+            try (var renderer = pictures.renderer(shot);
+                    var picture = RenderTarget.picture(
+                            site.gl(), "flat colours", PixelFormat.RGBA8, still.width(), still.height())) {
+                renderer.draw(site.view(), picture);
+                var bytes = picture.readBytes();
+                byte[] stored = new byte[bytes.remaining()];
+                bytes.get(stored);
+                return stored;
+            }
+        }
+
+        BufferedImage shown(LinearPicture picture) {
+            return Compared.SEEN.shown(picture, site.level().environment());
+        }
+    }
+}
