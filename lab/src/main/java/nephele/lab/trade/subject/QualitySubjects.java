@@ -54,7 +54,7 @@ public final class QualitySubjects {
                     "Three filters at four shares of the pixels along a side, in five levels of the game, whose frames"
                             + " are drawn one after the other: a filter pays if no other point of the same cost errs"
                             + " less.",
-                    "the whole picture as displayed; shimmer against 64 samples a pixel. A halo is a flat colour that"
+                    "the whole picture as displayed; shimmer against 16 samples a pixel. A halo is a flat colour that"
                             + " leaves the range of those around it, in codes of 8 bits"),
             List.of("upscale"),
             SIZES_AND_FILTERS.stream().map(PictureSetting::setting).toList(),

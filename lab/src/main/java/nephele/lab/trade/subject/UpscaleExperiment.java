@@ -20,7 +20,7 @@ import nephele.lab.trade.TradeSite;
 
 /**
  * Sizes of the drawn picture and the filters that scale it up, in five levels: FLIP to the whole picture, shimmer along a
- * path relative to 64 samples a pixel, and how far flat colours overshoot beside their edges. A run draws a frame of each
+ * path relative to 16 samples a pixel, and how far flat colours overshoot beside their edges. A run draws a frame of each
  * level.
  */
 final class UpscaleExperiment implements Experiment {
@@ -36,7 +36,7 @@ final class UpscaleExperiment implements Experiment {
     /** A run draws a frame of each level. */
     static final CostMetric COST = new CostMetric("CPU a frame", "ms", 1e6, LEVELS.size(), CostMetric.Clock.PROCESS);
 
-    private static final int EXACT_SIDE = 8;
+    private static final int EXACT_SIDE = 4;
 
     /** How far a colour may be from its place in a picture of fewer pixels; further than any filter reaches. */
     private static final int REACH_PIXELS = 6;
@@ -53,17 +53,15 @@ final class UpscaleExperiment implements Experiment {
 
     @Override
     public Judgement judge(int setting) {
-        List<ErrorMap> flips = levels.stream().map(level -> level.flip(setting)).toList();
+        List<Drawn> drawn = levels.stream().map(level -> level.drawn(setting)).toList();
         List<Double> figures = new ArrayList<>();
-        figures.add(levels.stream()
-                .mapToDouble(level -> level.shimmer(setting))
-                .average()
-                .orElseThrow());
-        figures.add(levels.get(0).halo(setting));
-        flips.forEach(flip -> figures.add(flip.mean()));
-        double mean = flips.stream().mapToDouble(ErrorMap::mean).average().orElseThrow();
-        var first = levels.get(0);
-        return new Judgement(mean, figures, first.shown(first.still(setting)), flips.get(0));
+        figures.add(drawn.stream().mapToDouble(Drawn::shimmer).average().orElseThrow());
+        figures.add((double) levels.get(0).halo(setting));
+        drawn.forEach(each -> figures.add(each.flip().mean()));
+        double mean =
+                drawn.stream().mapToDouble(each -> each.flip().mean()).average().orElseThrow();
+        Drawn first = drawn.get(0);
+        return new Judgement(mean, figures, levels.get(0).shown(first.still()), first.flip());
     }
 
     @Override
@@ -81,6 +79,9 @@ final class UpscaleExperiment implements Experiment {
     public void close() {
         levels.forEach(level -> level.pictures.close());
     }
+
+    /** A setting in one of the levels. */
+    private record Drawn(LinearPicture still, ErrorMap flip, double shimmer) {}
 
     /** The settings in one of the levels. */
     private static final class InLevel {
@@ -103,24 +104,18 @@ final class UpscaleExperiment implements Experiment {
             }
         }
 
-        LinearPicture still(int setting) {
+        Drawn drawn(int setting) {
             try (var renderer = pictures.renderer(pictures.shot(setting))) {
-                return still.displayed(site.gl(), renderer, 1).get(0);
-            }
-        }
-
-        ErrorMap flip(int setting) {
-            return Flip.ofDisplayed(whole, still(setting));
-        }
-
-        double shimmer(int setting) {
-            try (var renderer = pictures.renderer(pictures.shot(setting))) {
-                return Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1));
+                LinearPicture picture = still.displayed(site.gl(), renderer, 1).get(0);
+                return new Drawn(
+                        picture,
+                        Flip.ofDisplayed(whole, picture),
+                        Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1)));
             }
         }
 
         /** Returns how far the flat colours of the surfaces' ids leave the range of those around them. */
-        double halo(int setting) {
+        int halo(int setting) {
             var shot = pictures.shot(setting);
             var flat = new Shot(IdLevel.of(shot.level()), Output.PLAIN, shot.preset(), shot.set()).set("rims", "off");
             return Overshoot.codes(stored(flat.set("pictureResolution", 1)), stored(flat), still.width(), REACH_PIXELS);
