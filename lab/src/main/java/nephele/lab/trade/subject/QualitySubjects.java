@@ -55,7 +55,7 @@ public final class QualitySubjects {
                             + " are drawn one after the other: a filter pays if no other point of the same cost errs"
                             + " less.",
                     "the whole picture as displayed; shimmer against 16 samples a pixel. A halo is a flat colour that"
-                            + " leaves the range of those around it, in codes of 8 bits"),
+                            + " leaves the range of the drawn pixels around it, in codes of 8 bits"),
             List.of("upscale"),
             SIZES_AND_FILTERS.stream().map(PictureSetting::setting).toList(),
             SIZES_AND_FILTERS.size() - 1,

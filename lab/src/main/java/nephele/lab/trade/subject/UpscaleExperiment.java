@@ -38,7 +38,7 @@ final class UpscaleExperiment implements Experiment {
 
     private static final int EXACT_SIDE = 4;
 
-    /** How far a colour may be from its place in a picture of fewer pixels; further than any filter reaches. */
+    /** Further than any filter reaches: three drawn pixels at half the size. */
     private static final int REACH_PIXELS = 6;
 
     private final List<InLevel> levels;
@@ -114,17 +114,28 @@ final class UpscaleExperiment implements Experiment {
             }
         }
 
-        /** Returns how far the flat colours of the surfaces' ids leave the range of those around them. */
+        /** Returns how far flat colours, those of the surfaces' ids, leave the range of the drawn pixels around them. */
         int halo(int setting) {
             var shot = pictures.shot(setting);
             var flat = new Shot(IdLevel.of(shot.level()), Output.PLAIN, shot.preset(), shot.set()).set("rims", "off");
-            return Overshoot.codes(stored(flat.set("pictureResolution", 1)), stored(flat), still.width(), REACH_PIXELS);
+            var whole = flat.set("pictureResolution", 1);
+            double share = flat.settings(true).quality().pictureResolution();
+            int width = (int) Math.round(share * still.width());
+            int height = (int) Math.round(share * still.height());
+            byte[] small = stored(whole, width, height);
+            byte[] enlarged = new byte[4 * still.width() * still.height()];
+            for (int pixel = 0; pixel < still.width() * still.height(); pixel++) {
+                int column = (int) ((pixel % still.width() + 0.5) * width / still.width());
+                int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
+                System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
+            }
+            return Overshoot.codes(
+                    enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
         }
 
-        private byte[] stored(Shot shot) {
+        private byte[] stored(Shot shot, int width, int height) {
             try (var renderer = pictures.renderer(shot);
-                    var picture = RenderTarget.picture(
-                            site.gl(), "flat colours", PixelFormat.RGBA8, still.width(), still.height())) {
+                    var picture = RenderTarget.picture(site.gl(), "flat colours", PixelFormat.RGBA8, width, height)) {
                 renderer.draw(site.view(), picture);
                 var bytes = picture.readBytes();
                 byte[] stored = new byte[bytes.remaining()];
