@@ -69,6 +69,11 @@ class AutoQualityTest {
         assertTrue(first.wantsMeasurement(request));
         first.firstViewCosts(request, 22);
         assertFalse(first.wantsMeasurement(request), "once");
+        Optional<Quality> chosen = first.of(request);
+        var killed = auto();
+        killed.levelBegins(request, PIXELS);
+        assertFalse(killed.wantsMeasurement(request), "the measurement is kept at once");
+        assertEquals(chosen, killed.of(request));
         assertTrue(changes(first, request) <= 1);
         first.levelEnds();
 

@@ -88,14 +88,17 @@ final class AutoQuality {
     }
 
     /**
-     * Chooses the point of the first frame by the cost of the first view; returns true if it is another one.
+     * Chooses the point of the first frame by the cost of the first view, and keeps that until the walk tells more; returns
+     * true if it is another point.
      *
      * @param millis of the cheapest of a few frames
      */
     boolean firstViewCosts(PlayRequest request, double millis) {
         var before = controller.point();
         isKnown = true;
-        controller.begin(WALK_BY_START * controller.atHigh(millis));
+        double estimate = WALK_BY_START * controller.atHigh(millis);
+        controller.begin(estimate);
+        learn(estimate);
         tell(request, "measured");
         return before != controller.point();
     }
@@ -104,9 +107,13 @@ final class AutoQuality {
     void levelEnds() {
         double learned = controller.learnedHighMillis();
         if (learned > 0 && pixels > 0) {
-            files.keep(files.quality().with(machine, level, pixels, learned));
+            learn(learned);
         }
         pixels = 0;
+    }
+
+    private void learn(double highMillis) {
+        files.keep(files.quality().with(machine, level, pixels, highMillis));
     }
 
     private void tell(PlayRequest request, String why) {
