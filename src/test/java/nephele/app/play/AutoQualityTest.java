@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.QualityMemory;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.frame.Quality;
@@ -105,7 +106,7 @@ class AutoQualityTest {
         changes(auto, request);
         auto.frame(request, 5, PIXELS / 4);
         double learned = files().quality()
-                .highMillis(Processor.name() + ", llvmpipe", "01-courtyard.json", PIXELS)
+                .highMillis(QualityMemory.machine("llvmpipe"), "01-courtyard.json", PIXELS)
                 .orElseThrow();
         assertEquals(60, learned, 20);
     }

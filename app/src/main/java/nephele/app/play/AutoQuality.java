@@ -8,6 +8,7 @@ import java.util.Optional;
 import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.GameSetting;
 import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.QualityMemory;
 import nephele.app.settings.Settings;
 import nephele.engine.draw.QualityController;
 import nephele.engine.draw.QualityFront;
@@ -42,7 +43,7 @@ final class AutoQuality {
         this.files = files;
         this.software = software;
         this.log = log;
-        machine = Processor.name() + ", " + renderer;
+        machine = QualityMemory.machine(renderer);
         controller = new QualityController(QualityFront.of(software), budgetMillis());
     }
 

@@ -3,6 +3,10 @@ package nephele.app.settings;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -47,6 +51,24 @@ public final class QualityMemory {
         JsonObject all = members.deepCopy();
         all.add(MACHINES, newest(machines, machine, newest(object(machines, machine), level, entry)));
         return new QualityMemory(all);
+    }
+
+    /** Returns this machine's name: the processor's model, the number of its cores, the OpenGL renderer. */
+    public static String machine(String renderer) {
+        String model = listedProcessor()
+                .or(() -> Optional.ofNullable(System.getenv("PROCESSOR_IDENTIFIER")))
+                .orElse(System.getProperty("os.arch"));
+        return model + " × " + Runtime.getRuntime().availableProcessors() + ", " + renderer;
+    }
+
+    private static Optional<String> listedProcessor() {
+        try (var lines = Files.lines(Path.of("/proc/cpuinfo"))) {
+            return lines.filter(line -> line.startsWith("model name"))
+                    .findFirst()
+                    .map(line -> line.substring(line.indexOf(':') + 1).strip());
+        } catch (IOException notLinux) {
+            return Optional.empty();
+        }
     }
 
     private static JsonObject object(JsonObject of, String name) {
