@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 /** Advice about slow frames names what helps, and never what is so already. */
 class SlowAdviceTest {
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
-    private final AutoQuality auto = new AutoQuality(files, true);
+    private final AutoQuality auto = new AutoQuality(files, "llvmpipe", true, null);
 
     private QualityNow quality(QualityChoice option) {
         var player = new PlayRequest.Player(files, null);
@@ -59,7 +59,7 @@ class SlowAdviceTest {
         var request =
                 new PlayRequest(null, null, null, null, null, null, null, null, new PlayRequest.Player(files, null));
         for (int frame = 0; frame < 2000 && auto.now(request) != QualityNow.LOWEST; frame++) {
-            auto.frame(request, 900);
+            auto.frame(request, 900, 1);
         }
         assertEquals(QualityNow.LOWEST, auto.now(request));
     }

@@ -7,8 +7,11 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,15 +95,74 @@ class QualityControllerTest {
     @ParameterizedTest
     @ValueSource(strings = {"01-courtyard", "04-cube"})
     void recordedWalksStayWithinTheBudget(String level) throws IOException {
-        double[] costs;
-        try (var lines = new BufferedReader(new InputStreamReader(
-                QualityControllerTest.class.getResourceAsStream("cost-" + level + ".txt"),
-                StandardCharsets.US_ASCII))) {
-            costs = lines.lines().mapToDouble(Double::parseDouble).toArray();
-        }
+        double[] costs = recorded(level);
         Run run = run(QualityFront.SOFTWARE, BUDGET, costs.length, frame -> costs[frame]);
         assertTrue(run.over < 0.01 * run.frames, run.toString());
         assertTrue(run.changes <= costs.length / 300 + 1, run.toString());
+    }
+
+    private static double[] recorded(String level) throws IOException {
+        try (var lines = new BufferedReader(new InputStreamReader(
+                QualityControllerTest.class.getResourceAsStream("cost-" + level + ".txt"),
+                StandardCharsets.US_ASCII))) {
+            return lines.lines().mapToDouble(Double::parseDouble).toArray();
+        }
+    }
+
+    /** Returns the changes in the first ten seconds of frames. */
+    private static int earlyChanges(QualityController controller, double[] highMillis) {
+        int changes = 0;
+        double clock = 0;
+        for (int i = 0; i < highMillis.length && clock < 10; i++) {
+            double cost = highMillis[i] * controller.point().cost();
+            double seconds = Math.max(cost, BUDGET) / 1000;
+            clock += seconds;
+            changes += controller.add(cost, seconds) ? 1 : 0;
+        }
+        return changes;
+    }
+
+    static Stream<Arguments> machines() {
+        return Stream.of("01-courtyard", "04-cube")
+                .flatMap(level -> DoubleStream.of(0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 4)
+                        .mapToObj(slowness -> Arguments.of(level, slowness)));
+    }
+
+    /**
+     * Recorded walks on machines of other speeds: with what was learned in a walk, at most one change in the first ten
+     * seconds of the next one, whose frames are those of the first with other noise.
+     */
+    @ParameterizedTest
+    @MethodSource("machines")
+    void aMachineSeenBeforeIsSteadyAtOnce(String level, double slowness) throws IOException {
+        double[] walk =
+                Arrays.stream(recorded(level)).map(cost -> slowness * cost).toArray();
+        var first = new QualityController(QualityFront.SOFTWARE, BUDGET);
+        for (double cost : walk) {
+            first.add(cost * first.point().cost(), BUDGET / 1000);
+        }
+        for (long seed = 1; seed <= 5; seed++) {
+            var controller = new QualityController(QualityFront.SOFTWARE, BUDGET);
+            controller.begin(first.learnedHighMillis());
+            var noise = noisy(seed, frame -> walk[frame]);
+            double[] again = IntStream.range(0, walk.length)
+                    .mapToDouble(noise::applyAsDouble)
+                    .toArray();
+            int changes = earlyChanges(controller, again);
+            assertTrue(changes <= 1, changes + " changes, seed " + seed + ", now " + controller.point());
+        }
+    }
+
+    /** The same where nothing is known but the cheapest of four frames of the first view. */
+    @ParameterizedTest
+    @MethodSource("machines")
+    void aNewMachineIsSteadySoon(String level, double slowness) throws IOException {
+        double[] walk =
+                Arrays.stream(recorded(level)).map(cost -> slowness * cost).toArray();
+        var controller = new QualityController(QualityFront.SOFTWARE, BUDGET);
+        controller.begin(1.4 * Arrays.stream(walk, 2, 6).min().orElseThrow());
+        int changes = earlyChanges(controller, walk);
+        assertTrue(changes <= 3, changes + " changes, now " + controller.point());
     }
 
     /** The cost between two points, where each climb fails: the time between climbs grows. */

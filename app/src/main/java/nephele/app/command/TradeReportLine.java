@@ -12,7 +12,6 @@ final class TradeReportLine {
     private static final List<String> SUBJECTS = List.of(
             "quality",
             "pictureResolution",
-            "upscale",
             "edgeFilter",
             "shadowFilter",
             "lightShadows",

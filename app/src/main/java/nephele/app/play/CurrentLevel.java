@@ -1,9 +1,12 @@
 package nephele.app.play;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
 import nephele.app.text.Phrase;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.terminal.CommandFailure;
@@ -16,6 +19,7 @@ final class CurrentLevel implements AutoCloseable {
     private final Message message;
     private final AutoQuality auto;
     private Session session;
+    private boolean isBehindTitle;
 
     CurrentLevel(GlContext gl, Recordings recordings, Message message, AutoQuality auto) {
         this.gl = gl;
@@ -45,20 +49,47 @@ final class CurrentLevel implements AutoCloseable {
         keepRecordingOrSay();
         closeSession();
         session = loaded;
-        auto.levelBegins();
+        isBehindTitle = false;
         session.notice().ifPresent(message::say);
+    }
+
+    /** Draws the level as it lies behind the title from the next frame on. */
+    void liesBehindTitle() {
+        isBehindTitle = true;
+        redraw(auto.ofTitle(session.request()));
+    }
+
+    /**
+     * Draws the level for play from the next frame on, with the quality that fits.
+     *
+     * @param firstViewMillis measures the first view; called only where the level's cost is not known
+     */
+    void isPlayed(ToDoubleFunction<Session> firstViewMillis) {
+        if (isBehindTitle) {
+            isBehindTitle = false;
+            redraw();
+        }
+        var request = session.request();
+        if (auto.wantsMeasurement(request) && auto.firstViewCosts(request, firstViewMillis.applyAsDouble(session))) {
+            redraw();
+        }
     }
 
     /** Frees what the level takes; its recording is not saved. */
     void leave() {
+        auto.levelEnds();
         closeSession();
     }
 
-    /** Draws the level with the chosen quality. */
+    /** Draws the level with the chosen quality; behind the title with the title's. */
     void redraw() {
+        redraw(isBehindTitle ? auto.ofTitle(session.request()) : auto.of(session.request()));
+    }
+
+    private void redraw(Optional<Quality> automatic) {
         boolean showsFigures = figures.isOpen();
         figures.close();
-        session.redraw(gl, auto);
+        session.redraw(gl, automatic);
         if (showsFigures) {
             toggleFigures();
         }
@@ -80,8 +111,8 @@ final class CurrentLevel implements AutoCloseable {
     }
 
     /** Draws with another quality from the next frame on if the frame rate asks for it. */
-    void frameCost(double millis) {
-        if (auto.frame(session.request(), millis)) {
+    void frameCost(double millis, long pixels) {
+        if (auto.frame(session.request(), millis, pixels)) {
             redraw();
         }
     }
@@ -129,7 +160,7 @@ final class CurrentLevel implements AutoCloseable {
         try {
             keepRecording();
         } finally {
-            closeSession();
+            leave();
         }
     }
 }

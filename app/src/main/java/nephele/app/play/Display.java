@@ -39,6 +39,12 @@ final class Display implements AutoCloseable {
     /** The greatest height of the overlay in points; the overlay of a higher picture is scaled up. */
     static final double HIGHEST_POINTS = 1080;
 
+    /** Frames of the first view that only compile programs. */
+    private static final int FIRST_VIEW_WARM_UP = 2;
+
+    private static final int FIRST_VIEW_FRAMES = 6;
+    private static final long FIRST_VIEW_NANOS = 300_000_000L;
+
     private final GameWindow window;
     private final GlContext gl;
     private final Lettering lettering = new Lettering();
@@ -49,6 +55,7 @@ final class Display implements AutoCloseable {
     private final Screenshots screenshots;
     private final Message message;
     private final FrameCost cost;
+    private final TitlePicture title;
     private RenderTarget target;
     private Area area;
 
@@ -61,6 +68,7 @@ final class Display implements AutoCloseable {
         overlay = new OverlayPass(gl, lettering);
         outlines = new BoundOutlines(gl);
         cost = new FrameCost(gl);
+        title = new TitlePicture(gl);
     }
 
     /** Draws the overlay over an empty picture: there is no level yet. */
@@ -106,6 +114,40 @@ final class Display implements AutoCloseable {
         }
     }
 
+    /** Returns true if the level behind the title is kept: where a frame of it takes long. */
+    boolean keepsTitle() {
+        return gl.limits().software();
+    }
+
+    /** Draws one frame of the title over its level, which stands still. */
+    void drawTitle(Session session, HudContent content, Shot shot) {
+        var picture = target();
+        title.draw(session, aspect(), picture);
+        drawOverlay(content, picture, shot);
+        window.show();
+    }
+
+    /** Returns the time of the cheapest of a few frames of a level's first view, ms. None of them is shown. */
+    double firstViewMillis(Session session) {
+        var picture = target();
+        View view = session.walk().view(aspect());
+        double least = Double.POSITIVE_INFINITY;
+        long begin = System.nanoTime();
+        for (int frame = 0;
+                frame <= FIRST_VIEW_WARM_UP
+                        || frame < FIRST_VIEW_FRAMES && System.nanoTime() - begin < FIRST_VIEW_NANOS;
+                frame++) {
+            long start = System.nanoTime();
+            session.picture().draw(view, session.walk().frameState(), Wipe.MIDDLE, picture, StepListener.NONE);
+            gl.finish();
+            if (frame >= FIRST_VIEW_WARM_UP) {
+                least = Math.min(least, (System.nanoTime() - start) / 1e6);
+            }
+        }
+        session.picture().forget();
+        return least;
+    }
+
     private void drawOverlay(HudContent content, RenderTarget picture, Shot shot) {
         if (shot == Shot.WITHOUT_OVERLAY) {
             save(picture);
@@ -127,6 +169,11 @@ final class Display implements AutoCloseable {
     /** Returns the time that the last frame of the game took, ms. */
     double costMillis() {
         return cost.millis();
+    }
+
+    /** Returns the number of the picture's pixels. */
+    long pixels() {
+        return (long) window.width() * window.height();
     }
 
     /** Returns width over height. */
@@ -162,5 +209,6 @@ final class Display implements AutoCloseable {
         overlay.close();
         outlines.close();
         cost.close();
+        title.close();
     }
 }

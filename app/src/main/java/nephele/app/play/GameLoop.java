@@ -71,7 +71,7 @@ public final class GameLoop implements AutoCloseable {
         menus = new GameMenus(files, LevelCatalogue.campaign(), input::device);
         gamepad = new Gamepad(input);
         menu = new MenuControl(input);
-        auto = new AutoQuality(files, gl.limits().software());
+        auto = new AutoQuality(files, gl.limits(), request.player().log());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         settings = new SettingsControl(window, input, menus, menu, current, message);
@@ -207,7 +207,9 @@ public final class GameLoop implements AutoCloseable {
         page = Page.NONE;
         menu.open(menus.title());
         picture.titleOpens();
-        if (current.session() == null) {
+        if (current.session() != null) {
+            current.liesBehindTitle();
+        } else {
             loading = menus.nextToPlay()
                     .map(level -> Loading.begin(first.of(level)))
                     .orElse(null);
@@ -337,7 +339,8 @@ public final class GameLoop implements AutoCloseable {
     /** The level behind the title may be missing: its problem is told when the player starts it. */
     private void loadBehindTitle() {
         try {
-            current.become(loading.session(gl, input, auto));
+            current.become(session());
+            current.liesBehindTitle();
         } catch (RuntimeException problem) {
             if (LoadProblem.line(problem).isEmpty()) {
                 throw problem;
@@ -351,7 +354,7 @@ public final class GameLoop implements AutoCloseable {
      */
     private void load() {
         try {
-            current.become(loading.session(gl, input, auto));
+            current.become(session());
             loading = null;
             begin();
         } catch (RuntimeException problem) {
@@ -371,7 +374,15 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
+    /** Returns the loaded level as its first frame is drawn. */
+    private Session session() {
+        var request = loading.request();
+        auto.levelBegins(request, display.pixels());
+        return loading.session(gl, input, auto.of(request));
+    }
+
     private void begin() {
+        current.isPlayed(display::firstViewMillis);
         lastNanos = System.nanoTime();
         counter.restart();
         timeLoss.restart();

@@ -127,14 +127,17 @@ final class GamePicture {
                 keys(),
                 page == Page.HELP && stage != GameStage.TITLE ? GoalSight.banner(session, keys().language()) : null);
         var listener = current.figures().frameBegins();
-        if (stage == GameStage.TITLE) {
+        boolean isKept = stage == GameStage.TITLE && display.keepsTitle();
+        if (isKept) {
+            display.drawTitle(session, content, shot);
+        } else if (stage == GameStage.TITLE) {
             display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot);
         } else {
             display.draw(session, content, listener, shot);
         }
         current.figures().frameEnds(session.walk());
-        if (shot == Display.Shot.NONE) { // a frame with a screenshot waits for a file
-            current.frameCost(display.costMillis());
+        if (shot == Display.Shot.NONE && !isKept) { // a frame with a screenshot waits for a file
+            current.frameCost(display.costMillis(), display.pixels());
         }
     }
 

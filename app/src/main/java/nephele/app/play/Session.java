@@ -16,6 +16,7 @@ import nephele.engine.playthrough.TakenOverInput;
 import nephele.engine.playthrough.TickInput;
 import nephele.engine.playthrough.UnturnedInput;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
@@ -52,15 +53,24 @@ final class Session implements AutoCloseable {
         restart();
     }
 
-    /** Builds the resources of a level; its problems are thrown before anything is allocated. */
-    static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input, AutoQuality auto) {
-        return load(gl, request, preparation.get(), input, auto);
+    /**
+     * Builds the resources of a level; its problems are thrown before anything is allocated.
+     *
+     * @param automatic the quality in place of the request's
+     */
+    static Session load(
+            GlContext gl, PlayRequest request, Preparation preparation, Input input, Optional<Quality> automatic) {
+        return load(gl, request, preparation.get(), input, automatic);
     }
 
     /** Builds the resources of a prepared level. */
     static Session load(
-            GlContext gl, PlayRequest request, Preparation.Prepared prepared, Input input, AutoQuality auto) {
-        return new Session(request, prepared, SessionPicture.load(gl, request, prepared, auto.of(request)), input);
+            GlContext gl,
+            PlayRequest request,
+            Preparation.Prepared prepared,
+            Input input,
+            Optional<Quality> automatic) {
+        return new Session(request, prepared, SessionPicture.load(gl, request, prepared, automatic), input);
     }
 
     /** Restarts the level; a replay uses its own settings. */
@@ -94,9 +104,13 @@ final class Session implements AutoCloseable {
         playthrough.motion(ChosenSettings.motion(settings));
     }
 
-    /** Replaces the renderer by one of the chosen quality. */
-    void redraw(GlContext gl, AutoQuality auto) {
-        SessionPicture next = SessionPicture.load(gl, request, prepared, auto.of(request));
+    /**
+     * Replaces the renderer.
+     *
+     * @param automatic the quality in place of the request's
+     */
+    void redraw(GlContext gl, Optional<Quality> automatic) {
+        SessionPicture next = SessionPicture.load(gl, request, prepared, automatic);
         next.follow(picture);
         picture.close();
         picture = next;

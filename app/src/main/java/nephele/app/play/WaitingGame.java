@@ -67,7 +67,7 @@ public final class WaitingGame {
         this.answers = answers;
         var files = usual.player().files();
         message = parts.message;
-        auto = new AutoQuality(files, gl.limits().software());
+        auto = new AutoQuality(files, gl.limits(), usual.player().log());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
         picture = new GamePicture(parts.display, current, new MenuControl(input), message, files, input);
         input.bind(Settings.bindings(files.settings()));
@@ -149,12 +149,13 @@ public final class WaitingGame {
         try {
             var name = usual.level() == null ? new LevelName(WARMING) : usual.level();
             var request = usual.of(name);
+            auto.levelBegins(request, pixels());
             current.become(Session.load(
                     gl,
                     request,
                     Preparation.beginUnbaked(name::open, request.chosenQuality(), () -> null),
                     input,
-                    auto));
+                    auto.of(request)));
             for (int frame = 0; frame < WARMING_FRAMES; frame++) {
                 current.session().walk().advance(WARMING_TICKS * 1_000_000_000L / 120 / WARMING_FRAMES);
                 picture.draw(GameStage.RUNNING, null, Page.NONE, Display.Shot.NONE);
@@ -201,8 +202,13 @@ public final class WaitingGame {
         var prepared = preparation.get();
         PlayerStart from =
                 order.from() == null ? null : FreeStart.near(prepared.world().statics(), order.from());
-        current.become(Session.load(gl, request.from(from), prepared, input, auto));
+        auto.levelBegins(request, pixels());
+        current.become(Session.load(gl, request.from(from), prepared, input, auto.of(request)));
         return true;
+    }
+
+    private long pixels() {
+        return (long) window.width() * window.height();
     }
 
     private PlayRequest request(PlayOrder order) {

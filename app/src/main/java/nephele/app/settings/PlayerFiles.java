@@ -8,22 +8,26 @@ import java.util.function.Consumer;
 import nephele.engine.userfile.UserFile;
 import nephele.engine.userfile.UserFolders;
 
-/** The settings and the progress of a player, kept in two files; each change is saved at once. */
+/** The settings and the progress of a player, and what was learned of quality, a file each; each change is saved at once. */
 public final class PlayerFiles {
     private final UserFile settingsFile;
     private final UserFile progressFile;
     private final Path levels;
+    private final UserFile qualityFile;
     private final List<String> problems = new ArrayList<>();
     private GameSettings settings;
     private Progress progress;
+    private QualityMemory quality;
 
-    /** Reads both files; problems with them are returned by {@link #takeProblems}. */
+    /** Reads the files; problems with them are returned by {@link #takeProblems}. */
     public PlayerFiles(UserFolders folders) {
         levels = folders.levels();
         settingsFile = new UserFile(in(folders.settings(), "settings.json"), "nephele-settings", 1);
         progressFile = new UserFile(in(folders.state(), "progress.json"), "nephele-progress", 1);
+        qualityFile = new UserFile(in(folders.state(), "quality.json"), "nephele-quality", 1);
         settings = GameSettings.of(settingsFile.read(problems::add), told(settingsFile));
         progress = Progress.of(progressFile.read(problems::add), told(progressFile));
+        quality = new QualityMemory(qualityFile.read(unusable -> {})); // it is learned again
         if (settingsFile.path() == null) {
             problems.add("no folder for settings is known (HOME is not set): nothing is kept");
         }
@@ -82,6 +86,21 @@ public final class PlayerFiles {
             progressFile.save(changed.members());
         } catch (IOException unsaved) {
             problems.add(unsaved.getMessage());
+        }
+    }
+
+    /** Returns what was learned of quality. */
+    public QualityMemory quality() {
+        return quality;
+    }
+
+    /** Replaces and saves what was learned of quality; if it cannot be saved, it is learned again the next time. */
+    public void keep(QualityMemory changed) {
+        quality = changed;
+        try {
+            qualityFile.save(changed.members());
+        } catch (IOException unsaved) {
+            return;
         }
     }
 }

@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
  * frames: it goes down after a few frames over budget, and up when nearly all of many frames would stay within the
- * budget, at most once in {@value #CLIMB_SECONDS} s; each climb that fails doubles that time.
+ * budget, at most once in {@value #CLIMB_SECONDS} s; each climb that fails doubles that time. What it learns of a level
+ * chooses the point of the first frame the next time.
  */
 public final class QualityController {
     /** Frames after a change that are not counted: programs are compiled and targets allocated in them. */
@@ -33,6 +34,11 @@ public final class QualityController {
     /** The quantile of frame costs that a climb regards; the frames above it are hitches of the system. */
     private static final double USUALLY = 0.97;
 
+    /** The last windows from which a level's cost is learned: ten minutes at 30 frames a second. */
+    private static final int LEARNED_WINDOWS = 200;
+
+    private static final double LEARNED_SHARE = 0.75;
+
     private static final double CLIMB_SECONDS = 10;
     private static final double LONGEST_CLIMB_SECONDS = 320;
 
@@ -47,6 +53,8 @@ public final class QualityController {
     private int frames;
     private double secondsAtPoint;
     private double climbSeconds = CLIMB_SECONDS;
+    private final double[] learned = new double[LEARNED_WINDOWS];
+    private int learnedWindows;
 
     /** @param budgetMillis greatest time of a frame */
     public QualityController(QualityFront front, double budgetMillis) {
@@ -61,7 +69,36 @@ public final class QualityController {
         isFirst = true;
         hasClimbed = false;
         climbSeconds = CLIMB_SECONDS;
+        learnedWindows = 0;
         restart(FIRST_WARM_UP_FRAMES);
+    }
+
+    /**
+     * Begins another level whose cost is known: its first frame is drawn at the point that fits.
+     *
+     * @param highMillis what its frames usually cost at most at quality {@code high}
+     */
+    public void begin(double highMillis) {
+        begin();
+        isFirst = false;
+        point = bestWithin(
+                AIM * budgetMillis, highMillis * point().cost(), front.points().size() - 1);
+    }
+
+    /**
+     * Returns what the frames since the level's begin usually cost at most, as if drawn at quality {@code high}, ms: that of
+     * three quarters of the windows, so that hitches weigh little. 0 before a window is full.
+     */
+    public double learnedHighMillis() {
+        int count = Math.min(learnedWindows, LEARNED_WINDOWS);
+        double[] rising = Arrays.copyOf(learned, count);
+        Arrays.sort(rising);
+        return count == 0 ? 0 : rising[(int) Math.round(LEARNED_SHARE * (count - 1))];
+    }
+
+    /** Returns what quality {@code high} would cost where a frame of the current point costs {@code millis}. */
+    public double atHigh(double millis) {
+        return millis / point().cost();
     }
 
     private void restart(int uncounted) {
@@ -102,6 +139,9 @@ public final class QualityController {
             return false;
         }
         window[(frames - warmUp - 1) % WINDOW_FRAMES] = millis;
+        if ((frames - warmUp) % WINDOW_FRAMES == 0) {
+            learned[learnedWindows++ % LEARNED_WINDOWS] = atHigh(quantile(USUALLY));
+        }
         return change(isFirst ? first() : next());
     }
 

@@ -2,6 +2,7 @@ package nephele.lab.trade.subject;
 
 import java.util.List;
 import java.util.stream.Stream;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
@@ -37,22 +38,32 @@ public final class QualitySubjects {
                     .map(share -> PictureSetting.of("pictureResolution", share, resolutionNote(share)))
                     .toList());
 
-    public static final Trade UPSCALE = seen(
+    private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(
+                    Stream.of("0.5", "0.59", "0.67", "0.77").flatMap(size -> Stream.of(
+                                    "bilinear", "sharp_bilinear", "edge_adaptive")
+                            .map(filter -> new PictureSetting(
+                                    new Setting(filter + " " + size, filterNote(filter)),
+                                    shot -> shot.set("pictureResolution", size).set("upscale", filter)))),
+                    Stream.of(new PictureSetting(Setting.of("whole"), shot -> shot)))
+            .toList();
+
+    public static final Trade UPSCALE = new Trade(
             "upscale",
             new Trade.Text(
                     "Filter that scales the picture up",
-                    "Catmull-Rom is sharper and reads five times; bilinear reads once and leaves time for more pixels."
-                            + " Both at 0.6 of the pixels along a side, and bilinear at 0.65.",
-                    SEEN),
+                    "Three filters at four shares of the pixels along a side, in five levels of the game, whose frames"
+                            + " are drawn one after the other: a filter pays if no other point of the same cost errs"
+                            + " less.",
+                    "the whole picture as displayed; shimmer against 16 samples a pixel. A halo is a flat colour that"
+                            + " leaves the range of the drawn pixels around it, in codes of 8 bits"),
             List.of("upscale"),
-            "bilinear",
-            List.of(
-                    new PictureSetting(Setting.of("bilinear"), shot -> shot.set("pictureResolution", "0.6")),
-                    new PictureSetting(
-                            new Setting("catmull_rom", "presets on a graphics card"),
-                            shot -> shot.set("pictureResolution", "0.6").set("upscale", "catmull_rom")),
-                    new PictureSetting(
-                            new Setting("bilinear at 0.65", ""), shot -> shot.set("pictureResolution", "0.65"))));
+            SIZES_AND_FILTERS.stream().map(PictureSetting::setting).toList(),
+            SIZES_AND_FILTERS.size() - 1,
+            ErrorMetric.DISPLAYED,
+            UpscaleExperiment.FIGURES,
+            UpscaleExperiment.COST,
+            null,
+            site -> new UpscaleExperiment(site, SIZES_AND_FILTERS));
 
     public static final Trade NORMAL_MAPS = PictureSubjects.of(
             "normalMaps",
@@ -123,6 +134,14 @@ public final class QualitySubjects {
             .in(LIT_LEVEL, "lightShadows", LIGHT_SHADOWS_TEXT);
 
     private QualitySubjects() {}
+
+    private static String filterNote(String filter) {
+        return switch (filter) {
+            case "sharp_bilinear" -> "software";
+            case "edge_adaptive" -> "graphics cards";
+            default -> "";
+        };
+    }
 
     private static String resolutionNote(String share) {
         return switch (share) {

@@ -8,7 +8,6 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
@@ -24,12 +23,17 @@ public final class UpscalePass implements Pass {
 
     private static final String FOLDER = "/nephele/engine/render/pass/upscale/";
 
+    /**
+     * The slope of the weights of {@code SHARP_BILINEAR}; 1 is bilinear. Greater ones are nearer to the whole picture, and
+     * shimmer more (docs/decisions.md).
+     */
+    public static final double STEEPNESS = 1.5;
+
     private final FullScreenDrawing drawing;
 
     private UpscalePass(LoadContext context) {
         var stages = new FullScreenDrawing.Stages("upscale.vert", "upscale.frag");
-        Defines defines =
-                new Defines().withIf(context.quality().upscale() == Upscale.CATMULL_ROM, Upscale.CATMULL_ROM.name());
+        Defines defines = new Defines().with(context.quality().upscale().name()).with("STEEPNESS", STEEPNESS);
         drawing = new FullScreenDrawing(
                 context, defines, FOLDER, stages, uniforms -> uniforms.sampler("smallPicture", TextureUnit.COLOURS));
     }

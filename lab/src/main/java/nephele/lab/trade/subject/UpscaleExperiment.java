@@ -1,0 +1,150 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.Flip;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.measure.Overshoot;
+import nephele.engine.measure.Shimmer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/**
+ * Sizes of the drawn picture and the filters that scale it up, in five levels: FLIP to the whole picture, shimmer along a
+ * path relative to 16 samples a pixel, and how far flat colours overshoot beside their edges. A run draws a frame of each
+ * level.
+ */
+final class UpscaleExperiment implements Experiment {
+    private static final List<String> LEVELS = Stream.of(
+                    "01-courtyard", "02-first-shot", "03-momentum", "04-cube", "06-standing-stones")
+            .map(name -> "levels/" + name + ".json")
+            .toList();
+
+    static final List<String> FIGURES = Stream.concat(
+                    Stream.of("shimmer", "halo, codes"), LEVELS.stream().map(name -> "FLIP " + name.substring(7, 9)))
+            .toList();
+
+    /** A run draws a frame of each level. */
+    static final CostMetric COST = new CostMetric("CPU a frame", "ms", 1e6, LEVELS.size(), CostMetric.Clock.PROCESS);
+
+    private static final int EXACT_SIDE = 4;
+
+    /** Further than any filter reaches: three drawn pixels at half the size. */
+    private static final int REACH_PIXELS = 6;
+
+    private final List<InLevel> levels;
+    private final TradeSite site;
+
+    UpscaleExperiment(TradeSite site, List<PictureSetting> settings) {
+        this.site = site;
+        levels = LEVELS.stream()
+                .map(level -> new InLevel(site.in(level), settings))
+                .toList();
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        List<Drawn> drawn = levels.stream().map(level -> level.drawn(setting)).toList();
+        List<Double> figures = new ArrayList<>();
+        figures.add(drawn.stream().mapToDouble(Drawn::shimmer).average().orElseThrow());
+        figures.add((double) levels.get(0).halo(setting));
+        drawn.forEach(each -> figures.add(each.flip().mean()));
+        double mean =
+                drawn.stream().mapToDouble(each -> each.flip().mean()).average().orElseThrow();
+        Drawn first = drawn.get(0);
+        return new Judgement(mean, figures, levels.get(0).shown(first.still()), first.flip());
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return levels.get(0).shown(levels.get(0).whole);
+    }
+
+    @Override
+    public void run(int setting) {
+        levels.forEach(level -> level.pictures.run(setting));
+        site.gl().finish();
+    }
+
+    @Override
+    public void close() {
+        levels.forEach(level -> level.pictures.close());
+    }
+
+    /** A setting in one of the levels. */
+    private record Drawn(LinearPicture still, ErrorMap flip, double shimmer) {}
+
+    /** The settings in one of the levels. */
+    private static final class InLevel {
+        final PictureExperiment pictures;
+        final LinearPicture whole;
+        private final TradeSite site;
+        private final Footage still;
+        private final Footage path;
+        private final List<LinearPicture> exactPath;
+
+        InLevel(TradeSite site, List<PictureSetting> settings) {
+            this.site = site;
+            pictures = new PictureExperiment(site, settings, Compared.SEEN);
+            still = Footage.still(site);
+            path = Footage.path(site);
+            Shot usual = pictures.shot(0).set("pictureResolution", 1);
+            try (var renderer = pictures.renderer(usual)) {
+                whole = still.displayed(site.gl(), renderer, 1).get(0);
+                exactPath = path.displayed(site.gl(), renderer, EXACT_SIDE);
+            }
+        }
+
+        Drawn drawn(int setting) {
+            try (var renderer = pictures.renderer(pictures.shot(setting))) {
+                LinearPicture picture = still.displayed(site.gl(), renderer, 1).get(0);
+                return new Drawn(
+                        picture,
+                        Flip.ofDisplayed(whole, picture),
+                        Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1)));
+            }
+        }
+
+        /** Returns how far flat colours, those of the surfaces' ids, leave the range of the drawn pixels around them. */
+        int halo(int setting) {
+            var shot = pictures.shot(setting);
+            var flat = new Shot(IdLevel.of(shot.level()), Output.PLAIN, shot.preset(), shot.set()).set("rims", "off");
+            var whole = flat.set("pictureResolution", 1);
+            double share = flat.settings(true).quality().pictureResolution();
+            int width = (int) Math.round(share * still.width());
+            int height = (int) Math.round(share * still.height());
+            byte[] small = stored(whole, width, height);
+            byte[] enlarged = new byte[4 * still.width() * still.height()];
+            for (int pixel = 0; pixel < still.width() * still.height(); pixel++) {
+                int column = (int) ((pixel % still.width() + 0.5) * width / still.width());
+                int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
+                System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
+            }
+            return Overshoot.codes(enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
+        }
+
+        private byte[] stored(Shot shot, int width, int height) {
+            try (var renderer = pictures.renderer(shot);
+                    var picture = RenderTarget.picture(site.gl(), "flat colours", PixelFormat.RGBA8, width, height)) {
+                renderer.draw(site.view(), picture);
+                var bytes = picture.readBytes();
+                byte[] stored = new byte[bytes.remaining()];
+                bytes.get(stored);
+                return stored;
+            }
+        }
+
+        BufferedImage shown(LinearPicture picture) {
+            return Compared.SEEN.shown(picture, site.level().environment());
+        }
+    }
+}
