@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
@@ -42,7 +41,6 @@ class EditorSettingsTest {
                 .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)
                 .with(EditorSetting.SCALE_PERCENT, 150)
                 .with(EditorSetting.LANGUAGE, Language.PT_BR)
-                .with(EditorSetting.VIEWPORT, SurfaceMode.OFFSCREEN)
                 .with(EditorSetting.PANE_ARRANGEMENT, "four")
                 .with(EditorSetting.SPLITTERS, Map.of("outliner", 0.25))
                 .with(EditorSetting.PANELS, Map.of("problems", false))

@@ -21,6 +21,11 @@ public record ViewportFrame(
         panes = List.copyOf(panes);
     }
 
+    /** Returns the frame with other marks in every pane. */
+    public ViewportFrame with(List<Mark> others) {
+        return new ViewportFrame(level, assets, panes, active, others, look, isSettled);
+    }
+
     /**
      * One pane.
      *

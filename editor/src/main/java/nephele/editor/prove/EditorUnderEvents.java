@@ -17,8 +17,7 @@ import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.EditorParts;
-import nephele.editor.surface.OffscreenSurface;
-import nephele.editor.surface.SurfaceMode;
+import nephele.editor.surface.ViewportSurface;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
@@ -49,7 +48,7 @@ final class EditorUnderEvents implements AutoCloseable {
         DocumentFile.Opened opened = DocumentFile.open(base.toString());
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
         session.filing(Filing.of(EditorFiles.of(null, folder)));
-        panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
+        panel = EditorParts.panel(session, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
         resize(SIZE);
     }
@@ -90,8 +89,8 @@ final class EditorUnderEvents implements AutoCloseable {
         });
     }
 
-    private OffscreenSurface surface() {
-        return (OffscreenSurface) panel.viewport().surface();
+    private ViewportSurface surface() {
+        return panel.viewport().surface();
     }
 
     /** Returns the number of objects of OpenGL in the state of the beginning, after all kinds of pictures were drawn. */
