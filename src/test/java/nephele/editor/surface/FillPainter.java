@@ -1,7 +1,7 @@
 package nephele.editor.surface;
 
-import java.util.Collections;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;

@@ -79,7 +79,8 @@ class ViewportSurfaceGlTest {
             assertEquals(0x003300, pixel(surface.picture(), 3, 9));
             assertEquals(0x003300, pixel(paint(surface), 3, 9));
         });
-        assertEquals(3, painter.events.stream().filter("beside: painted"::equals).count());
+        assertEquals(
+                3, painter.events.stream().filter("beside: painted"::equals).count());
         surface.close();
     }
 

@@ -16,7 +16,6 @@ import nephele.editor.session.FileRefusal;
 import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
-import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.ScriptedEditing;
 import nephele.editor.start.WindowedEditing;

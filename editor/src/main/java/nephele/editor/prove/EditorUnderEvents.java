@@ -33,7 +33,7 @@ final class EditorUnderEvents implements AutoCloseable {
 
     private final EditorSession session;
     private final EditorPanel panel;
-    private final Path base;
+    private final DocumentFile.Opened base;
     private final DialogStage dialogues;
     private EditorSettings look = EditorSettings.DEFAULT;
 
@@ -41,12 +41,11 @@ final class EditorUnderEvents implements AutoCloseable {
      * @param base the level at the beginning, to which {@link #liveObjects} returns
      * @param folder for backups
      */
-    EditorUnderEvents(Path base, Path folder, StageDesk desk, DialogStage dialogues) throws LevelFormatException {
+    EditorUnderEvents(DocumentFile.Opened base, Path folder, StageDesk desk, DialogStage dialogues) {
         this.base = base;
         this.dialogues = dialogues;
         WindowLook.apply(look);
-        DocumentFile.Opened opened = DocumentFile.open(base.toString());
-        session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
+        session = new EditorSession(base.file(), base.level(), base.assets(), look);
         session.filing(Filing.of(EditorFiles.of(null, folder)));
         panel = EditorParts.panel(session, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
@@ -94,12 +93,11 @@ final class EditorUnderEvents implements AutoCloseable {
     }
 
     /** Returns the number of objects of OpenGL in the state of the beginning, after all kinds of pictures were drawn. */
-    Map<GlKind, Integer> liveObjects() throws LevelFormatException {
-        DocumentFile.Opened opened = DocumentFile.open(base.toString());
+    Map<GlKind, Integer> liveObjects() {
         session.proving().close();
         session.proving().dismiss();
         session.use(Tools.ALL.get(0));
-        session.open(opened.file(), opened.level(), opened.assets());
+        session.open(base.file(), base.level(), base.assets());
         session.document().select(Selection.NONE);
         session.settings(EditorSettings.DEFAULT);
         resize(SIZE);

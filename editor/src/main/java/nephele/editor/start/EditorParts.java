@@ -43,8 +43,7 @@ public final class EditorParts {
      *
      * @param parts receives the name of each part that can be shown, and what opens it
      */
-    public static EditorPanel panel(
-            EditorSession session, Desk desk, BiConsumer<String, Runnable> parts) {
+    public static EditorPanel panel(EditorSession session, Desk desk, BiConsumer<String, Runnable> parts) {
         return panel(session, new EditorSurroundings(desk, parts, DialogFrame::new));
     }
 

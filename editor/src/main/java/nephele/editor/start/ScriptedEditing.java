@@ -44,8 +44,7 @@ public final class ScriptedEditing {
     /** Draws the whole editor as its window would show it. */
     private java.awt.image.BufferedImage picture() {
         WindowLook.apply(session.settings());
-        try (EditorPanel panel =
-                EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {})) {
+        try (EditorPanel panel = EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {})) {
             PanelPicture.layOut(panel, SIZE);
             return PanelPicture.of(panel);
         }

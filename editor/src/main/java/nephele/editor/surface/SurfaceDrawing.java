@@ -44,8 +44,7 @@ final class SurfaceDrawing {
         }
         Runnable told = painting.draw(target);
         boolean fits = spare != null && spare.getWidth() == size.width() && spare.getHeight() == size.height();
-        BufferedImage into =
-                fits ? spare : new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
+        BufferedImage into = fits ? spare : new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         read(((DataBufferInt) into.getRaster().getDataBuffer()).getData());
         return new Drawn(into, told);
     }

@@ -188,8 +188,7 @@ public final class ViewportSurface implements AutoCloseable {
         comingSince = System.nanoTime();
         BufferedImage into = spare;
         spare = null;
-        CompletableFuture<Drawn> begun =
-                CompletableFuture.supplyAsync(() -> drawing.draw(next, size, into), thread);
+        CompletableFuture<Drawn> begun = CompletableFuture.supplyAsync(() -> drawing.draw(next, size, into), thread);
         coming = begun;
         if (EventQueue.isDispatchThread()) {
             view.look.start();

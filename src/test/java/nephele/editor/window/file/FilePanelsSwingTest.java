@@ -227,8 +227,7 @@ class FilePanelsSwingTest {
 
     /** Looks down on the floor of the level from 5 m above it. */
     private static ViewportPanel viewport(EditorSession session) {
-        ViewportPanel viewport =
-                new ViewportPanel(session, new ViewportPanel.Told(at -> {}, line -> {}));
+        ViewportPanel viewport = new ViewportPanel(session, new ViewportPanel.Told(at -> {}, line -> {}));
         viewport.setSize(400, 300);
         layOut(viewport);
         viewport.picture();
