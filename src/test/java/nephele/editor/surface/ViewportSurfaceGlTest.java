@@ -1,6 +1,7 @@
 package nephele.editor.surface;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
@@ -63,6 +64,7 @@ class ViewportSurfaceGlTest {
         CountDownLatch drawing = new CountDownLatch(1);
         painter.before = () -> {
             drawing.countDown();
+            assertFalse(EventQueue.isDispatchThread());
             goOn.acquireUninterruptibly();
         };
         painter.red = 0;

@@ -51,6 +51,9 @@ public final class ViewportSurface implements AutoCloseable {
     /** The picture that is drawn now; {@code null} for none. */
     private CompletableFuture<Drawn> coming;
 
+    /** Is done when what came last is shown. */
+    private CompletableFuture<Void> ended = CompletableFuture.completedFuture(null);
+
     private SurfaceSize comingSize;
     private long comingSince;
     /** {@code null} before the first. */
@@ -190,6 +193,7 @@ public final class ViewportSurface implements AutoCloseable {
         spare = null;
         CompletableFuture<Drawn> begun = CompletableFuture.supplyAsync(() -> drawing.draw(next, size, into), thread);
         coming = begun;
+        ended = new CompletableFuture<>();
         if (EventQueue.isDispatchThread()) {
             view.look.start();
             begun.whenComplete((drawn, thrown) -> EventQueue.invokeLater(() -> end(begun)));
@@ -221,8 +225,14 @@ public final class ViewportSurface implements AutoCloseable {
             painter.failed(String.valueOf(failure.getMessage()));
         } finally {
             coming = null;
+            ended.complete(null);
         }
         view.repaint();
+    }
+
+    /** Is done when the picture that is being drawn is shown; called on Swing's thread. */
+    public CompletableFuture<Void> drawing() {
+        return ended;
     }
 
     /** Returns the number of objects of the context, after {@link #close} those that were left; empty before a picture. */

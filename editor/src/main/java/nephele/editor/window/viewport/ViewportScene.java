@@ -22,6 +22,7 @@ import nephele.editor.surface.SurfacePainter;
 import nephele.editor.surface.SurfaceSize;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.SessionMarks.Marked;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
@@ -36,6 +37,8 @@ final class ViewportScene implements SurfacePainter {
     private final Consumer<String> report;
     private List<String> told = List.of();
     private boolean isComplete;
+    /** The files of the level whose pictures have begun; {@code null} before the first. */
+    private AssetSource begun;
 
     // Used by the drawing thread alone.
     private final SessionMarks marks = new SessionMarks();
@@ -61,6 +64,13 @@ final class ViewportScene implements SurfacePainter {
         ViewportFrame frame = frame(pixelsPerPoint(size));
         Marked marked = Marked.of(session);
         boolean isAtOnce = isComplete;
+        boolean isFirst = !isAtOnce && begun != session.assets();
+        begun = session.assets();
+        if (isFirst) {
+            // Edges are there long before tables and shaders are.
+            repaintSoon.run();
+            return target -> draw(frame.with(marks.of(marked)).withEdgesOnly(), target, true);
+        }
         return target -> draw(frame.with(marks.of(marked)), target, isAtOnce);
     }
 
