@@ -1,6 +1,7 @@
 package nephele.editor.settings;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -33,6 +34,19 @@ class EditorSettingsTest {
 
     private EditorFiles files() {
         return EditorFiles.in(new UserFolders(folder.resolve("c"), folder.resolve("s")));
+    }
+
+    @Test
+    void aSettingOfAnEarlierVersionGoesWithoutAWord() throws IOException {
+        Path file = files().settings();
+        files().save(EditorSettings.DEFAULT.with(EditorSetting.SCALE_PERCENT, 150));
+        Files.writeString(
+                file, Files.readString(file).replace("\"scalePercent\"", "\"viewport\": \"awt\", \"scalePercent\""));
+        EditorSettings read = files().read(problems::add);
+        assertEquals(List.of(), problems);
+        assertEquals(150, read.get(EditorSetting.SCALE_PERCENT));
+        files().save(read);
+        assertFalse(Files.readString(file).contains("viewport"));
     }
 
     @Test
