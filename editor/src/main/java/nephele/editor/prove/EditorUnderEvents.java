@@ -9,6 +9,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.ViewMode;
+import nephele.editor.proving.ProvingThreads;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.Filing;
@@ -21,6 +22,7 @@ import nephele.editor.surface.ViewportSurface;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
+import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
@@ -49,6 +51,7 @@ final class EditorUnderEvents implements AutoCloseable {
         session.filing(Filing.of(EditorFiles.of(null, folder)));
         panel = EditorParts.panel(session, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
+        session.proving().runOn(new ProvingThreads(new WaitingLoop(() -> {}), SwingUtilities::invokeLater));
         resize(SIZE);
     }
 
