@@ -114,6 +114,10 @@ final class CodeRules {
                     .dependOnClassesThat()
                     .resideInAnyPackage("javax.swing..", "java.awt..")
                     .as("editor tools know no Swing"),
+            methods()
+                    .that(are(describe("readers of files", CodeRules::isReader)))
+                    .should(refuseTheWindowsThread())
+                    .as("readers refuse the thread of a window"),
             fields().should(beFinalWhenStatic()).as("no mutable statics"),
             classes()
                     .that(are(describe("named", type -> !type.isAnonymousClass())))
@@ -123,6 +127,33 @@ final class CodeRules {
             methods().should(takeAtMostOneBoolean()).as("no pairs of boolean parameters"));
 
     private CodeRules() {}
+
+    /** A reader makes a value of ours from the name and the bytes of a file. */
+    private static boolean isReader(JavaMethod method) {
+        List<JavaClass> given = method.getRawParameterTypes();
+        return method.getOwner().getPackageName().matches("nephele\\.engine\\.(asset|model\\.file)")
+                && method.getModifiers().containsAll(List.of(JavaModifier.PUBLIC, JavaModifier.STATIC))
+                && given.size() >= 2
+                && given.get(0).isEquivalentTo(String.class)
+                && given.get(1).isEquivalentTo(byte[].class)
+                && method.getRawReturnType().getPackageName().startsWith("nephele.");
+    }
+
+    /** Its first act may be to call another reader. */
+    private static ArchCondition<JavaMethod> refuseTheWindowsThread() {
+        return new ArchCondition<>("refuse the thread of a window") {
+            @Override
+            public void check(JavaMethod method, ConditionEvents events) {
+                boolean refuses = method.getMethodCallsFromSelf().stream()
+                        .anyMatch(call -> call.getTarget().getFullName().contains(".SwingThread.refuse(")
+                                || call.getTargetOwner().equals(method.getOwner())
+                                        && call.getName().equals(method.getName()));
+                if (!refuses) {
+                    events.add(SimpleConditionEvent.violated(method, method.getFullName() + " reads on any thread"));
+                }
+            }
+        };
+    }
 
     private static boolean isWritten(JavaClass type) {
         return !type.getSimpleName().equals("package-info");

@@ -38,9 +38,10 @@ final class PackageTable {
 
     static {
         USES.put("math", List.of());
-        USES.put("atmosphere", List.of("math"));
+        USES.put("work", List.of());
+        USES.put("atmosphere", List.of("math", "work"));
         USES.put("level", List.of("math", "asset", "model", "atmosphere"));
-        USES.put("asset", List.of("math"));
+        USES.put("asset", List.of("math", "work"));
         USES.put("model", List.of("math", "asset"));
         USES.put("portal", List.of("level"));
         USES.put("xmlscene", List.of("level", "model"));
@@ -53,7 +54,7 @@ final class PackageTable {
         USES.put("lightning", List.of("level"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
-        USES.put("render.gl", List.of());
+        USES.put("render.gl", List.of("work"));
         USES.put("render.fixed", with("render.gl", HEADLESS));
         USES.put("render.line", with("render.gl", HEADLESS));
         USES.put("render.resource", with("render.gl", HEADLESS));

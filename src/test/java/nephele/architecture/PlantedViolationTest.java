@@ -87,6 +87,7 @@ class PlantedViolationTest {
         for (int i = 0; i < 61; i++) {
             plant("nephele.engine.model.crowd.Crowd" + i, "");
         }
+        plant("nephele.engine.asset.Reads", "public static Reads read(String id, byte[] bytes) { return null; }");
         plant("nephele.engine.model.Twice", "");
         plant("nephele.engine.asset.Twice", "");
     }
@@ -117,6 +118,7 @@ class PlantedViolationTest {
                 new String[] {"the renderer opens no window", "render.SeesFrame"},
                 new String[] {"raw OpenGL only", "app.SeesOpenGl"},
                 new String[] {"editor tools", "tool.SeesSwing"},
+                new String[] {"readers refuse", "asset.Reads"},
                 new String[] {"no mutable statics", "level.Counter"},
                 new String[] {"no names that say nothing", "level.SolidManager"},
                 new String[] {"no inheritance", "level.Child"},

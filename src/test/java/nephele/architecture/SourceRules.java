@@ -72,11 +72,10 @@ enum SourceRules {
     };
 
     /**
-     * The permitted LWJGL classes: the core profile up to 4.1, context creation, the debug callback behind its
-     * check, and the canvas of lwjgl3-awt, which lies in a package below.
+     * The permitted LWJGL classes: the core profile up to 4.1, context creation, and the debug callback behind
+     * its check.
      */
-    private static final String FLOOR =
-            "(GL[123]\\dC?|GL4[01]C?|GL|GLCapabilities|KHRDebug|GLDebugMessageCallback|awt)";
+    private static final String FLOOR = "(GL[123]\\dC?|GL4[01]C?|GL|GLCapabilities|KHRDebug|GLDebugMessageCallback)";
 
     abstract List<String> violations(SourceFile file);
 

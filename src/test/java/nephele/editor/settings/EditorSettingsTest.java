@@ -1,6 +1,7 @@
 package nephele.editor.settings;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,7 +14,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
@@ -37,12 +37,24 @@ class EditorSettingsTest {
     }
 
     @Test
+    void aSettingOfAnEarlierVersionGoesWithoutAWord() throws IOException {
+        Path file = files().settings();
+        files().save(EditorSettings.DEFAULT.with(EditorSetting.SCALE_PERCENT, 150));
+        Files.writeString(
+                file, Files.readString(file).replace("\"scalePercent\"", "\"viewport\": \"awt\", \"scalePercent\""));
+        EditorSettings read = files().read(problems::add);
+        assertEquals(List.of(), problems);
+        assertEquals(150, read.get(EditorSetting.SCALE_PERCENT));
+        files().save(read);
+        assertFalse(Files.readString(file).contains("viewport"));
+    }
+
+    @Test
     void everySettingSurvivesARestart() throws IOException {
         EditorSettings chosen = EditorSettings.DEFAULT
                 .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)
                 .with(EditorSetting.SCALE_PERCENT, 150)
                 .with(EditorSetting.LANGUAGE, Language.PT_BR)
-                .with(EditorSetting.VIEWPORT, SurfaceMode.OFFSCREEN)
                 .with(EditorSetting.PANE_ARRANGEMENT, "four")
                 .with(EditorSetting.SPLITTERS, Map.of("outliner", 0.25))
                 .with(EditorSetting.PANELS, Map.of("problems", false))

@@ -12,7 +12,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSettings;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.window.WindowLook;
 import org.junit.jupiter.api.Test;
@@ -41,7 +40,7 @@ class EndedListeningSwingTest {
     void aClosedPanelAndItsPartsHearNothingMore() throws ReflectiveOperationException {
         WindowLook.apply(session.settings());
         List<String> before = listeners();
-        var panel = EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN, (part, opener) -> {});
+        var panel = EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {});
         List<String> open = new ArrayList<>(listeners());
         before.forEach(open::remove);
         assertEquals(

@@ -20,7 +20,6 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.play.GameMemory;
 import nephele.editor.session.EditorSession;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.WindowRobot;
 import nephele.editor.window.viewport.ViewportPanel;
 import nephele.engine.level.Level;
@@ -65,7 +64,7 @@ public final class FirstRoomScenario {
 
     private void run() throws Exception {
         new WindowedEditing(session, FiledSession.files(folder), FirstRoomScenario::game, System.err::println)
-                .open(SurfaceMode.AUTO, closed::countDown);
+                .open(closed::countDown);
         robot.await(
                 "the viewport",
                 () -> session.viewport().width() > 300

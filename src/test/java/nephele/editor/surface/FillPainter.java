@@ -1,29 +1,43 @@
 package nephele.editor.surface;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Fills its surface with a colour, and notes what happens to it. */
+/** Fills its surface with a colour, and notes what happens to it and on which kind of thread. */
 final class FillPainter implements SurfacePainter {
-    final List<String> events = new ArrayList<>();
+    final List<String> events = Collections.synchronizedList(new ArrayList<>());
+    /** Called on the drawing thread before each picture. */
+    Runnable before = () -> {};
+
     float red = 1;
     RuntimeException failure;
+    private final Thread user = Thread.currentThread();
     private GlContext gl;
     private RenderTarget owned;
+
+    private void note(String event) {
+        events.add((Thread.currentThread() == user ? "" : "beside: ") + event);
+    }
 
     @Override
     public void opened(GlContext context) {
         gl = context;
         owned = RenderTarget.picture(gl, "painter's", PixelFormat.RGBA8, 4, 4);
-        events.add("opened");
+        note("opened");
     }
 
     @Override
-    public void paint(RenderTarget target, SurfaceSize size) {
-        events.add("painted " + size.width() + " x " + size.height());
+    public Painting next(SurfaceSize size) {
+        note("next " + size.width() + " x " + size.height());
+        return this::paint;
+    }
+
+    private Runnable paint(RenderTarget target) {
+        before.run();
         if (failure != null) {
             throw failure;
         }
@@ -32,22 +46,23 @@ final class FillPainter implements SurfacePainter {
         gl.state().scissor(0, target.height() / 2, target.width(), target.height());
         target.clearWithinScissor(0, 0, 1);
         gl.state().noScissor();
+        note("painted");
+        return () -> note("told");
     }
 
     @Override
     public void closing() {
         owned.close();
-        // The surface's own target may still be there.
-        events.add("closing");
+        note("closing");
     }
 
     @Override
     public void failed(String reason) {
-        events.add("failed: " + reason);
+        note("failed: " + reason);
     }
 
-    /** Returns the number of OpenGL objects that are not closed. */
-    int live() {
-        return gl.live().counts().values().stream().mapToInt(Integer::intValue).sum();
+    @Override
+    public String waiting(int seconds) {
+        return "waiting";
     }
 }

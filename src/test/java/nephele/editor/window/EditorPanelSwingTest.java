@@ -41,7 +41,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.toolbox.Tools;
@@ -133,7 +132,7 @@ class EditorPanelSwingTest {
                 new JLabel("inspector"),
                 bottom,
                 List.of("file.open", "file.save", "edit.undo", "edit.redo", "play.start", "not.there"));
-        panel = new EditorPanel(session, commands, SurfaceMode.OFFSCREEN, slots);
+        panel = new EditorPanel(session, commands, slots);
         PanelPicture.layOut(panel, size);
     }
 

@@ -20,7 +20,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.Words;
 import nephele.editor.tool.terrain.TerrainTool;
@@ -45,7 +44,7 @@ class LayerBoxSwingTest {
         EditorCommands commands = new EditorCommands(session, new WindowDesk(session), Actions.ALL, Tools.ALL);
         EditorSlots slots = new EditorSlots(
                 null, new JLabel("outliner"), new JLabel("inspector"), new JTabbedPane(), List.of("undo"));
-        panel = new EditorPanel(session, commands, SurfaceMode.OFFSCREEN, slots);
+        panel = new EditorPanel(session, commands, slots);
         PanelPicture.layOut(panel, new Dimension(1280, 800));
     }
 

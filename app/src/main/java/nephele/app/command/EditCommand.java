@@ -3,7 +3,6 @@ package nephele.app.command;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
@@ -17,11 +16,9 @@ import nephele.editor.session.FileRefusal;
 import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
-import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.ScriptedEditing;
 import nephele.editor.start.WindowedEditing;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
@@ -45,27 +42,9 @@ final class EditCommand implements Command {
                     "Run the lines ACTION key=value … of a file and leave; docs/editor-keys.md lists the actions.")
     private Path script;
 
-    @Option(
-            names = "--viewport",
-            paramLabel = "auto|awt|offscreen",
-            converter = SurfaceConverter.class,
-            description = "How the viewport reaches the screen (default: the settings', else auto).")
-    private SurfaceMode viewport;
-
-    /** Reads the words of {@code --viewport}. */
-    static final class SurfaceConverter implements picocli.CommandLine.ITypeConverter<SurfaceMode> {
-        @Override
-        public SurfaceMode convert(String word) {
-            return switch (word.toLowerCase(Locale.ROOT)) {
-                case "auto" -> SurfaceMode.AUTO;
-                case "awt" -> SurfaceMode.AWT;
-                case "offscreen" -> SurfaceMode.OFFSCREEN;
-                default ->
-                    throw new picocli.CommandLine.TypeConversionException(
-                            "must be auto, awt or offscreen, not '" + word + "'");
-            };
-        }
-    }
+    /** Accepted without effect, from scripts for earlier versions, in which a canvas could be chosen. */
+    @Option(names = "--viewport", hidden = true)
+    private String formerViewport;
 
     @Override
     public ExitCode run(Terminal terminal) throws InterruptedException {
@@ -91,7 +70,7 @@ final class EditCommand implements Command {
                         files,
                         () -> WaitingGameLine.words(session.file().path().orElse(null)),
                         terminal.err()::println)
-                .open(surface(settings), ended::countDown);
+                .open(ended::countDown);
         ended.await();
         return ExitCode.DONE;
     }
@@ -102,10 +81,6 @@ final class EditCommand implements Command {
         } catch (CommandFailure failure) {
             throw new FileRefusal(Words.same(failure.getMessage()));
         }
-    }
-
-    private SurfaceMode surface(EditorSettings settings) {
-        return viewport != null ? viewport : settings.get(EditorSetting.VIEWPORT);
     }
 
     private ExitCode runScript(EditorSession session, Terminal terminal) {

@@ -19,6 +19,7 @@ import nephele.editor.save.PackageException;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.text.Words;
+import nephele.engine.level.Level;
 import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Vec3;
 
@@ -78,7 +79,8 @@ final class ExchangeActions {
         String name =
                 session.file().path().map(path -> path.getFileName().toString()).orElse("level.json");
         try {
-            LevelPackage.export(asked.get(), name, session.document().level(), session.assets());
+            Level level = session.document().level();
+            session.aside().run(() -> LevelPackage.export(asked.get(), name, level, session.assets()));
         } catch (PackageException problem) {
             throw new ActionFailure(problem.told());
         }

@@ -111,15 +111,16 @@ final class FileActions {
             Path path = session.file().path().get();
             DocumentSaver saver = session.filing().saver();
             Level level = session.document().level();
-            SaveResult result = session.hasMoved()
-                    ? saver.save(session.file(), level, session.assets())
-                    : saver.save(session.file(), level);
+            SaveResult result = session.aside()
+                    .get(() -> session.hasMoved()
+                            ? saver.save(session.file(), level, session.assets())
+                            : saver.save(session.file(), level));
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
                 if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
                     return;
                 }
-                result = saver.saveAs(path, session.document().level(), session.assets());
+                result = session.aside().get(() -> saver.saveAs(path, level, session.assets()));
             }
             finish(call, result);
         }
@@ -129,11 +130,9 @@ final class FileActions {
         Optional<Path> asked = call.file(call.desk()::fileToSave);
         if (asked.isPresent()) {
             EditorSession session = call.session();
-            finish(
-                    call,
-                    session.filing()
-                            .saver()
-                            .saveAs(asked.get(), session.document().level(), session.assets()));
+            Level level = session.document().level();
+            DocumentSaver saver = session.filing().saver();
+            finish(call, session.aside().get(() -> saver.saveAs(asked.get(), level, session.assets())));
         }
     }
 

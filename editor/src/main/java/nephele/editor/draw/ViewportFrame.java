@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.editor.mark.Mark;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
+import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 
@@ -19,6 +20,20 @@ public record ViewportFrame(
         Level level, AssetSource assets, List<Pane> panes, int active, List<Mark> marks, Look look, boolean isSettled) {
     public ViewportFrame {
         panes = List.copyOf(panes);
+    }
+
+    /** Returns the frame with other marks in every pane. */
+    public ViewportFrame with(List<Mark> others) {
+        return new ViewportFrame(level, assets, panes, active, others, look, isSettled);
+    }
+
+    /** Returns the frame with the edges of what its panes show, which are drawn soon. */
+    public ViewportFrame withEdgesOnly() {
+        List<Pane> edges = panes.stream()
+                .map(pane -> new Pane(
+                        pane.place(), pane.view().with(ViewMode.WIREFRAME), pane.caption(), pane.marks(), pane.inset()))
+                .toList();
+        return new ViewportFrame(level, assets, edges, active, marks, look, isSettled);
     }
 
     /**

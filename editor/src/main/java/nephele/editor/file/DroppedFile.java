@@ -142,7 +142,7 @@ public final class DroppedFile {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = AssetFolder.read(file);
         try {
-            PictureDecoder.decode(file.getFileName().toString(), content);
+            session.aside().get(() -> PictureDecoder.decode(file.getFileName().toString(), content));
         } catch (AssetException noPicture) {
             throw refused(noPicture);
         }
@@ -160,7 +160,7 @@ public final class DroppedFile {
     private void model(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = AssetFolder.read(file);
-        String id = folder.idOf(file, content, "models", neighbours(content));
+        String id = folder.idOf(file, content, "models", session.aside().get(() -> neighbours(content)));
         new AssetUse(session, id).model(target.at());
         told(id);
     }
@@ -204,7 +204,7 @@ public final class DroppedFile {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = AssetFolder.read(file);
         try {
-            HeightMapFile.read(file.getFileName().toString(), content);
+            session.aside().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
         } catch (AssetException noHeights) {
             throw refused(noHeights);
         }
@@ -215,7 +215,7 @@ public final class DroppedFile {
 
     private VoxelGrid grid(byte[] content) throws FileRefusal {
         try {
-            return VolFile.parse(String.valueOf(file.getFileName()), content);
+            return session.aside().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
         } catch (AssetException noGrid) {
             throw refused(noGrid);
         }
@@ -236,10 +236,10 @@ public final class DroppedFile {
                 session.file().path().orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
         Path imported = LevelOpening.fresh(own.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.filing().scenes().save(file, imported, complaints::add);
+        session.aside().run(() -> session.filing().scenes().save(file, imported, complaints::add));
         Document document = session.document();
         try {
-            Level scene = withOwnMaterials(LevelFile.read(imported), document.level());
+            Level scene = withOwnMaterials(session.aside().get(() -> LevelFile.read(imported)), document.level());
             Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at, document.entities());
             document.edit(FileText.ADD_SCENE.words(), null, before -> after);
             Files.deleteIfExists(imported);
@@ -277,7 +277,7 @@ public final class DroppedFile {
         Path beside = session.file().path().orElse(file.toAbsolutePath());
         Path level = LevelOpening.fresh(beside.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.filing().scenes().save(file, level, complaints::add);
+        session.aside().run(() -> session.filing().scenes().save(file, level, complaints::add));
         LevelOpening.open(session, level.toString());
         session.status(complaints.isEmpty() ? FileText.IMPORTED.with(level) : Words.same(complaints.get(0)));
     }

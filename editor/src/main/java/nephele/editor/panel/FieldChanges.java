@@ -196,7 +196,8 @@ final class FieldChanges {
         }
         try {
             Level followed = list.equals(LAYERS) && after.terrains() != before.terrains()
-                    ? LayerOrder.followed(before, after, edit, session.assets(), session.maps())
+                    ? session.aside()
+                            .get(() -> LayerOrder.followed(before, after, edit, session.assets(), session.maps()))
                     : after;
             edit(entry, null, level -> followed);
         } catch (TerrainRefusal refusal) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import nephele.editor.save.DocumentFile;
 import nephele.engine.render.gl.GlKind;
 import nephele.lab.prove.process.TemporaryFolder;
 import nephele.lab.prove.proof.Claim;
@@ -80,8 +81,9 @@ public final class EditorEventsProof implements Proof {
         }
 
         /** Returns the first failure. */
-        Optional<String> run(int length) throws InterruptedException {
-            Optional<String> failure = thread.run(this::open).map(why -> told(0, "opening", why));
+        Optional<String> run(int length) throws Exception {
+            DocumentFile.Opened base = DocumentFile.open(levels.base().toString());
+            Optional<String> failure = thread.run(() -> open(base)).map(why -> told(0, "opening", why));
             for (int event = 1; event <= length && failure.isEmpty(); event++) {
                 int now = event;
                 failure = thread.run(() -> event(now)).map(why -> told(now, events.last(), why));
@@ -99,10 +101,10 @@ public final class EditorEventsProof implements Proof {
             return "session " + number + ", event " + event + " (" + what + "): " + why;
         }
 
-        private void open() throws Exception {
+        private void open(DocumentFile.Opened base) {
             DialogStage dialogues = new DialogStage(random);
             StageDesk desk = new StageDesk(dialogues, () -> Optional.of(levels.any(random)));
-            editor = new EditorUnderEvents(levels.base(), levels.folder(), desk, dialogues);
+            editor = new EditorUnderEvents(base, levels.folder(), desk, dialogues);
             events = new RandomEvents(editor, random, () -> levels.anyToDrop(random));
             objects = editor.liveObjects();
             // The level of the beginning is not edited: saving would change what the end is compared with.

@@ -10,6 +10,7 @@ public final class EditorProofs {
             new EditorCommandsProof(),
             new EditorOpenSaveProof(),
             new EditorEventsProof(),
+            new EditorStallsProof(),
             new EditorPicturesProof(1));
 
     private EditorProofs() {}

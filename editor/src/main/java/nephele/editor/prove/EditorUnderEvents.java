@@ -9,6 +9,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.ViewMode;
+import nephele.editor.proving.ProvingThreads;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.Filing;
@@ -17,11 +18,11 @@ import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSettings;
 import nephele.editor.start.EditorParts;
-import nephele.editor.surface.OffscreenSurface;
-import nephele.editor.surface.SurfaceMode;
+import nephele.editor.surface.ViewportSurface;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
+import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
@@ -34,7 +35,7 @@ final class EditorUnderEvents implements AutoCloseable {
 
     private final EditorSession session;
     private final EditorPanel panel;
-    private final Path base;
+    private final DocumentFile.Opened base;
     private final DialogStage dialogues;
     private EditorSettings look = EditorSettings.DEFAULT;
 
@@ -42,15 +43,15 @@ final class EditorUnderEvents implements AutoCloseable {
      * @param base the level at the beginning, to which {@link #liveObjects} returns
      * @param folder for backups
      */
-    EditorUnderEvents(Path base, Path folder, StageDesk desk, DialogStage dialogues) throws LevelFormatException {
+    EditorUnderEvents(DocumentFile.Opened base, Path folder, StageDesk desk, DialogStage dialogues) {
         this.base = base;
         this.dialogues = dialogues;
         WindowLook.apply(look);
-        DocumentFile.Opened opened = DocumentFile.open(base.toString());
-        session = new EditorSession(opened.file(), opened.level(), opened.assets(), look);
+        session = new EditorSession(base.file(), base.level(), base.assets(), look);
         session.filing(Filing.of(EditorFiles.of(null, folder)));
-        panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
+        panel = EditorParts.panel(session, desk.surroundings());
         panel.closeToo(session.listen(this::follow));
+        session.proving().runOn(new ProvingThreads(new WaitingLoop(() -> {}), SwingUtilities::invokeLater));
         resize(SIZE);
     }
 
@@ -90,17 +91,16 @@ final class EditorUnderEvents implements AutoCloseable {
         });
     }
 
-    private OffscreenSurface surface() {
-        return (OffscreenSurface) panel.viewport().surface();
+    private ViewportSurface surface() {
+        return panel.viewport().surface();
     }
 
     /** Returns the number of objects of OpenGL in the state of the beginning, after all kinds of pictures were drawn. */
-    Map<GlKind, Integer> liveObjects() throws LevelFormatException {
-        DocumentFile.Opened opened = DocumentFile.open(base.toString());
+    Map<GlKind, Integer> liveObjects() {
         session.proving().close();
         session.proving().dismiss();
         session.use(Tools.ALL.get(0));
-        session.open(opened.file(), opened.level(), opened.assets());
+        session.open(base.file(), base.level(), base.assets());
         session.document().select(Selection.NONE);
         session.settings(EditorSettings.DEFAULT);
         resize(SIZE);

@@ -19,6 +19,7 @@ import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
+import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.file.BackupsPanel;
 import nephele.editor.window.file.RecoveryPanel;
 import nephele.editor.window.proving.ExplanationPanel;
@@ -40,6 +41,7 @@ final class FileScenes {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
         session.filing(Filing.of(EditorFiles.of(null, folder)));
+        session.aside().runOn(new WaitingLoop(() -> {}));
         return session;
     }
 
@@ -80,7 +82,7 @@ final class FileScenes {
         Path file = folder.resolve("room.json");
         EditorSession session = sessionIn(folder, NewDocument.opened(), editor);
         session.filing().saver().saveAs(file, editor.session().document().level());
-        EditorSession opened = sessionIn(folder, DocumentFile.open(file.toString()), editor);
+        EditorSession opened = sessionIn(folder, session.aside().get(() -> DocumentFile.open(file.toString())), editor);
         opened.filing().saver().saveAs(file, NewDocument.opened().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),

@@ -20,8 +20,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.NewDocument;
 import nephele.editor.start.EditorParts;
-import nephele.editor.surface.OffscreenSurface;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
@@ -41,7 +39,7 @@ final class PicturedEditor implements AutoCloseable {
         WindowLook.apply(look.settings());
         DocumentFile.Opened empty = NewDocument.opened();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
-        panel = EditorParts.panel(session, SurfaceMode.OFFSCREEN, desk.surroundings());
+        panel = EditorParts.panel(session, desk.surroundings());
         script = new ScriptRunner(session, desk);
         FurnishedRoom.make(script, desk);
         session.panes(FurnishedRoom::seen);
@@ -128,7 +126,7 @@ final class PicturedEditor implements AutoCloseable {
     /** Paints the whole editor, its viewport included. */
     BufferedImage picture() {
         BufferedImage picture = PanelPicture.of(panel);
-        ((OffscreenSurface) panel.viewport().surface()).failure().ifPresent(failure -> {
+        panel.viewport().surface().failure().ifPresent(failure -> {
             throw new IllegalStateException("the viewport cannot be drawn: " + failure, failure);
         });
         return picture;

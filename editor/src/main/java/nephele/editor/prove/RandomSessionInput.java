@@ -47,7 +47,8 @@ final class RandomSessionInput {
     String problem() {
         EditorSession session = editor.session();
         if (problems.isEmpty() || random.nextInt(3) == 0) {
-            problems = ProblemSearch.of(session.document().level(), session.assets());
+            problems = session.aside()
+                    .get(() -> ProblemSearch.of(session.document().level(), session.assets()));
             session.proving().problems().found(problems);
         }
         if (problems.isEmpty()) {

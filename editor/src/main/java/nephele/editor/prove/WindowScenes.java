@@ -9,6 +9,7 @@ import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.prove.picture.PaintedPanel;
+import nephele.editor.session.EditorSession;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.toolbox.Tools;
 import nephele.engine.math.Vec3;
@@ -85,8 +86,9 @@ final class WindowScenes {
 
     private static void problems(PicturedEditor editor) throws Exception {
         ProblemsPanel problems = editor.the(ProblemsPanel.class);
-        problems.show(ProblemSearch.of(
-                editor.session().document().level(), editor.session().assets()));
+        EditorSession session = editor.session();
+        problems.show(
+                session.aside().get(() -> ProblemSearch.of(session.document().level(), session.assets())));
         editor.run("select ids=materials/" + editor.session().options().material(), "four-panes", "unlit");
     }
 

@@ -39,8 +39,9 @@ public final class ProblemTour {
     /** Returns the problems that are not hidden; of a level whose search has no result yet, after one. */
     public List<LevelProblem> shown() {
         if (foundOf != subject.level()) {
-            foundOf = subject.level();
-            found = ProblemSearch.of(foundOf, subject.assets());
+            Level searched = subject.level();
+            found = subject.aside().get(() -> ProblemSearch.of(searched, subject.assets()));
+            foundOf = searched;
         }
         List<LevelProblem> shown = new ArrayList<>(found);
         shown.removeIf(problem -> HiddenProblems.isHidden(subject.level(), problem));

@@ -6,6 +6,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.text.Words;
+import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -15,6 +16,9 @@ public interface ProvingSubject {
     Level level();
 
     AssetSource assets();
+
+    /** Returns what runs the reading of files. */
+    Aside aside();
 
     /** Returns the level's file; empty for an untitled one. */
     Optional<Path> file();

@@ -24,6 +24,7 @@ import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolOptions;
 import nephele.editor.toolbox.Tools;
+import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
@@ -100,6 +101,11 @@ public final class EditorSession {
 
     public ToolContext context() {
         return context;
+    }
+
+    /** Returns what runs the reading of files. */
+    public Aside aside() {
+        return context.aside();
     }
 
     /** Returns the proofs about the level. */

@@ -8,6 +8,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.proving.ProvingSubject;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
+import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -22,6 +23,11 @@ record ProvedSession(EditorSession session) implements ProvingSubject {
     @Override
     public AssetSource assets() {
         return session.assets();
+    }
+
+    @Override
+    public Aside aside() {
+        return session.aside();
     }
 
     @Override

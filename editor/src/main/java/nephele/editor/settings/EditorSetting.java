@@ -4,7 +4,6 @@ import com.google.gson.JsonElement;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 
 /** A setting of the editor: its key in the file, its values, and the one of a missing or broken entry. */
@@ -24,8 +23,6 @@ public final class EditorSetting<T> {
     public static final EditorSetting<Theme> THEME = of("theme", EntryKind.word(Theme.class), Theme.DARK);
     public static final EditorSetting<Integer> SCALE_PERCENT = of("scalePercent", EntryKind.whole(100, 200), 100);
     public static final EditorSetting<Language> LANGUAGE = of("language", EntryKind.word(Language.class), Language.EN);
-    public static final EditorSetting<SurfaceMode> VIEWPORT =
-            of("viewport", EntryKind.word(SurfaceMode.class), SurfaceMode.AUTO);
 
     /** The name of an arrangement of panes; what names there are is the window's affair. */
     public static final EditorSetting<String> PANE_ARRANGEMENT = of("paneArrangement", EntryKind.text(), "");
@@ -56,7 +53,6 @@ public final class EditorSetting<T> {
             THEME,
             SCALE_PERCENT,
             LANGUAGE,
-            VIEWPORT,
             PANE_ARRANGEMENT,
             SPLITTERS,
             PANELS,
@@ -64,6 +60,9 @@ public final class EditorSetting<T> {
             KEYS,
             GUIDE_LINES,
             GUIDE_FINISHED);
+
+    /** Keys of settings of earlier versions that mean nothing any more. */
+    static final List<String> FORMER = List.of("viewport");
 
     private final String key;
     private final EntryKind<T> kind;

@@ -26,7 +26,9 @@ public final class EditorSettings {
      * @param report receives a line for each broken or unknown entry: its key and what is expected
      */
     static EditorSettings of(JsonObject entries, Consumer<String> report) {
-        for (Map.Entry<String, JsonElement> entry : entries.entrySet()) {
+        JsonObject kept = entries.deepCopy();
+        EditorSetting.FORMER.forEach(kept::remove);
+        for (Map.Entry<String, JsonElement> entry : kept.entrySet()) {
             Optional<EditorSetting<?>> setting = EditorSetting.ALL.stream()
                     .filter(each -> each.key().equals(entry.getKey()))
                     .findFirst();
@@ -36,7 +38,7 @@ public final class EditorSettings {
                 report.accept(entry.getKey() + ": must be " + setting.get().expected() + "; it is left as it is");
             }
         }
-        return new EditorSettings(entries.deepCopy());
+        return new EditorSettings(kept);
     }
 
     /** Returns the value of a setting. */

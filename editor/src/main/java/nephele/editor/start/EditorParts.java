@@ -21,7 +21,6 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.toolbox.Tools;
 import nephele.editor.widget.AssetPictures;
@@ -44,13 +43,12 @@ public final class EditorParts {
      *
      * @param parts receives the name of each part that can be shown, and what opens it
      */
-    public static EditorPanel panel(
-            EditorSession session, Desk desk, SurfaceMode surface, BiConsumer<String, Runnable> parts) {
-        return panel(session, surface, new EditorSurroundings(desk, parts, DialogFrame::new));
+    public static EditorPanel panel(EditorSession session, Desk desk, BiConsumer<String, Runnable> parts) {
+        return panel(session, new EditorSurroundings(desk, parts, DialogFrame::new));
     }
 
     /** Returns the whole editor of a session among what surrounds it. */
-    public static EditorPanel panel(EditorSession session, SurfaceMode surface, EditorSurroundings around) {
+    public static EditorPanel panel(EditorSession session, EditorSurroundings around) {
         BiConsumer<String, Runnable> parts = around.parts();
         session.options().material(MaterialLibrary.FIRST);
         EditorCommands commands = new EditorCommands(session, around.desk(), Actions.ALL, Tools.ALL);
@@ -77,7 +75,7 @@ public final class EditorParts {
         AssetDialog assets = new AssetDialog(session, around.dialogues().apply(left), pictures);
         GuideBar guide = new GuideBar(session);
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
-        EditorPanel panel = new EditorPanel(session, commands, surface, slots);
+        EditorPanel panel = new EditorPanel(session, commands, slots);
         panel.closeToo(translation);
         EditorPages.register(session, panel, around);
         parts.accept("guide", guide::start);

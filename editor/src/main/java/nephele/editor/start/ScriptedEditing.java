@@ -8,7 +8,6 @@ import nephele.editor.action.ScriptDesk;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.session.EditorSession;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
@@ -45,8 +44,7 @@ public final class ScriptedEditing {
     /** Draws the whole editor as its window would show it. */
     private java.awt.image.BufferedImage picture() {
         WindowLook.apply(session.settings());
-        try (EditorPanel panel =
-                EditorParts.panel(session, new ScriptDesk(() -> null), SurfaceMode.OFFSCREEN, (part, opener) -> {})) {
+        try (EditorPanel panel = EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {})) {
             PanelPicture.layOut(panel, SIZE);
             return PanelPicture.of(panel);
         }

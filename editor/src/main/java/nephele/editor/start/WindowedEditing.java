@@ -19,7 +19,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorFiles;
 import nephele.editor.settings.EditorSetting;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
 import nephele.editor.window.EditorPanel;
@@ -54,12 +53,12 @@ public final class WindowedEditing {
     }
 
     /** Opens the window on the event dispatch thread; returns at once. */
-    public void open(SurfaceMode surface, Runnable ended) {
+    public void open(Runnable ended) {
         Thread.setDefaultUncaughtExceptionHandler(new FaultFile(files.fault(), this::tellFault));
         SwingUtilities.invokeLater(() -> {
             WindowLook.apply(session.settings());
             WindowDesk desk = new WindowDesk(session);
-            EditorPanel panel = EditorParts.panel(session, desk, surface, desk::part);
+            EditorPanel panel = EditorParts.panel(session, desk, desk::part);
             ProvingWindow.connect(session, desk, panel);
             Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
             window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
@@ -116,7 +115,8 @@ public final class WindowedEditing {
         work.close();
         session.proving().close();
         keepSettings();
-        ended.run();
+        // The process must not end while its drawing thread is in the driver.
+        window.panel().viewport().surface().closed().whenComplete((nothing, failed) -> ended.run());
     }
 
     private void keepSettings() {

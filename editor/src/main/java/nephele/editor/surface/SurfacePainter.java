@@ -3,17 +3,34 @@ package nephele.editor.surface;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Draws on a surface. All methods are called on the surface's thread while its context is current. */
+/**
+ * Decides what a surface shows. The methods of one group are called on the surface's drawing thread, while its context is
+ * current, those of the other on the thread of Swing, or without a display on the one that asks for pictures.
+ */
 public interface SurfacePainter {
-    /** Called when there is a context, and again with a new one if the window system has taken the last one. */
+    /** Called on the drawing thread when there is a context. */
     void opened(GlContext gl);
 
-    /** Draws over the whole target; its content before is undefined. */
-    void paint(RenderTarget target, SurfaceSize size);
-
-    /** Called before the context ends: everything that was made with it has to be closed now. */
+    /** Called on the drawing thread before the context ends: everything that was made with it has to be closed now. */
     void closing();
 
-    /** Called if drawing failed, or if no context can be had; the surface then keeps its last picture. */
+    /** Called on Swing's thread: takes from the present state all that the next picture shows, and returns at once. */
+    Painting next(SurfaceSize size);
+
+    /** Called on Swing's thread if drawing failed, or if no context can be had; the surface then keeps its last picture. */
     void failed(String reason);
+
+    /** Called on Swing's thread: returns what to say while a picture is drawn. @param seconds that it has taken so far */
+    String waiting(int seconds);
+
+    /** One picture that is to be drawn. */
+    @FunctionalInterface
+    interface Painting {
+        /**
+         * Draws over the whole target, whose content before is undefined, on the drawing thread.
+         *
+         * @return called on Swing's thread once the picture is there
+         */
+        Runnable draw(RenderTarget target);
+    }
 }

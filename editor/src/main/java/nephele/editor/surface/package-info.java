@@ -1,6 +1,5 @@
 /**
- * The surface on which the viewport appears: a canvas of the window system, or an offscreen picture that Swing shows.
- * {@link nephele.editor.surface.ViewportSurfaces} chooses. All drawing happens on one thread: the event dispatch
- * thread, or without a display the thread that asks for pictures.
+ * The surface on which the viewport appears: {@link nephele.editor.surface.ViewportSurface} draws on a thread of its own,
+ * because a picture can take seconds; Swing's thread hands over what is to be drawn and shows what is there.
  */
 package nephele.editor.surface;

@@ -9,6 +9,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.Words;
+import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
@@ -24,15 +25,18 @@ public final class TerrainPainting {
 
     private final Document document;
     private final PaintedMaps maps;
+    private final Aside aside;
     /** What the stroke goes on; {@code null} without one. */
     private Terrain painted;
 
     private TerrainBrush brush;
     private TerrainStroke stroke;
 
-    public TerrainPainting(Document document, PaintedMaps maps) {
+    /** @param aside runs what reads files */
+    public TerrainPainting(Document document, PaintedMaps maps, Aside aside) {
         this.document = document;
         this.maps = maps;
+        this.aside = aside;
     }
 
     /** Returns the world y of a place on the heights of the stroke; empty without one that changes heights. */
@@ -56,7 +60,7 @@ public final class TerrainPainting {
         if (!maps.canKeep()) {
             throw new TerrainRefusal(TerrainText.SAVE_FIRST.words());
         }
-        stroke = stroke(said, assets, with, x, z);
+        stroke = aside.get(() -> stroke(said, assets, with, x, z));
         brush = with;
         painted = said;
         show();

@@ -3,11 +3,12 @@ package nephele.editor.terrain;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.work.Aside;
+import nephele.editor.work.FollowedPlacement;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
-import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -17,8 +18,14 @@ import nephele.engine.math.heightfield.HeightField;
 
 /** Finds the terrain that a ray of sight hits. The fields of terrains that an edit leaves as they are stay the same. */
 public final class TerrainSight {
-    private PlacedLevel placed;
-    private List<Terrain> placedFrom = List.of();
+    private final FollowedPlacement placement;
+    private Level bare;
+    private List<Terrain> bareOf = List.of();
+
+    /** @param aside runs what reads files */
+    public TerrainSight(Aside aside) {
+        placement = new FollowedPlacement(aside);
+    }
 
     /** A terrain and a point on it. */
     public record Hit(Terrain terrain, HeightField field, Vec3 point) {
@@ -57,19 +64,16 @@ public final class TerrainSight {
         if (terrains.isEmpty()) {
             return List.of();
         }
-        // Sight needs no paint, so a layer map that cannot be read hides nothing.
-        Level bare = Level.of("", "", level.environment(), List.of())
-                .withTerrains(terrains.stream()
-                        .map(terrain -> terrain.withLayerMap(null))
-                        .toList());
+        if (terrains != bareOf) {
+            // Sight needs no paint, so a layer map that cannot be read hides nothing.
+            bare = Level.of("", "", level.environment(), List.of())
+                    .withTerrains(terrains.stream()
+                            .map(terrain -> terrain.withLayerMap(null))
+                            .toList());
+            bareOf = terrains;
+        }
         try {
-            if (placed == null || placed.assets() != assets) {
-                placed = PlacedLevel.of(bare, assets);
-            } else if (terrains != placedFrom) {
-                placed = placed.edited(bare);
-            }
-            placedFrom = terrains;
-            return placed.statics().ground();
+            return placement.of(bare, assets).statics().ground();
         } catch (AssetException unusable) {
             return List.of();
         }

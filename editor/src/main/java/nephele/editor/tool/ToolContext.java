@@ -10,6 +10,7 @@ import nephele.editor.pick.LevelShapes;
 import nephele.editor.pick.Picker;
 import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
+import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 
@@ -21,6 +22,7 @@ public final class ToolContext {
     private final Consumer<Words> status;
     private final Supplier<Optional<AssetSource>> assets;
     private final PaintedMaps maps;
+    private final Aside aside = new Aside();
     private LevelShapes shapes;
     private Level shapesOf;
 
@@ -72,6 +74,11 @@ public final class ToolContext {
     /** Returns the files of the level; empty if they are not known. */
     public Optional<AssetSource> assets() {
         return assets.get();
+    }
+
+    /** Returns what runs the reading of files. */
+    public Aside aside() {
+        return aside;
     }
 
     /** Returns what strokes on terrains make. */

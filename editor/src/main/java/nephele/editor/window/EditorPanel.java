@@ -19,17 +19,13 @@ import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.settings.EditorSetting;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.ViewportPanel;
 import nephele.editor.window.viewport.ViewportPanel.Told;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 
-/**
- * The whole editor as one component: menus, toolbar, viewport between slots, status bar. It needs no display if its
- * surface is offscreen.
- */
+/** The whole editor as one component: menus, toolbar, viewport between slots, status bar. It needs no display. */
 public final class EditorPanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
 
@@ -46,14 +42,15 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
     private transient EditorKeys keys;
 
     /** Creates a panel that follows the session. */
-    public EditorPanel(EditorSession session, EditorCommands commands, SurfaceMode mode, EditorSlots slots) {
+    public EditorPanel(EditorSession session, EditorCommands commands, EditorSlots slots) {
         super(new BorderLayout());
         this.session = session;
         this.commands = commands;
         this.slots = slots;
+        session.aside().runOn(new WaitingLoop(() -> session.status(WindowText.READING.words())));
         options = new OptionBar(session, commands);
         status = new StatusBar(session);
-        viewport = new ViewportPanel(session, mode, new Told(this::pointed, line -> session.status(Words.same(line))));
+        viewport = new ViewportPanel(session, new Told(this::pointed, line -> session.status(Words.same(line))));
         middle = new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);

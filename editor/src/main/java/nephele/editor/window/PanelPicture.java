@@ -4,11 +4,9 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.Point;
 import java.awt.image.BufferedImage;
-import javax.swing.SwingUtilities;
 
-/** The picture of the whole editor, the viewport's canvas included, whichever surface it has. */
+/** The picture of the whole editor, the viewport included. */
 public final class PanelPicture {
     private PanelPicture() {}
 
@@ -40,17 +38,20 @@ public final class PanelPicture {
         }
     }
 
-    /** Paints a panel that has been laid out. */
+    /** Paints a panel that has been laid out, after its viewport was drawn with all edits taken over. */
     public static BufferedImage of(EditorPanel panel) {
+        panel.viewport().picture();
+        return asShown(panel);
+    }
+
+    /** Paints a panel as it is shown: the viewport with its last picture, which waits for nothing. */
+    static BufferedImage asShown(EditorPanel panel) {
         int width = Math.max(1, panel.getWidth());
         int height = Math.max(1, panel.getHeight());
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = picture.createGraphics();
         try {
             panel.printAll(graphics);
-            Component viewport = panel.viewport().surface().component();
-            Point at = SwingUtilities.convertPoint(viewport, 0, 0, panel);
-            graphics.drawImage(panel.viewport().picture(), at.x, at.y, viewport.getWidth(), viewport.getHeight(), null);
         } finally {
             graphics.dispose();
         }

@@ -149,7 +149,7 @@ public final class WindowDesk implements Desk {
         if (window == null) {
             throw new ActionFailure(NO_PICTURE);
         }
-        return PanelPicture.of(window.panel());
+        return PanelPicture.asShown(window.panel());
     }
 
     private static Optional<Clipboard> clipboard() {

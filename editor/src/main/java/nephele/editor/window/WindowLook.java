@@ -2,8 +2,6 @@ package nephele.editor.window;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
-import javax.swing.JPopupMenu;
-import javax.swing.ToolTipManager;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
@@ -16,9 +14,6 @@ public final class WindowLook {
     public static void apply(EditorSettings settings) {
         // The scale is read while the look and feel is set.
         System.setProperty("flatlaf.uiScale", settings.get(EditorSetting.SCALE_PERCENT) + "%");
-        // Light components would be hidden behind the canvas.
-        JPopupMenu.setDefaultLightWeightPopupEnabled(false);
-        ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);
         if (settings.get(EditorSetting.THEME) == Theme.DARK) {
             FlatDarkLaf.setup();
         } else {

@@ -15,6 +15,7 @@ public enum WindowText implements Text {
     OPTIONS("View and tool options", "Vista e opções da ferramenta", "Vista e opções da ferramenta"),
     SAVE("Save", "Salvar", "Guardar"),
     DISCARD("Don't save", "Não salvar", "Não guardar"),
+    READING("Reading files…", "Lendo arquivos…", "A ler ficheiros…"),
     CANCEL("Cancel", "Cancelar", "Cancelar"),
     OK("OK", "OK", "OK"),
     YES("Yes", "Sim", "Sim"),

@@ -3,6 +3,7 @@ package nephele.engine.asset;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Locale;
+import nephele.engine.work.SwingThread;
 
 /**
  * Reads height maps: grey PNG, TGA or BMP pictures of 8 or 16 bits, the mean of coloured ones, and raw unsigned 16-bit
@@ -23,6 +24,7 @@ public final class HeightMapFile {
      * @throws AssetException if the file is of an unknown kind, damaged, too small or too large
      */
     public static HeightMap read(String assetId, byte[] bytes) throws AssetException {
+        SwingThread.refuse("reading a height map");
         try {
             return isRaw(assetId) ? raw(assetId, bytes) : picture(assetId, bytes);
         } catch (OutOfMemoryError tooLarge) {

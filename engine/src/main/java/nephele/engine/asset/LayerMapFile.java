@@ -1,5 +1,7 @@
 package nephele.engine.asset;
 
+import nephele.engine.work.SwingThread;
+
 /** Reads and writes layer maps: PNG pictures of 8 bits, grey with alpha. The grey is the layer's index, alpha its weight. */
 public final class LayerMapFile {
     private static final int GREY_AND_ALPHA = 2;
@@ -16,6 +18,7 @@ public final class LayerMapFile {
      * @throws AssetException if the file is no such picture, damaged, too small or too large
      */
     public static LayerMap read(String assetId, byte[] bytes) throws AssetException {
+        SwingThread.refuse("reading a layer map");
         PictureFormat format = PictureFormat.of(assetId, bytes);
         if (format != PictureFormat.PNG) {
             throw new AssetException(

@@ -1,6 +1,7 @@
 package nephele.engine.asset;
 
 import java.io.IOException;
+import nephele.engine.work.SwingThread;
 
 /** Decodes picture files in pure Java; size limits are enforced before pixels are allocated. */
 public final class PictureDecoder {
@@ -19,6 +20,7 @@ public final class PictureDecoder {
      * @throws AssetException if the format is unknown, or the picture is damaged or too large
      */
     public static Picture decode(String assetId, byte[] bytes) throws AssetException {
+        SwingThread.refuse("reading a picture");
         return decode(assetId, bytes, PictureLimits.DRAWN);
     }
 
@@ -29,6 +31,7 @@ public final class PictureDecoder {
      * @throws AssetException as {@link #decode} does
      */
     public static Picture decodeNumbers(String assetId, byte[] bytes) throws AssetException {
+        SwingThread.refuse("reading a picture");
         return decode(assetId, bytes, PictureLimits.NUMBERS);
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.asset;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import nephele.engine.math.Aabb;
+import nephele.engine.work.SwingThread;
 
 /**
  * Reads Mitsuba's grid volume format, version 3, with 32-bit floats and one channel: "VOL", version, kind, counts of
@@ -25,6 +26,7 @@ public final class VolFile {
      * @throws AssetException if it is no such file, is cut off, or has a density that is not in 0 to 1
      */
     public static VoxelGrid parse(String assetId, byte[] bytes) throws AssetException {
+        SwingThread.refuse("reading a grid");
         ByteBuffer file = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         if (bytes.length < HEADER_BYTES || bytes[0] != 'V' || bytes[1] != 'O' || bytes[2] != 'L') {
             throw new AssetException(assetId, "is no Mitsuba .vol file", "write one of version 3");

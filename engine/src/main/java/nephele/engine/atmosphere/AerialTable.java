@@ -3,6 +3,7 @@ package nephele.engine.atmosphere;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
+import nephele.engine.work.SwingThread;
 
 /**
  * The light that the air between an eye and a surface adds and lets pass, tabulated by azimuth from the sun, elevation and
@@ -56,6 +57,7 @@ public final class AerialTable {
     }
 
     private AerialTable(AirTables tables, Function<AirTables, AirSource> source, double heightMetres, double sunSine) {
+        SwingThread.refuse("the table of air");
         this.sunSine = sunSine;
         this.heightMetres = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
         horizon = SkyTable.horizon(this.heightMetres);

@@ -1,6 +1,7 @@
 package nephele.engine.atmosphere;
 
 import java.util.function.DoubleConsumer;
+import nephele.engine.work.SwingThread;
 
 /** The tables that depend on the air alone: its transmittance and the light that it scatters more than once. Immutable. */
 public final class AirTables {
@@ -24,6 +25,7 @@ public final class AirTables {
      * @param progress of a computation, 0–1, from several threads; not called without one
      */
     public static AirTables of(Air air, AirFiles files, DoubleConsumer progress) {
+        SwingThread.refuse("the light of air");
         SunTransmittance sun = new SunTransmittance(air);
         if (air.isClear()) {
             return new AirTables(air, sun, LightFieldFile.clear().refined());
@@ -46,6 +48,7 @@ public final class AirTables {
 
     /** Returns the tables, computed unless the air is clear. */
     public static AirTables of(Air air) {
+        SwingThread.refuse("the light of air");
         return of(air, AirFiles.NONE, done -> {});
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.atmosphere;
 import java.nio.FloatBuffer;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
+import nephele.engine.work.SwingThread;
 
 /**
  * The light of a clear sky around an eye, tabulated by elevation and azimuth from the sun: what a shader or the oracle
@@ -48,6 +49,7 @@ public final class SkyTable {
      * @param sunCosine between the zenith and the sun
      */
     public SkyTable(AirTables tables, double heightMetres, double sunCosine) {
+        SwingThread.refuse("the table of a sky");
         air = tables.air();
         double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
         horizon = horizon(height);

@@ -43,7 +43,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.settings.EditorSettings;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.text.Words;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.viewport.ViewportPanel;
@@ -228,8 +227,7 @@ class FilePanelsSwingTest {
 
     /** Looks down on the floor of the level from 5 m above it. */
     private static ViewportPanel viewport(EditorSession session) {
-        ViewportPanel viewport =
-                new ViewportPanel(session, SurfaceMode.OFFSCREEN, new ViewportPanel.Told(at -> {}, line -> {}));
+        ViewportPanel viewport = new ViewportPanel(session, new ViewportPanel.Told(at -> {}, line -> {}));
         viewport.setSize(400, 300);
         layOut(viewport);
         viewport.picture();
@@ -291,6 +289,7 @@ class FilePanelsSwingTest {
                 JournalPictures pictures = new JournalPictures(session, viewport, Runnable::run, kept::add)) {
             new FileDrops(session, viewport, () -> true, refused -> {})
                     .drop(List.of(picture(0xd02020)), new Point(200, 150));
+            viewport.picture();
             session.document().drag(start -> start);
             pictures.take();
             assertEquals(0, kept.size(), "not in the middle of a drag");

@@ -13,7 +13,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.start.WindowedEditing;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.window.WindowRobot;
 import nephele.engine.level.json.LevelFile;
 
@@ -55,7 +54,7 @@ public final class FileWindowScenario {
         FiledSession.edit(lost, DraftLevel.after(1));
         journal.leave();
         new WindowedEditing(session, FiledSession.files(folder), () -> List.of("false"), System.err::println)
-                .open(SurfaceMode.OFFSCREEN, () -> {});
+                .open(() -> {});
         answer("recovery", "Recover");
         robot.await("the lost level", () -> session.document().level().equals(DraftLevel.after(1)));
         System.out.println("recovered: " + session.document().isModified());

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Set;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.ToolContext;
+import nephele.editor.work.FollowedPlacement;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
 import nephele.engine.level.appearance.MirrorFaces;
-import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
@@ -42,14 +42,14 @@ final class SightShots {
 
     private final ToolContext context;
     private Level preparedOf;
-    /** {@code null} while a model or solid cannot be used; its level then counts without models. */
-    private PlacedLevel placed;
+    private final FollowedPlacement placement;
 
     private StaticShapes shapes;
     private PlacementSurfaces surfaces;
 
     SightShots(ToolContext context) {
         this.context = context;
+        placement = new FollowedPlacement(context.aside());
     }
 
     /**
@@ -93,17 +93,14 @@ final class SightShots {
 
     private StaticShapes shapes(Level level) {
         try {
-            if (placed == null) {
-                placed = context.assets()
-                        .map(assets -> PlacedLevel.of(level, assets))
-                        .orElse(null);
-            } else {
-                placed = placed.edited(level);
-            }
+            return context.assets()
+                    .map(assets -> placement.of(level, assets).statics())
+                    .orElseGet(() -> solids(level));
         } catch (AssetException | IllegalArgumentException unusable) {
-            placed = null;
+            // A level with a model or solid that cannot be used counts without models.
+            placement.forget();
+            return solids(level);
         }
-        return placed == null ? solids(level) : placed.statics();
     }
 
     private StaticShapes solids(Level level) {

@@ -37,7 +37,7 @@ public final class TerrainTool implements Tool {
 
     private final ToolContext context;
     private final TerrainPainting painting;
-    private final TerrainSight sight = new TerrainSight();
+    private final TerrainSight sight;
     /** The place under the pointer; {@code null} over no terrain. */
     private Hit hovered;
     /** The terrain as it was when the stroke began: a place under the pointer does not move by the stroke itself. */
@@ -47,7 +47,8 @@ public final class TerrainTool implements Tool {
 
     public TerrainTool(ToolContext context) {
         this.context = context;
-        painting = new TerrainPainting(context.document(), context.maps());
+        sight = new TerrainSight(context.aside());
+        painting = new TerrainPainting(context.document(), context.maps(), context.aside());
         brush = context.options().terrainBrush();
     }
 

@@ -48,9 +48,11 @@ final class JournalPictures implements AutoCloseable {
     void take() {
         if (session.document().isDragging()) {
             timer.restart();
-        } else if (viewport.getWidth() > 0 && viewport.getHeight() > 0) {
-            BufferedImage small = small(viewport.picture(), place());
-            background.execute(() -> keep.accept(png(small)));
+        } else {
+            viewport.surface().shown().ifPresent(seen -> {
+                BufferedImage small = small(seen, place());
+                background.execute(() -> keep.accept(png(small)));
+            });
         }
     }
 

@@ -18,11 +18,10 @@ import javax.swing.JPanel;
 import nephele.editor.session.EditorSession;
 import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.surface.SurfaceMode;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
-/** Language, theme, scale, viewport and files. Changes hold at once, the viewport's from the next start. */
+/** Language, theme, scale and files. Changes hold at once. */
 final class GeneralPage extends JPanel {
     private static final long serialVersionUID = 1;
     private static final List<Integer> SCALES = List.of(100, 125, 150, 175, 200);
@@ -46,26 +45,12 @@ final class GeneralPage extends JPanel {
                         : PageText.DARK)
                 .in(language));
         choice(PageText.SCALE, EditorSetting.SCALE_PERCENT, SCALES, percent -> percent + " %");
-        choice(PageText.VIEWPORT, EditorSetting.VIEWPORT, Arrays.asList(SurfaceMode.values()), viewport -> viewportText(
-                        viewport)
-                .in(language));
-        JLabel note = new JLabel(PageText.AT_NEXT_START.in(language));
-        note.setEnabled(false);
-        add(note, "skip 1");
         if (settingsFile != null) {
             JButton open = new JButton(PageText.OPEN_FOLDER.in(language));
             open.addActionListener(event -> open(settingsFile.toAbsolutePath().getParent()));
             add(open, "skip 1");
             add(folder, "skip 1, wmin 0");
         }
-    }
-
-    private static PageText viewportText(SurfaceMode viewport) {
-        return switch (viewport) {
-            case AUTO -> PageText.VIEWPORT_AUTO;
-            case AWT -> PageText.VIEWPORT_AWT;
-            case OFFSCREEN -> PageText.VIEWPORT_OFFSCREEN;
-        };
     }
 
     private <T> void choice(PageText name, EditorSetting<T> setting, List<T> values, Function<T, String> text) {

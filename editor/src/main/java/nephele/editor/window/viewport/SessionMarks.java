@@ -14,6 +14,7 @@ import nephele.editor.mark.Mark.Visibility;
 import nephele.editor.mark.MarkColour;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.pick.LevelShapes;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.symbol.EntityMarks;
@@ -29,53 +30,68 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
-/** The marks of a session: symbols of entities, the selection, and what the tool shows. */
+/**
+ * Makes the marks of a session: symbols of entities, the selection, and what the tool shows. They are made on the drawing
+ * thread, because those of models need their files.
+ */
 final class SessionMarks {
-    private final EditorSession session;
-    private Snapshot of;
+    private Marked of;
     private List<Mark> marks = List.of();
     private List<ModelPlacement> modelsOf = List.of();
     private AssetSource assetsOf;
     private PlacedModels models = PlacedModels.NONE;
 
-    SessionMarks(EditorSession session) {
-        this.session = session;
+    /** The state of a session that is marked. @param others the marks of the tool and of proofs */
+    record Marked(Snapshot now, LevelShapes shapes, Entities entities, AssetSource assets, List<Mark> others) {
+        /** Takes it on the session's thread. */
+        static Marked of(EditorSession session) {
+            List<Mark> others = new ArrayList<>(session.tool().marks());
+            others.addAll(session.proving().marks());
+            return new Marked(
+                    session.document().now(),
+                    session.context().shapes(),
+                    session.document().entities(),
+                    session.assets(),
+                    others);
+        }
+
+        private boolean isSame(Marked other) {
+            return other != null && now.equals(other.now) && assets == other.assets;
+        }
     }
 
-    /** Returns the marks of this instant; they are made anew only after an edit. */
-    List<Mark> now() {
-        Snapshot now = session.document().now();
-        if (!now.equals(of) || session.assets() != assetsOf) {
-            marks = made(now);
-            of = now;
+    /** Returns all marks; those of the level are made anew only after an edit. */
+    List<Mark> of(Marked marked) {
+        if (!marked.isSame(of)) {
+            marks = made(marked);
+            of = marked;
         }
         List<Mark> all = new ArrayList<>(marks);
-        all.addAll(session.tool().marks());
-        all.addAll(session.proving().marks());
+        all.addAll(marked.others());
         return all;
     }
 
-    private List<Mark> made(Snapshot now) {
-        Level level = now.level();
-        LevelShapes shapes = session.context().shapes();
-        Selection selection = now.selection();
+    private List<Mark> made(Marked marked) {
+        Level level = marked.now().level();
+        LevelShapes shapes = marked.shapes();
+        Selection selection = marked.now().selection();
         Set<String> names = selection.entities().stream().map(EntityRef::text).collect(Collectors.toSet());
-        StaticShapes statics = new StaticShapes(shapes.brushes(), models(level), List.of());
+        StaticShapes statics = new StaticShapes(shapes.brushes(), models(level, marked.assets()), List.of());
         List<Mark> made = new ArrayList<>(EntityMarks.of(level, statics, names));
         for (EntityRef ref : selection.entities()) {
-            session.document().entities().find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
+            marked.entities().find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
         }
         selection.faces().forEach(face -> addFace(face, level, shapes, made));
         return List.copyOf(made);
     }
 
     /** Returns the placed models; none if a file is missing, of which the drawing tells. */
-    private PlacedModels models(Level level) {
-        if (level.models() != modelsOf || session.assets() != assetsOf) {
+    private PlacedModels models(Level level, AssetSource assets) {
+        if (level.models() != modelsOf || assets != assetsOf) {
             modelsOf = level.models();
-            assetsOf = session.assets();
+            assetsOf = assets;
             try {
-                models = PlacedModels.of(level, session.assets());
+                models = PlacedModels.of(level, assets);
             } catch (AssetException | IllegalArgumentException missing) {
                 models = PlacedModels.NONE;
             }

@@ -16,11 +16,10 @@ import javax.swing.JPanel;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.surface.SurfaceMode;
 import nephele.editor.surface.ViewportSurface;
-import nephele.editor.surface.ViewportSurfaces;
 import nephele.editor.tool.Pointer;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
 
 /** The viewport of a session: its panes, drawn on a surface, and the mouse in them. It draws only after changes. */
 public final class ViewportPanel extends JPanel implements AutoCloseable {
@@ -40,15 +39,15 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     public record Told(Consumer<Optional<Vec3>> pointed, Consumer<String> report) {}
 
     /** Creates a viewport that follows the session. */
-    public ViewportPanel(EditorSession session, SurfaceMode mode, Told told) {
-        this(session, mode, told, ForkJoinPool.commonPool());
+    public ViewportPanel(EditorSession session, Told told) {
+        this(session, told, ForkJoinPool.commonPool());
     }
 
     /** @param background runs what takes long, such as the light of the sky */
-    ViewportPanel(EditorSession session, SurfaceMode mode, Told told, Executor background) {
+    ViewportPanel(EditorSession session, Told told, Executor background) {
         super(new BorderLayout());
         scene = new ViewportScene(session, background, this::repaintSoon, told.report());
-        surface = ViewportSurfaces.choose(mode, scene, told.report());
+        surface = new ViewportSurface(scene, GlContext::offscreen);
         control = new ViewportControl(session, surface::size, place -> {
             told.pointed().accept(place);
             surface.repaintSoon();
@@ -92,7 +91,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         return surface;
     }
 
-    /** Draws now, with all edits taken over, and returns the picture. */
+    /** Draws now, with all edits taken over, waits for it and returns the picture: for what is kept. */
     public BufferedImage picture() {
         return scene.complete(surface::picture);
     }

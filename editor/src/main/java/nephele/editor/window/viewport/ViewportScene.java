@@ -20,19 +20,29 @@ import nephele.editor.settings.EditorSetting;
 import nephele.editor.settings.EditorSetting.Theme;
 import nephele.editor.surface.SurfacePainter;
 import nephele.editor.surface.SurfaceSize;
+import nephele.editor.text.Words;
+import nephele.editor.window.viewport.SessionMarks.Marked;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Paints a session's frame on the surface. */
+/** Paints a session's frame on the surface. The session is read on its own thread only, before the frame is drawn. */
 final class ViewportScene implements SurfacePainter {
+    private static final Words DRAWING =
+            Words.of("Drawing the level: %s s", "Desenhando a fase: %s s", "A desenhar o nível: %s s");
+
     private final EditorSession session;
     private final Executor background;
     private final Runnable repaintSoon;
     private final Consumer<String> report;
-    private final SessionMarks marks;
-    private ViewportDrawing drawing;
     private List<String> told = List.of();
     private boolean isComplete;
+    /** The files of the level whose pictures have begun; {@code null} before the first. */
+    private AssetSource begun;
+
+    // Used by the drawing thread alone.
+    private final SessionMarks marks = new SessionMarks();
+    private ViewportDrawing drawing;
     private long lastNanos;
 
     /** @param report receives what cannot be drawn, a line each */
@@ -41,7 +51,6 @@ final class ViewportScene implements SurfacePainter {
         this.background = background;
         this.repaintSoon = repaintSoon;
         this.report = report;
-        marks = new SessionMarks(session);
     }
 
     @Override
@@ -50,15 +59,33 @@ final class ViewportScene implements SurfacePainter {
     }
 
     @Override
-    public void paint(RenderTarget target, SurfaceSize size) {
+    public Painting next(SurfaceSize size) {
         session.viewport(new PaneSize(size.width(), size.height()));
-        drawing.draw(frame(pixelsPerPoint(size)), target, isComplete ? Double.POSITIVE_INFINITY : elapsedSeconds());
+        ViewportFrame frame = frame(pixelsPerPoint(size));
+        Marked marked = Marked.of(session);
+        boolean isAtOnce = isComplete;
+        boolean isFirst = !isAtOnce && begun != session.assets();
+        begun = session.assets();
+        if (isFirst) {
+            // Edges are there long before tables and shaders are.
+            repaintSoon.run();
+            return target -> draw(frame.with(marks.of(marked)).withEdgesOnly(), target, true);
+        }
+        return target -> draw(frame.with(marks.of(marked)), target, isAtOnce);
+    }
+
+    private Runnable draw(ViewportFrame frame, RenderTarget target, boolean isAtOnce) {
+        drawing.draw(frame, target, isAtOnce ? Double.POSITIVE_INFINITY : elapsedSeconds());
         if (drawing.isChanging()) {
             repaintSoon.run();
         }
-        List<String> messages = drawing.messages();
+        List<String> messages = List.copyOf(drawing.messages());
+        return () -> tell(messages);
+    }
+
+    private void tell(List<String> messages) {
         if (!messages.equals(told)) {
-            told = List.copyOf(messages);
+            told = messages;
             told.forEach(report);
         }
     }
@@ -113,7 +140,7 @@ final class ViewportScene implements SurfacePainter {
                 session.assets(),
                 panes,
                 active,
-                marks.now(),
+                List.of(),
                 look,
                 !session.document().isDragging());
     }
@@ -139,5 +166,10 @@ final class ViewportScene implements SurfacePainter {
     @Override
     public void failed(String reason) {
         report.accept(reason);
+    }
+
+    @Override
+    public String waiting(int seconds) {
+        return DRAWING.with(seconds).in(session.language());
     }
 }

@@ -31,6 +31,7 @@ import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.work.SwingThread;
 
 /**
  * The clouds of a level over time. They are sampled at {@link SampleInstants}, in boxes that follow a focus; between two
@@ -292,6 +293,7 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     private Sample make(Key key) {
+        SwingThread.refuse("the cells of clouds");
         double seconds = key.instant;
         List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
                 .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))

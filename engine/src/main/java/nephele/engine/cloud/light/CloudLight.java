@@ -2,6 +2,7 @@ package nephele.engine.cloud.light;
 
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.TwoStreamSlab;
+import nephele.engine.work.SwingThread;
 
 /**
  * The light inside a cloud in closed form, from optical depths alone: diffuse sunlight as in the slab that the cloud
@@ -22,6 +23,7 @@ public final class CloudLight {
     private final SlabCorrection correction;
 
     public CloudLight(CloudOptics optics) {
+        SwingThread.refuse("the light of clouds");
         this.optics = optics;
         medium = optics.scaled();
         smallAngles = new SmallAngleScattering(optics);

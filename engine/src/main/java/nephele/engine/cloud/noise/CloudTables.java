@@ -1,6 +1,7 @@
 package nephele.engine.cloud.noise;
 
 import nephele.engine.math.Hash64;
+import nephele.engine.work.SwingThread;
 
 /**
  * The tables of one seed. Billows follow Schneider 2015, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn":
@@ -21,6 +22,7 @@ public record CloudTables(PeriodicTable shape, PeriodicTable detail, PeriodicTab
 
     /** Makes the tables of a seed; equal seeds give equal tables on every machine. */
     public static CloudTables of(long seed) {
+        SwingThread.refuse("the noise of clouds");
         return new CloudTables(
                 billows(seed, SHAPE_SIZE, SHAPE_SIZE, SHAPE_CELLS),
                 detail(Hash64.combine(seed, 1)),

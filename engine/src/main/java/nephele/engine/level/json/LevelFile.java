@@ -13,6 +13,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.work.SwingThread;
 
 /** Loads and saves levels, from files and from the jar. */
 public final class LevelFile {
@@ -33,6 +34,7 @@ public final class LevelFile {
      * @throws LevelFormatException if there is neither, or if it is no level
      */
     public static Opened open(String typed) throws LevelFormatException {
+        SwingThread.refuse("reading a level");
         Path path = path(typed);
         if (PackageContent.isPackage(typed)) {
             return unpacked(typed, path);
@@ -81,6 +83,7 @@ public final class LevelFile {
 
     /** Loads a file; if it is missing or no JSON at all (after a crash or on a full disk), loads its {@code .bak}. */
     public static Opened load(Path path) throws LevelFormatException {
+        SwingThread.refuse("reading a level");
         return load(path, FileOperations.REAL);
     }
 
@@ -105,6 +108,7 @@ public final class LevelFile {
 
     /** Reads this file and never its backup, as {@code check} needs. */
     public static Level read(Path path) throws LevelFormatException {
+        SwingThread.refuse("reading a level");
         return read(path, FileOperations.REAL);
     }
 

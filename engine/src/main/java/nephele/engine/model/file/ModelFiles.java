@@ -7,6 +7,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
+import nephele.engine.work.SwingThread;
 
 /** Reads meshes by the extension of their file name. */
 public final class ModelFiles {
@@ -30,6 +31,7 @@ public final class ModelFiles {
      * @throws ModelFileException if the file is malformed, too large or of unknown format
      */
     public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour, Consumer<String> notes) {
+        SwingThread.refuse("reading a model");
         String name = file.toLowerCase(Locale.ROOT);
         if (name.endsWith(".3d")) {
             return new TextMeshFile(file, bytes).read();

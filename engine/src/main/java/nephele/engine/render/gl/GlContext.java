@@ -4,6 +4,7 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import nephele.engine.render.gl.shader.GlException;
 import nephele.engine.render.gl.shader.LinkedPrograms;
+import nephele.engine.work.SwingThread;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.system.Platform;
 
@@ -18,6 +19,7 @@ public final class GlContext implements AutoCloseable {
     private final DebugMessages debug;
 
     private GlContext(Runnable destroy) {
+        SwingThread.refuse("drawing");
         this.destroy = destroy;
         this.limits = GpuLimits.ofCurrent();
         this.debug = DebugMessages.listen(limits);

@@ -8,6 +8,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.scene.light.bake.SkyVisibilityFile;
+import nephele.engine.work.SwingThread;
 
 /** The sky visibility of the static geometry, computed before the scene because it may take seconds. */
 public final class BakedSky {
@@ -23,6 +24,7 @@ public final class BakedSky {
      * @return {@code null} if no light of the sky reaches anything
      */
     public static SkyVisibility of(PlacedLevel placed, DoubleConsumer progress) {
+        SwingThread.refuse("the bake of a sky");
         AirCache.prepare(placed.level().environment(), progress);
         if (!LightRequirements.skyVisibility(placed.level())) {
             return null;

@@ -1,0 +1,2 @@
+/** Where long work may be done. */
+package nephele.engine.work;

@@ -1,0 +1,77 @@
+package nephele.editor.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.awt.EventQueue;
+import java.awt.Toolkit;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.JLabel;
+import nephele.editor.work.Aside;
+import org.junit.jupiter.api.Test;
+
+/** Swing's thread while it waits for a file. */
+class WaitingLoopSwingTest {
+    private final List<String> events = Collections.synchronizedList(new ArrayList<>());
+    private final JLabel label = new JLabel();
+    private final Aside aside = new Aside();
+
+    WaitingLoopSwingTest() {
+        aside.runOn(new WaitingLoop(() -> {}));
+        label.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                events.add("press " + event.getX());
+            }
+        });
+    }
+
+    private void press(int x) {
+        Toolkit.getDefaultToolkit()
+                .getSystemEventQueue()
+                .postEvent(new MouseEvent(label, MouseEvent.MOUSE_PRESSED, 0, 0, x, 0, 1, false, MouseEvent.BUTTON1));
+    }
+
+    @Test
+    void otherEventsAreDispatchedAndTheUsersComeAfterwardsInTheirOrder() throws Exception {
+        EventQueue.invokeAndWait(() -> {
+            press(1);
+            String read = aside.get(() -> {
+                assertFalse(EventQueue.isDispatchThread());
+                press(2);
+                CompletableFuture.runAsync(() -> events.add("paint"), EventQueue::invokeLater)
+                        .join();
+                press(3);
+                return "text";
+            });
+            events.add(read);
+        });
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of("paint", "text", "press 1", "press 2", "press 3"), events);
+    }
+
+    @Test
+    void aFailureIsThatOfTheReader() throws Exception {
+        EventQueue.invokeAndWait(() -> {
+            Aside.Task<IOException> broken = () -> {
+                throw new IOException("damaged");
+            };
+            assertEquals(
+                    "damaged",
+                    assertThrows(IOException.class, () -> aside.run(broken)).getMessage());
+        });
+    }
+
+    @Test
+    void aScriptReadsOnItsOwnThread() {
+        Thread caller = Thread.currentThread();
+        assertEquals(caller, aside.get(Thread::currentThread));
+    }
+}
