@@ -41,9 +41,9 @@ public final class InputsProof implements Proof {
         return new Claim(
                 "inputs",
                 "A level with a number at zero, least, greatest, subnormal or just outside its range, alone and in"
-                    + " pairs, is refused with its place, or it is saved and read back equal, simulated, explained and"
-                    + " drawn without a pixel that is no number (of those with air, clouds or weather one in eight is"
-                    + " drawn); each takes at most 10 s of CPU.",
+                    + " pairs, is refused with its place, or it is saved and read back equal, explained, simulated and"
+                    + " drawn at 64 × 36 without a pixel that is no number (of those with air, clouds or weather one"
+                    + " in eight is drawn, its clouds explained); each takes at most 10 s of CPU.",
                 "levels",
                 100_000,
                 500);
