@@ -55,7 +55,7 @@ class FileCostTest {
         assertEquals(List.of(), problems(SolidRules.COST, "\"solids\": " + many(2_000, BOX)));
         assertEquals(List.of(), problems(SolidRules.COST, "\"solids\": " + many(1_000, dear)));
         assertTold("21000 solids of 126000 faces need some 10 s", "\"solids\": " + many(21_000, BOX));
-        assertTold("4000 solids of 120000 faces need some 12 s", "\"solids\": " + many(4_000, dear));
+        assertTold("4000 solids of 120000 faces need some 11 s", "\"solids\": " + many(4_000, dear));
     }
 
     private static void assertTold(String words, String members) {

@@ -46,7 +46,7 @@ final class SolidRules {
     private static final double SECONDS_PER_FACE = 8e-5;
 
     /** Of finding the corners of a shape. */
-    private static final double SECONDS_PER_TRIPLE = 1.6e-7;
+    private static final double SECONDS_PER_TRIPLE = 8e-8;
 
     /** The solids are not so many that a picture of them takes long. */
     static final LevelRule COST = (level, assets, report) -> {
