@@ -128,6 +128,7 @@ class HostileNumbersTest {
                                 "bake|--eye|0,0,inf 1e9,0,0",
                                 "play|--from|nan,0,0,0,0 0,0,0,1e300,0 0,0,0,0,90.5 0,0,0,0,-91 1e8,0,0,0,0 1,2,3",
                                 "render|--shard|3/2 0/1 1/0 1/100001 -1/2 NaN/2 1/99999999999",
+                                "prove|--shard|3/2 0/1 1/0 1/100001 NaN/2",
                                 "play|--upright-rate|0 9 180001 -1 NaN 1e3 99999999999")
                         .map(line -> Arguments.of((Object[]) line.split("\\|"))),
                 settings().map(name -> Arguments.of("render", "--set", name + "=NaN " + name + "=1e300")));

@@ -6,11 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import com.google.gson.JsonPrimitive;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import nephele.engine.level.Language;
 import nephele.engine.userfile.UserFolders;
@@ -62,6 +65,25 @@ class PlayerFilesTest {
             assertEquals(2, problems.size(), problems.toString());
             assertTrue(problems.get(0).startsWith(setting.key() + ": must be "), problems.get(0));
             assertEquals(entries, read.entries());
+        }
+    }
+
+    /** A setting of numbers has its least and its greatest, but not the next number beyond either. */
+    @ParameterizedTest
+    @MethodSource("settings")
+    void aNumberJustOutsideItsRangeIsBroken(GameSetting<?> setting) {
+        Matcher range = Pattern.compile("number from (\\S+) to (\\S+)")
+                .matcher(setting.values().expected());
+        if (!range.find()) {
+            return;
+        }
+        double least = Double.parseDouble(range.group(1));
+        double most = Double.parseDouble(range.group(2));
+        for (double within : List.of(least, most, Math.nextUp(least), Math.nextDown(most))) {
+            assertTrue(setting.values().read(new JsonPrimitive(within)).isPresent(), setting.key() + " " + within);
+        }
+        for (double outside : List.of(Math.nextDown(least), Math.nextUp(most), Double.MIN_VALUE, -1e308, 1e308)) {
+            assertTrue(setting.values().read(new JsonPrimitive(outside)).isEmpty(), setting.key() + " " + outside);
         }
     }
 

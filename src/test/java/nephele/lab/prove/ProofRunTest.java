@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.LongStream;
+import nephele.engine.reference.tile.Shard;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
@@ -87,6 +89,22 @@ class ProofRunTest {
         assertTrue(ran.isEmpty());
         run(proof).upTo(16, "def");
         assertEquals(16, ran.size());
+    }
+
+    @Test
+    void sharesRunEachUnitOnceAndAreJoined() throws Exception {
+        var proof = new Sevens();
+        proof.breaksDown = false;
+        for (int number = 1; number <= 3; number++) {
+            var run =
+                    new ProofRun(proof, folder, new Shard(number, 3), new PrintStream(OutputStream.nullOutputStream()));
+            run.upTo(run.size(), "abc");
+            assertEquals(ran.size(), run.joined("abc").units());
+            assertEquals(0, run.joined("def").units());
+        }
+        assertEquals(LongStream.range(0, 50).boxed().toList(), ran);
+        run(proof).upTo(50, "abc");
+        assertEquals(100, ran.size());
     }
 
     @Test

@@ -8,10 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.FileName;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.MessageText;
+import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.PackageContent;
@@ -69,14 +72,22 @@ final class CheckCommand implements Command {
         try {
             if (isFile(file)) {
                 var path = Path.of(file);
-                return WorldRules.check(LevelFile.read(path), LevelAssets.beside(path));
+                return problems(LevelFile.read(path), LevelAssets.beside(path));
             }
             var opened = LevelFile.open(file);
-            return WorldRules.check(opened.level(), opened.assets());
+            return problems(opened.level(), opened.assets());
         } catch (LevelFormatException wrong) {
             return wrong.problems();
+        }
+    }
+
+    private static List<Problem> problems(Level level, AssetSource assets) {
+        try {
+            return WorldRules.check(level, assets);
         } catch (AssetException wrong) {
-            return List.of(Problem.error("$", wrong.getMessage()));
+            // Files that are good one by one, but do not fit into memory together.
+            String place = AssetPlaces.of(level).getOrDefault(wrong.assetId(), wrong.assetId());
+            return List.of(Problem.error(place, wrong.getMessage()));
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import nephele.editor.prove.EditorProofs;
+import nephele.engine.reference.tile.Shard;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -51,6 +52,13 @@ final class ProveCommand implements Command {
     @OptionRange.Whole(least = 0, most = MOST_UNITS)
     private Long from;
 
+    @Option(
+            names = "--shard",
+            paramLabel = "i/n",
+            converter = ReferenceOptions.ShardConverter.class,
+            description = "Run the i-th of n equal shares, for n processes; the last one to end writes the row of all.")
+    private Shard shard;
+
     @Option(names = "--again", description = "Start over instead of going on where the last run stopped.")
     private boolean again;
 
@@ -66,6 +74,9 @@ final class ProveCommand implements Command {
         }
         if (from != null && (name == null || count == null || record || again)) {
             throw CommandFailure.usage("--from needs NAME and --count, and goes without --record and --again");
+        }
+        if (shard != null && (name == null || from != null)) {
+            throw CommandFailure.usage("--shard needs NAME, and goes without --from");
         }
         boolean allHold = true;
         for (var proof : chosen()) {
@@ -89,10 +100,7 @@ final class ProveCommand implements Command {
 
     private ProofResult prove(Proof proof, Terminal terminal) throws Exception {
         String commit = ProofEnvironment.commit();
-        long wanted = count == null
-                ? proof.claim().fullCount()
-                : Math.min(count, proof.claim().fullCount());
-        var run = new ProofRun(proof, STATE_FOLDER, terminal.err());
+        var run = new ProofRun(proof, STATE_FOLDER, shard == null ? Shard.WHOLE : shard, terminal.err());
         if (from != null) {
             var result = run.alone(from, count);
             terminal.out().println(ProofTable.summary(proof, result));
@@ -101,7 +109,8 @@ final class ProveCommand implements Command {
         if (again) {
             run.startOver(commit);
         }
-        var result = run.upTo(wanted, commit);
+        run.upTo(count == null ? run.size() : Math.min(count, run.size()), commit);
+        var result = run.joined(commit);
         terminal.out().println(ProofTable.summary(proof, result));
         if (record || result.units() >= proof.claim().fullCount()) {
             String date = LocalDate.now(ZoneOffset.UTC).toString();

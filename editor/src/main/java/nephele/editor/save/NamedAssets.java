@@ -1,10 +1,7 @@
 package nephele.editor.save;
 
-import java.lang.reflect.RecordComponent;
-import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -12,8 +9,7 @@ import java.util.function.Function;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.level.TextKind;
-import nephele.engine.level.Written;
+import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.model.file.ModelFiles;
 import nephele.engine.model.shape.GeneratedName;
@@ -22,11 +18,9 @@ import nephele.engine.model.shape.GeneratedName;
 public final class NamedAssets {
     private NamedAssets() {}
 
-    /** Returns the ids that a level's records name, sorted; every component of kind {@link TextKind#ASSET} counts. */
+    /** Returns the ids that a level's records name, sorted. */
     public static Set<String> of(Level level) {
-        Set<String> ids = new TreeSet<>();
-        collect(level, false, ids);
-        return ids;
+        return new TreeSet<>(AssetPlaces.of(level).keySet());
     }
 
     /**
@@ -77,29 +71,5 @@ public final class NamedAssets {
             asked.accept(folder + name);
             return besides.apply(name);
         };
-    }
-
-    private static void collect(Object value, boolean isAsset, Set<String> ids) {
-        if (value instanceof String text && isAsset) {
-            ids.add(text);
-        } else if (value instanceof Collection<?> elements) {
-            elements.forEach(element -> collect(element, isAsset, ids));
-        } else if (value instanceof Map<?, ?> entries) {
-            entries.values().forEach(entry -> collect(entry, isAsset, ids));
-        } else if (value instanceof Record record
-                && record.getClass().getPackageName().startsWith(Level.class.getPackageName())) {
-            for (RecordComponent component : record.getClass().getRecordComponents()) {
-                Written written = component.getAnnotation(Written.class);
-                collect(part(record, component), written != null && written.text() == TextKind.ASSET, ids);
-            }
-        }
-    }
-
-    private static Object part(Record record, RecordComponent component) {
-        try {
-            return component.getAccessor().invoke(record);
-        } catch (ReflectiveOperationException impossible) {
-            throw new IllegalStateException(component + " of a level's record cannot be read", impossible);
-        }
     }
 }

@@ -150,11 +150,19 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
 
     private static List<Vec3> corners(List<Plane> planes, double epsilon) {
         List<Vec3> corners = new ArrayList<>();
+        int cutting = 0;
         for (int i = 0; i < planes.size(); i++) {
             for (int j = i + 1; j < planes.size(); j++) {
                 for (int k = j + 1; k < planes.size(); k++) {
                     Vec3 p = intersection(planes.get(i), planes.get(j), planes.get(k));
-                    if (p != null && behindAll(planes, p, epsilon) && !near(corners, p, epsilon * 2)) {
+                    // The plane that cut the last point off mostly cuts the next one off, too.
+                    if (p == null || planes.get(cutting).signedDistance(p) > epsilon) {
+                        continue;
+                    }
+                    int other = cutting(planes, p, epsilon);
+                    if (other >= 0) {
+                        cutting = other;
+                    } else if (!near(corners, p, epsilon * 2)) {
                         corners.add(p);
                     }
                 }
@@ -184,8 +192,14 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
                 (a.distance() * bcZ + b.distance() * caZ + c.distance() * abZ) / determinant);
     }
 
-    private static boolean behindAll(List<Plane> planes, Vec3 p, double epsilon) {
-        return planes.stream().noneMatch(plane -> plane.signedDistance(p) > epsilon);
+    /** Returns the index of the first plane with the point in front; −1 if it is behind all. */
+    private static int cutting(List<Plane> planes, Vec3 p, double epsilon) {
+        for (int i = 0; i < planes.size(); i++) {
+            if (planes.get(i).signedDistance(p) > epsilon) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     private static boolean near(List<Vec3> corners, Vec3 p, double epsilon) {

@@ -1,7 +1,9 @@
 package nephele.engine.level.rule;
 
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Billboards;
@@ -13,6 +15,7 @@ import nephele.engine.level.billboard.BillboardField;
 import nephele.engine.level.billboard.FieldGrounds;
 import nephele.engine.level.billboard.Ground;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.planted.PlantedModels;
 
 /** Rules for billboards: where they stand, what their pictures hold, and whether fields have room for them. */
 final class BillboardRules {
@@ -35,13 +38,20 @@ final class BillboardRules {
     static final LevelRule MEANT = (level, assets, report) ->
             LevelRule.each("billboards", level.billboards(), (path, group) -> meant(path, group, report));
 
-    /** Plants every field; reports nothing where a file cannot be read, which other rules do. */
+    /** Plants every field; reports nothing where a file cannot be read or there are too many, which other rules do. */
     static final LevelRule ROOM = (level, assets, report) -> {
-        if (level.billboards().stream().anyMatch(group -> group.field() != null)
-                || level.models().stream().anyMatch(ModelPlacement::isPlanted)) {
+        long ofBillboards = planted(level.billboards().stream().map(Billboards::field));
+        long ofModels = planted(level.models().stream().map(ModelPlacement::field));
+        if (ofBillboards + ofModels > 0 && ofBillboards <= Billboards.MOST && ofModels <= PlantedModels.MOST) {
             room(level, assets, report);
         }
     };
+
+    private static long planted(Stream<Billboards.Field> fields) {
+        return fields.filter(Objects::nonNull)
+                .mapToLong(Billboards.Field::count)
+                .sum();
+    }
 
     private BillboardRules() {}
 

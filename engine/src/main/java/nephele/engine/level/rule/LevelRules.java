@@ -14,6 +14,7 @@ public final class LevelRules {
             IdRules.MATERIALS,
             EnvironmentRules.SUN,
             SolidRules.BOUNDED,
+            SolidRules.COST,
             CameraRules.VIEW,
             LightRules.CONES,
             LightRules.SHADOWS,

@@ -39,7 +39,36 @@ final class SolidRules {
         }
     };
 
+    /** Processor's time of a picture from which on somebody waits. */
+    private static final double LONG_SECONDS = 10;
+
+    /** Of dividing a face, baking its light and drawing it; measured on one core of a machine of 2024. */
+    private static final double SECONDS_PER_FACE = 8e-5;
+
+    /** Of finding the corners of a shape. */
+    private static final double SECONDS_PER_TRIPLE = 8e-8;
+
+    /** The solids are not so many that a picture of them takes long. */
+    static final LevelRule COST = (level, assets, report) -> {
+        long faces = level.solids().stream().mapToLong(SolidRules::faces).sum();
+        long triples = level.solids().stream().mapToLong(SolidRules::triples).sum();
+        double seconds = faces * SECONDS_PER_FACE + triples * SECONDS_PER_TRIPLE;
+        if (seconds > LONG_SECONDS) {
+            report.accept(Problem.warning(
+                    "solids",
+                    level.solids().size() + " solids of " + faces + " faces need some " + Math.round(seconds)
+                            + " s of a processor's time before the first picture: use fewer of them, or simpler ones"));
+        }
+    };
+
     private SolidRules() {}
+
+    private static int faces(Solid solid) {
+        if (solid instanceof Solid.Planes given) {
+            return given.planes().size();
+        }
+        return solid instanceof Solid.Prism prism ? prism.sides() + 2 : solid instanceof Solid.Wedge ? 5 : 6;
+    }
 
     /** Returns the work of deriving the shape; 0 for kinds that are bounded whenever their numbers are positive. */
     private static long triples(Solid solid) {

@@ -86,7 +86,7 @@ final class InputLevels {
             return with(odd.level(), Map.of(odd.place(), odd.number()), seconds(unit));
         }
         SplittableRandom random = new SplittableRandom(unit);
-        int level = random.nextInt(levels.size());
+        int level = alone.get(random.nextInt(alone.size())).level();
         Map<Integer, String> numbers = new TreeMap<>();
         for (int i = 0; i < 2; i++) {
             int place = random.nextInt(levels.get(level).places().size());

@@ -69,6 +69,13 @@ final class InputTrial {
     private static final int HEIGHT = 36;
     private static final int TICKS = 12;
 
+    /** What a picture of this size does not show is left out. */
+    private static final Quality LOWEST = Quality.LOW
+            .withPictureResolution(1)
+            .withShadowTexels(256)
+            .withCloudSkyboxTexels(64)
+            .withCloudLightCell(4);
+
     /** What no user should read: names of exceptions, and records as text. */
     private static final Pattern JAVA = Pattern.compile("Exception|\\b[A-Z]\\w+\\[\\w+=|\\bnull\\b|@[0-9a-f]{5,}");
 
@@ -91,9 +98,9 @@ final class InputTrial {
             saved(level);
             PlacedLevel placed = PlacedLevel.of(level, LevelAssets.beside(file));
             FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level))).explain();
-            CloudExplanation.lines(placed);
             simulated(placed);
             if (gl != null) {
+                CloudExplanation.lines(placed);
                 drawn(placed, input.seconds(), gl);
                 outcome = Outcome.DRAWN;
             }
@@ -173,7 +180,7 @@ final class InputTrial {
 
     private void drawn(PlacedLevel placed, double seconds, GlContext gl) throws Fault {
         Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.LOW.withPictureResolution(1));
+        RenderSettings settings = RenderSettings.of(Output.HDR, LOWEST);
         try (RenderTarget target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT);
                 Renderer renderer = Renderer.load(gl, scene, settings)) {
             FrameState state = FrameState.atStart(renderer.scene().level());

@@ -116,6 +116,24 @@ class SkyVisibilityTest {
         assertEquals(6 * 6 - 5 * 5, covered, 1e-3, "area under the walls");
     }
 
+    /** Faces whose fewest texels are more than are wanted were laid out with ever larger texels, and never packed. */
+    @Test
+    void anyNumberOfFacesIsPackedWithinLittleMoreThanItNeeds() {
+        List<Brush> room = room();
+        for (int wanted : new int[] {1, 60, 1000, 4000}) {
+            LightMapLayout layout = LightMapLayout.of(room, wanted);
+            int needed = 0;
+            int taken = 0;
+            for (LightMapChart chart : layout.charts()) {
+                needed += 4;
+                taken += chart.columns() * chart.rows();
+            }
+            assertTrue(taken <= Math.max(wanted, 1.25 * needed), taken + " of " + wanted);
+            assertTrue(taken <= layout.width() * layout.height());
+            assertTrue(layout.texelMetres() < 1e3);
+        }
+    }
+
     private static double area(FaceFragment f) {
         double area = 0;
         for (int i = 0; i < f.triangles().length; i += 3) {

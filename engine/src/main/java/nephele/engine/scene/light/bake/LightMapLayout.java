@@ -31,19 +31,52 @@ public record LightMapLayout(
     /** At 16 bits per texel half a mebibyte; beyond it texels grow. */
     static final int MAX_TEXELS = 1 << 18;
 
-    static final int MAX_SIDE_TEXELS = 1024;
+    private static final int LEAST_SIDE_TEXELS = 1024;
+    private static final double GROWTH = 1.25;
 
+    /** Lays faces out within {@link #MAX_TEXELS}, or if they are so many that none suffices, within a little more than they need. */
     public static LightMapLayout of(List<Brush> brushes) {
+        return of(brushes, MAX_TEXELS);
+    }
+
+    static LightMapLayout of(List<Brush> brushes, int wanted) {
         FaceFragments fragments = FaceFragments.of(brushes);
-        for (double texel = TEXEL_METRES; ; texel *= 1.25) {
-            LightMapLayout layout = tryAt(brushes, fragments, texel);
-            if (layout.height <= MAX_SIDE_TEXELS && layout.width <= MAX_SIDE_TEXELS || texel > 1e6) {
-                return layout;
+        long fewest = texels(brushes, fragments, Double.POSITIVE_INFINITY);
+        long most = Math.max(wanted, fewest + fewest / 4);
+        int side = LEAST_SIDE_TEXELS;
+        while ((long) side * side < 4 * most) {
+            side *= 2;
+        }
+        double texel = TEXEL_METRES;
+        while (true) {
+            if (texels(brushes, fragments, texel) <= most) {
+                LightMapLayout layout = tryAt(brushes, fragments, texel, side);
+                if (layout.height <= side && layout.width <= side) {
+                    return layout;
+                }
             }
+            texel *= GROWTH;
         }
     }
 
-    private static LightMapLayout tryAt(List<Brush> brushes, FaceFragments fragments, double texelMetres) {
+    private static long texels(List<Brush> brushes, FaceFragments fragments, double texelMetres) {
+        long texels = 1;
+        for (int b = 0; b < brushes.size(); b++) {
+            List<List<FaceFragment>> faces = fragments.byBrush().get(b);
+            for (int f = 0; f < faces.size(); f++) {
+                Plane plane = brushes.get(b).shape().faces().get(f).plane();
+                for (FaceFragment part : faces.get(f)) {
+                    if (!part.isCovered()) {
+                        LightMapChart chart = LightMapChart.over(part.outline(), plane, texelMetres);
+                        texels += (long) chart.columns() * chart.rows();
+                    }
+                }
+            }
+        }
+        return texels;
+    }
+
+    private static LightMapLayout tryAt(List<Brush> brushes, FaceFragments fragments, double texelMetres, int side) {
         List<LightMapChart> charts = new ArrayList<>();
         List<Integer> brushOf = new ArrayList<>();
         List<List<int[]>> chartOf = new ArrayList<>();
@@ -66,7 +99,7 @@ public record LightMapLayout(
             chartOf.add(ofBrush);
         }
         int[] brush = brushOf.stream().mapToInt(Integer::intValue).toArray();
-        return packed(fragments, charts, chartOf, brush, texelMetres);
+        return packed(fragments, charts, chartOf, brush, texelMetres, side);
     }
 
     /** Packs charts into shelves: by descending height, side by side until a row is full. */
@@ -75,7 +108,8 @@ public record LightMapLayout(
             List<LightMapChart> charts,
             List<List<int[]>> chartOf,
             int[] brushOf,
-            double texelMetres) {
+            double texelMetres,
+            int side) {
         long area = 1;
         int widest = 2;
         for (LightMapChart chart : charts) {
@@ -83,15 +117,12 @@ public record LightMapLayout(
             widest = Math.max(widest, chart.columns());
         }
         int width = (widest + 16) & ~15;
-        while (width < MAX_SIDE_TEXELS && (long) width * width < area) {
+        while (width < side && (long) width * width < area) {
             width += 16;
         }
         int[] column = new int[charts.size()];
         int[] row = new int[charts.size()];
         int height = shelve(charts, column, row, width);
-        if (area > MAX_TEXELS) {
-            height = Integer.MAX_VALUE;
-        }
         return new LightMapLayout(fragments, charts, chartOf, column, row, brushOf, width, height, texelMetres);
     }
 
