@@ -17,6 +17,7 @@ import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.replay.ReplayRecorder;
+import nephele.engine.sim.state.FallState;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
@@ -37,8 +38,6 @@ public final class Playthrough {
     private static final double LEAST_DEPTH_METRES = 0.1;
 
     /** Time in which the picture comes back after a fall. */
-    private static final double FADE_SECONDS = 0.25;
-
     private static final long NEVER = Long.MIN_VALUE / 2;
 
     /** How much farther than the camera the body of a character sinks that is seen from behind. */
@@ -204,10 +203,15 @@ public final class Playthrough {
         isCut = true;
     }
 
-    /** Returns how dark the picture is after a fall out of the level, 0 (as always) to 1 (black). */
+    /** Returns how dark the picture is for a fall out of the level and after it, 0 (as always) to 1 (black). */
     public double darkness() {
-        double seconds = (after.tick() - leaptInTick + clock.share()) * secondsPerTick;
-        return motion == PictureMotion.REDUCED ? 0 : Math.max(0, Math.min(1, 1 - seconds / FADE_SECONDS));
+        if (motion == PictureMotion.REDUCED) {
+            return 0;
+        }
+        double ticks = after.tick() + clock.share();
+        double leapt = 1 - (ticks - leaptInTick) * secondsPerTick / FallState.FADE_SECONDS;
+        int ticksPerSecond = (int) Math.round(1 / secondsPerTick);
+        return Math.max(after.world().fall().darkness(ticks, ticksPerSecond), Math.max(0, Math.min(1, leapt)));
     }
 
     private boolean isDiscontinuity() {

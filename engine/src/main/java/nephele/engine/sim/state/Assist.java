@@ -25,8 +25,8 @@ public enum Assist {
     SAFE_RETURN;
 
     /** The assists of the game where the player has chosen no others: all but the cap on speed. */
-    public static final List<Assist> USUAL =
-            List.of(FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, PORTAL_TO_FLOOR, PORTAL_TURN, WALK_IN, EXIT_ROOM, SAFE_RETURN);
+    public static final List<Assist> USUAL = List.of(
+            FUNNEL, FLOOR_EXIT_SPEED, BODY_RETURN, PORTAL_TO_FLOOR, PORTAL_TURN, WALK_IN, EXIT_ROOM, SAFE_RETURN);
 
     /** Returns the name as it is written in a replay file: {@code "floor-exit-speed"}. */
     public String text() {
