@@ -37,7 +37,6 @@ public final class Playthrough {
 
     private static final double LEAST_DEPTH_METRES = 0.1;
 
-    /** Time in which the picture comes back after a fall. */
     private static final long NEVER = Long.MIN_VALUE / 2;
 
     /** How much farther than the camera the body of a character sinks that is seen from behind. */
