@@ -1,29 +1,41 @@
 package nephele.engine.level.rule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferByte;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.math.Hash64;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What a file can make the program compute is bounded, or told before. */
 class FileCostTest {
     private static final String BOX =
             "{\"id\": \"s%d\", \"kind\": \"box\", \"centre\": [0, 0, 0], \"size\": [9, 9, 9]}";
 
-    private static List<Problem> problems(LevelRule rule, String members) {
+    @TempDir
+    Path folder;
+
+    private List<Problem> problems(LevelRule rule, String members) {
         String text = "{\"format\": \"nephele-level\", \"version\": 1, \"environment\": {}, " + members + "}";
         return LevelRules.check(
                 List.of(rule),
                 LevelJson.read("level.json", text.getBytes(StandardCharsets.UTF_8)),
-                LevelAssets.beside(Path.of("level.json")));
+                LevelAssets.beside(folder.resolve("level.json")));
     }
 
     private static String many(int count, String of) {
@@ -58,7 +70,44 @@ class FileCostTest {
         assertTold("4000 solids of 120000 faces need some 11 s", "\"solids\": " + many(4_000, dear));
     }
 
-    private static void assertTold(String words, String members) {
+    /** Such levels were good, and their pictures then ended with no file's name. */
+    @Test
+    void picturesThatNeedMuchMemoryAreWarnedOfAtTheLargest() throws IOException {
+        picture("large.png", 6_000);
+        picture("other.png", 5_900);
+        picture("third.png", 5_900);
+        String one = "{\"id\": \"a\", \"texture\": \"other.png\"}";
+        assertEquals(List.of(), problems(AssetRules.READABLE, "\"materials\": [" + one + "]"));
+        List<Problem> told = problems(
+                AssetRules.READABLE,
+                "\"materials\": [" + one
+                        + ", {\"id\": \"b\", \"texture\": \"third.png\", \"normalTexture\": \"large.png\"}]");
+        assertEquals(1, told.size());
+        assertEquals("materials[1].normalTexture", told.get(0).path());
+        assertTrue(told.get(0).message().contains("some 566 MB"), told.get(0).message());
+    }
+
+    private void picture(String name, int side) throws IOException {
+        var picture = new BufferedImage(side, side, BufferedImage.TYPE_BYTE_BINARY);
+        // Without noise so many pixels in so few bytes are taken for damage.
+        byte[] bits = ((DataBufferByte) picture.getRaster().getDataBuffer()).getData();
+        for (int i = 0; i < 100_000; i++) {
+            bits[i] = (byte) Hash64.combine(i, 1);
+        }
+        ImageIO.write(picture, "png", folder.resolve(name).toFile());
+    }
+
+    @Test
+    void aPictureThatMemoryDoesNotSufficeForIsNamed() {
+        AssetException told = assertThrows(
+                AssetException.class,
+                () -> PictureDecoder.inMemory("large.png", () -> {
+                    throw new OutOfMemoryError();
+                }));
+        assertTrue(told.getMessage().startsWith("large.png: does not fit into memory"), told.getMessage());
+    }
+
+    private void assertTold(String words, String members) {
         List<Problem> told = problems(SolidRules.COST, members);
         assertEquals(1, told.size());
         assertEquals("solids", told.get(0).path());
