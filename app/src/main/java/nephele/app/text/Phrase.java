@@ -66,7 +66,6 @@ public enum Phrase {
     BOUNDS_NEXT("next bounds", "próximo volume", "volume seguinte"),
     OBSERVER_MOVES("move the sphere", "mover a esfera", "mover a esfera"),
     REPLAY_OVER("The replay is over", "A gravação terminou", "A gravação terminou"),
-    TAKEN_OVER("You are in control", "O controle é seu", "O controlo é teu"),
     EXIT_REACHED("Exit reached", "Saída alcançada", "Saída alcançada"),
     SLOW(
             "Fewer than four frames a second: time runs slower.",
