@@ -15,8 +15,8 @@ import nephele.lab.prove.proof.ProofResult;
 
 /**
  * Sends players with the game's assists through random portals, lets them come to rest without a key, and then has them
- * walk in eight directions: one of these has to lead away. Who still falls from portal to portal then is in no corner, and who
- * was flung into a hole of the room, as behind its ramp, did not find it at the exit; both are counted apart.
+ * walk in eight directions: one of these has to lead away. Players that still fall from portal to portal are in no corner,
+ * and those flung into a hole of the room, as behind its ramp, did not find it at the exit; both are counted apart.
  */
 public final class RoomExitsProof implements Proof {
     private static final long EXITS_PER_ROOM = 100;
