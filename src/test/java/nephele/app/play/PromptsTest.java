@@ -37,7 +37,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A possible action is named with its key until it has been done. */
 class PromptsTest {
-    private static final List<String> MOTIONS = List.of("look", "walk", "run", "jump", "goal", "crouch");
+    private static final List<String> MOTIONS = List.of("look", "walk", "run", "jump", "goal");
 
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final Prompts prompts = afterMotions();
@@ -152,9 +152,9 @@ class PromptsTest {
     @Test
     void aShotThatOpensIsOfferedUntilItWasFired() {
         Playthrough far = standing(-8);
-        assertEquals("left click: open the first portal", text(far, Shot.OPENS));
+        assertEquals("Left click: open the first portal", text(far, Shot.OPENS));
         prompts.after(List.of(new TickEvent.PortalOpened(GunPortals.Colour.FIRST, 0)));
-        assertEquals("right click: open the second portal", text(far, Shot.OPENS));
+        assertEquals("Right click: open the second portal", text(far, Shot.OPENS));
         assertNull(text(far, Shot.REFUSED));
         prompts.after(List.of(new TickEvent.PortalOpened(GunPortals.Colour.SECOND, 1)));
         assertNull(text(far, Shot.OPENS));

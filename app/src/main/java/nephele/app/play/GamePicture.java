@@ -20,6 +20,9 @@ import nephele.engine.sim.state.TickEvent;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {
+    /** The time for which the goal stays after its key, so that who taps the key can read it. */
+    private static final long GOAL_NANOS = 3_000_000_000L;
+
     private final Display display;
     private final CurrentLevel current;
     private final MenuControl menu;
@@ -30,6 +33,8 @@ final class GamePicture {
     private final GivenHints hints;
     private final ComparisonTexts comparisonTexts = new ComparisonTexts();
     private long titleNanos;
+    private boolean wasGoalAsked;
+    private long goalNanos;
     private final Input input;
     private final WipeControl wipe;
     private GameSettings keysOf;
@@ -68,6 +73,7 @@ final class GamePicture {
     /** Shows the aim of the current level for its first seconds. */
     void levelBegins() {
         captions.begin(current.session());
+        wasGoalAsked = false;
         hints.restart();
         keysOf = null;
         if (isCompared()) {
@@ -184,7 +190,11 @@ final class GamePicture {
     }
 
     private boolean showsGoal() {
-        return input.holds(Control.GOAL);
+        if (input.takeHold(Control.GOAL)) {
+            wasGoalAsked = true;
+            goalNanos = System.nanoTime();
+        }
+        return wasGoalAsked && System.nanoTime() - goalNanos < GOAL_NANOS;
     }
 
     private double titleSeconds() {

@@ -19,7 +19,6 @@ import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
@@ -42,8 +41,7 @@ final class Prompts {
         WALK(Phrase.PROMPT_WALK, Control.FORWARD),
         RUN(Phrase.CONTROL_RUN, Control.RUN),
         JUMP(Phrase.CONTROL_JUMP, Control.JUMP),
-        GOAL(Phrase.CONTROL_GOAL, Control.GOAL),
-        CROUCH(Phrase.CONTROL_CROUCH, Control.CROUCH);
+        GOAL(Phrase.CONTROL_GOAL, Control.GOAL);
 
         private final Phrase phrase;
         /** {@code null} for the mouse or a stick. */
@@ -203,9 +201,6 @@ final class Prompts {
         if (from.isGrounded() && !to.isGrounded() && to.velocity().y() > RISING_METRES_PER_SECOND) {
             learn(Verb.JUMP);
         }
-        if (to.stance() == Stance.CROUCHED) {
-            learn(Verb.CROUCH);
-        }
     }
 
     private static long unevenMillimetres(CrosshairState crosshair) {
@@ -244,7 +239,7 @@ final class Prompts {
             case THROW -> holds;
             case FIRE_FIRST -> !holds && opens(crosshair.first());
             case FIRE_SECOND -> opens(crosshair.second());
-            case LOOK, WALK, RUN, JUMP, GOAL, CROUCH -> true;
+            case LOOK, WALK, RUN, JUMP, GOAL -> true;
         };
     }
 
@@ -260,6 +255,8 @@ final class Prompts {
                     case WALK -> keys.walk();
                     default -> keys.names(verb.control).isEmpty() ? "" : keys.inSentence(verb.control);
                 };
-        return names.isEmpty() ? null : names + ": " + verb.phrase.in(keys.language());
+        return names.isEmpty()
+                ? null
+                : Character.toUpperCase(names.charAt(0)) + names.substring(1) + ": " + verb.phrase.in(keys.language());
     }
 }

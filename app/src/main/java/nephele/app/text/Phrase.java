@@ -88,7 +88,7 @@ public enum Phrase {
             "Escolha janela ou tela cheia e uma resolução menor nas configurações.",
             "Escolhe janela ou ecrã inteiro e uma resolução menor nas definições."),
     QUALITY_ADAPTS("The quality adapts.", "A qualidade está se adaptando.", "A qualidade está a adaptar-se."),
-    MENU_KEYS("↑ ↓  Enter  or mouse", "↑ ↓  Enter  ou mouse", "↑ ↓  Enter  ou rato"),
+    MENU_KEYS("↑ ↓  Enter or mouse", "↑ ↓  Enter ou mouse", "↑ ↓  Enter ou rato"),
     PAD_MENU_KEYS("↑ ↓  A  choose", "↑ ↓  A  escolher", "↑ ↓  A  escolher"),
     FOOT_BACK("back", "voltar", "voltar"),
     FOOT_CONTINUE("continue", "continuar", "continuar"),

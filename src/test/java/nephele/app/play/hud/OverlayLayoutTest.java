@@ -41,6 +41,7 @@ class OverlayLayoutTest {
     private final Hud hud = new Hud(new Lettering());
     private int seen;
 
+    @Execution(ExecutionMode.SAME_THREAD) // the overlay is one
     @ParameterizedTest
     @CsvSource({
         "640, 360, 1",
@@ -77,15 +78,42 @@ class OverlayLayoutTest {
         for (Comparison comparison : comparisons(language)) {
             String[] prompts = {null, Phrase.PROMPT_SECOND.in(language), uneven(language)};
             for (int i = 0; i < prompts.length; i++) {
-                Sight sight =
-                        new Sight(new CrosshairState(0, 0, half(), half()), ShotPalette.BLUE_ORANGE, prompts[i], null);
                 Banner banner = banners(language)[i];
+                GoalMark goal = i == 1 ? GoalMark.at(area, true, 10, -40, 20, 12) : null;
+                Sight sight =
+                        new Sight(new CrosshairState(0, 0, half(), half()), ShotPalette.BLUE_ORANGE, prompts[i], goal);
                 check(area, new HudContent(null, Page.NONE, figures, messages, banner, sight, comparison, keys, null));
             }
             check(
                     area,
                     new HudContent(
                             null, Page.HELP, figures, messages, null, null, comparison, keys, banners(language)[1]));
+        }
+    }
+
+    /** The words of a goal that is marked do not cover it where goals mostly are, from the crosshair upwards. */
+    @Execution(ExecutionMode.SAME_THREAD) // the overlay is one
+    @ParameterizedTest
+    @CsvSource({"640, 360", "960, 540", "1280, 720", "2560, 1080"})
+    void theBannerIsBelowAMarkedGoal(int width, int height) {
+        Area area = new Area(width, height);
+        for (Language language : Language.values()) {
+            for (List<Figure> figures : List.of(figures(0), figures(9))) {
+                var keys = new HudContent.Keys(KeyBindings.usual(), Input.Device.KEYBOARD, language);
+                var sight = new Sight(
+                        new CrosshairState(0, 0, half(), half()),
+                        ShotPalette.BLUE_ORANGE,
+                        Phrase.PROMPT_SECOND.in(language),
+                        GoalMark.at(area, true, 10, -40, 20, 12));
+                var messages = List.of(Phrase.TOO_HEAVY.in(language));
+                Banner banner = banners(language)[1];
+                var content = new HudContent(null, Page.NONE, figures, messages, banner, sight, null, keys, null);
+                Hud.Part last = hud.parts(content, area).stream()
+                        .reduce((one, other) -> other)
+                        .orElseThrow();
+                assertTrue(
+                        last.name().equals("banner") && last.box().top() > area.centreY(), told(last, area, content));
+            }
         }
     }
 

@@ -3,25 +3,30 @@ package nephele.app.play.hud;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** A title and a line in the upper part of the picture. Lengths are in points. */
+/** A title and a line in the upper part of the picture, or in the lower one. Lengths are in points. */
 final class BannerPanel {
+    /** Places of the upper edge in the picture's height: the usual one, and as low as the room allows. */
+    static final double UPPER_SHARE = 0.12;
+
+    static final double LOWEST_SHARE = 1;
+
     private static final double TITLE_EM = 36;
     private static final double LINE_EM = 20;
     private static final double PADDING = 18;
-    private static final double TOP_SHARE = 0.12;
     private static final double LINE_HEIGHT = 1.3 * LINE_EM;
     private static final double FULL_SIZE_HEIGHT = 540;
     private static final double LEAST_SCALE = 0.62;
 
     private final HudContent.Banner banner;
     private final List<String> lines;
+    private final double usual;
     private final double scale;
     private final Box box;
 
     /** @param room where it may be; a long line is broken, and a banner that is higher or wider still is smaller */
-    BannerPanel(OverlayCanvas canvas, Area area, Box room, HudContent.Banner banner) {
+    BannerPanel(OverlayCanvas canvas, Area area, Box room, HudContent.Banner banner, double topShare) {
         this.banner = banner;
-        double usual = Math.min(1, Math.max(LEAST_SCALE, area.height() / FULL_SIZE_HEIGHT));
+        usual = Math.min(1, Math.max(LEAST_SCALE, area.height() / FULL_SIZE_HEIGHT));
         lines = TextLines.of(canvas, LINE_EM, Math.max(LINE_EM, room.width() / usual - 4 * PADDING), banner.line());
         double widest = canvas.width(TITLE_EM, banner.title());
         for (String line : lines) {
@@ -33,8 +38,13 @@ final class BannerPanel {
         double width = scale * (widest + 2 * PADDING);
         double left = room.leftOf(width, area.centreX());
         double top =
-                Math.max(room.top(), Math.min(Math.rint(TOP_SHARE * area.height()), room.bottom() - scale * height));
+                Math.max(room.top(), Math.min(Math.rint(topShare * area.height()), room.bottom() - scale * height));
         box = new Box(left, top, left + width, top + scale * height);
+    }
+
+    /** Returns true if the letters are as large as elsewhere. */
+    boolean isWhole() {
+        return scale == usual;
     }
 
     Box box() {

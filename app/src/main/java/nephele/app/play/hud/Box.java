@@ -24,6 +24,11 @@ record Box(double left, double top, double right, double bottom) {
         return new Box(left, top, right, Math.min(bottom, y));
     }
 
+    /** Returns the part of this box below a line. */
+    Box below(double y) {
+        return new Box(left, Math.max(top, y), right, bottom);
+    }
+
     /** Returns true if both boxes have points inside in common. */
     boolean overlaps(Box other) {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;

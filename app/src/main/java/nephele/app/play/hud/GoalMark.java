@@ -3,16 +3,16 @@ package nephele.app.play.hud;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
- * The mark of the goal while its key is held: brackets around it with its distance, or an arrow at the edge beyond which
- * it is. It keeps below the goal's words and above the messages. Lengths are in points, from the picture's middle.
+ * The mark of the goal after its key: brackets around it with its distance, or an arrow at the edge beyond which
+ * it is. It keeps above the goal's words and the messages. Lengths are in points, from the picture's middle.
  *
  * @param arrow the arrow; empty for brackets
  * @param half half the side of the brackets
  */
 public record GoalMark(double right, double down, String arrow, double half, long metres) {
     private static final double SIDE_SHARE = 0.44;
-    private static final double UPPER_SHARE = 0.17;
-    private static final double LOWER_SHARE = 0.3;
+    private static final double UPPER_SHARE = 0.34;
+    private static final double LOWER_SHARE = 0.16;
     private static final double LEAST_HALF = 12;
     private static final double MOST_HALF_SHARE = 0.14;
     private static final double EM = 18;
@@ -61,7 +61,8 @@ public record GoalMark(double right, double down, String arrow, double half, lon
         for (int corner = 0; corner < 4; corner++) {
             bracket(canvas, x, y, corner % 2 == 0 ? -1 : 1, corner / 2 == 0 ? -1 : 1);
         }
-        label(canvas, x - width / 2, y + half + PADDING, width, text);
+        double label = down > 0 ? y - half - PADDING - (EM + 2 * PADDING) : y + half + PADDING;
+        label(canvas, x - width / 2, label, width, text);
     }
 
     private static void label(OverlayCanvas canvas, double left, double top, double width, String text) {

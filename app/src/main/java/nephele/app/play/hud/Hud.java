@@ -9,6 +9,7 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 /** Updates the overlay's canvas; fills it again only when content, size or scale have changed. */
 public final class Hud {
     private static final double BESIDE_FIGURES = 8;
+    private static final double UNDER_BANNER_SHARE = 0.02;
 
     private final OverlayCanvas canvas;
     private HudContent shown;
@@ -70,7 +71,7 @@ public final class Hud {
             layout.addSight(content.sight());
         }
         if (content.banner() != null) {
-            layout.addBanner(content.banner());
+            layout.addBanner(content.banner(), content.sight());
         }
         return layout.parts;
     }
@@ -124,15 +125,29 @@ public final class Hud {
 
         void addSight(HudContent.Sight sight) {
             parts.add(new Part("crosshair", Crosshair.box(area, sight), () -> Crosshair.draw(canvas, area, sight)));
-            if (sight.prompt() != null) {
+            if (sight.prompt() != null && sight.goal() == null) {
                 var line = apart(room, free -> new PromptLine(canvas, area, free, sight.prompt()), PromptLine::box);
                 parts.add(new Part("prompt", line.box(), () -> line.draw(canvas)));
             }
         }
 
-        void addBanner(HudContent.Banner banner) {
-            var panel = apart(roomOfBanner, free -> new BannerPanel(canvas, area, free, banner), BannerPanel::box);
-            parts.add(new Part("banner", panel.box(), () -> panel.draw(canvas)));
+        /** Adds a banner; below the crosshair if there is room and a goal is marked, which is seldom that low. */
+        void addBanner(HudContent.Banner banner, HudContent.Sight sight) {
+            BannerPanel panel = banner(roomOfBanner, banner, BannerPanel.UPPER_SHARE);
+            if (sight != null && sight.goal() != null) {
+                double bottom = Math.min(room.bottom(), roomOfBanner.bottom());
+                Box free = roomOfBanner
+                        .below(Crosshair.box(area, sight).bottom())
+                        .above(bottom - Math.rint(UNDER_BANNER_SHARE * area.height()));
+                BannerPanel low = banner(free, banner, BannerPanel.LOWEST_SHARE);
+                panel = low.isWhole() ? low : panel;
+            }
+            BannerPanel placed = panel;
+            parts.add(new Part("banner", placed.box(), () -> placed.draw(canvas)));
+        }
+
+        private BannerPanel banner(Box within, HudContent.Banner banner, double topShare) {
+            return apart(within, free -> new BannerPanel(canvas, area, free, banner, topShare), BannerPanel::box);
         }
 
         /** Returns what is placed in a room; beside the figures if it would cover them otherwise. */
