@@ -10,6 +10,9 @@ import nephele.engine.level.Language;
 final class Message {
     private static final int MOST_LINES = 3;
     private static final long LEAST_NANOS = 4_000_000_000L;
+    /** The time in which somebody who plays notices a line, and that for reading it. */
+    private static final long NOTICE_NANOS = 2_000_000_000L;
+
     private static final long NANOS_PER_LETTER = 60_000_000L;
 
     private final Supplier<Language> language;
@@ -29,7 +32,7 @@ final class Message {
         if (lines.size() == MOST_LINES) {
             lines.remove(0);
         }
-        long nanos = Math.max(LEAST_NANOS, text.length() * NANOS_PER_LETTER);
+        long nanos = Math.max(LEAST_NANOS, NOTICE_NANOS + text.length() * NANOS_PER_LETTER);
         lines.add(new Line(text, System.nanoTime() + nanos));
         changed();
     }

@@ -11,7 +11,7 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
  */
 public record GoalMark(double right, double down, String arrow, double half, long metres) {
     private static final double SIDE_SHARE = 0.44;
-    private static final double UPPER_SHARE = 0.34;
+    private static final double UPPER_SHARE = 0.26;
     private static final double LOWER_SHARE = 0.16;
     private static final double LEAST_HALF = 12;
     private static final double MOST_HALF_SHARE = 0.14;
@@ -19,6 +19,8 @@ public record GoalMark(double right, double down, String arrow, double half, lon
     private static final double PADDING = 6;
     private static final double WIDTH = 3;
     private static final double EDGE = 1;
+    /** What is nearer to the middle covers the crosshair. */
+    private static final double CROSSHAIR = 40;
 
     /**
      * Returns the mark of a goal.
@@ -61,8 +63,9 @@ public record GoalMark(double right, double down, String arrow, double half, lon
         for (int corner = 0; corner < 4; corner++) {
             bracket(canvas, x, y, corner % 2 == 0 ? -1 : 1, corner / 2 == 0 ? -1 : 1);
         }
-        double label = down > 0 ? y - half - PADDING - (EM + 2 * PADDING) : y + half + PADDING;
-        label(canvas, x - width / 2, label, width, text);
+        double above = down - half - PADDING - (EM + 2 * PADDING);
+        boolean coversCrosshair = Math.abs(right) < CROSSHAIR && Math.abs(above + EM / 2 + PADDING) < CROSSHAIR;
+        label(canvas, x - width / 2, coversCrosshair ? y + half + PADDING : area.centreY() + above, width, text);
     }
 
     private static void label(OverlayCanvas canvas, double left, double top, double width, String text) {
