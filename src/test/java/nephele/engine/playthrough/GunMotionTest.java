@@ -80,7 +80,7 @@ class GunMotionTest {
                 .cube(new Vec3(0, 0.3, -1), 0.6, 20)
                 .startAt(0, 2, 0, 0, -20)
                 .level());
-        for (int i = 0; i < 1500; i++) {
+        for (int i = 0; i < 700; i++) {
             GunInHand gun = gun(room.hold(random(random)).ticks(1));
             for (double aspect : new double[] {0.5, 2}) {
                 var eye = new Vector3d(

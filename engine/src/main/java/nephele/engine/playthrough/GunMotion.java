@@ -37,13 +37,13 @@ record GunMotion(
     private static final double MOST_LAG_RADIANS = 0.07;
     private static final double LAMP_CHANGES_PER_SECOND = 7;
 
-    private static final Vec3 PLACE = new Vec3(0.2, -0.172, -0.5);
+    private static final Vec3 PLACE = new Vec3(0.225, -0.197, -0.56);
     private static final double YAW_RADIANS = 0.05;
     private static final double PITCH_RADIANS = 0.035;
     private static final double KICK_SECONDS = 0.045;
 
     /** The muzzle from the eye at rest: right, up and back in metres. */
-    static final Vec3 MUZZLE = new Vec3(0.183, -0.099, -0.845);
+    static final Vec3 MUZZLE = new Vec3(0.208, -0.124, -0.905);
 
     /** Returns the motion after one more tick of this length. */
     GunMotion next(SimState before, SimState after, double seconds) {

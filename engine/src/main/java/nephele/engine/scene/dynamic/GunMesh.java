@@ -59,7 +59,7 @@ public final class GunMesh {
     private static final double COARSE = 0.3;
 
     /** The space, in the gun's frame, in which the eye is whatever the gun's motion. */
-    public static final Aabb EYES = new Aabb(-0.32, -0.03, 0.4, -0.07, 0.28, 0.62);
+    public static final Aabb EYES = new Aabb(-0.34, -0.01, 0.45, -0.08, 0.3, 0.67);
 
     private static final double AXIS = AXIS_METRES;
 
