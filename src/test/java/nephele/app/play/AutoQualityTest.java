@@ -38,9 +38,13 @@ class AutoQualityTest {
     }
 
     private PlayRequest request(String quality) {
+        return request(quality, "levels/01-courtyard.json");
+    }
+
+    private PlayRequest request(String quality, String level) {
         var picture = new PlayRequest.Picture(1280, 720, false);
         return new PlayRequest(
-                new LevelName("levels/01-courtyard.json"),
+                new LevelName(level),
                 null,
                 new QualityChoice(quality, Map.of()),
                 null,
@@ -95,6 +99,17 @@ class AutoQualityTest {
         assertEquals(Optional.empty(), auto.of(request));
         assertEquals(List.of(Quality.HIGH), auto.ofTitle(request).stream().toList(), "but the title is sharp");
         assertEquals("", log.toString(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void aLevelOfTheSameNameInAnotherFolderIsMeasuredItself() {
+        var first = auto();
+        first.levelBegins(request("auto"), PIXELS);
+        first.firstViewCosts(request("auto"), 22);
+        var own = request("auto", folder.resolve("01-courtyard.json").toString());
+        var second = auto();
+        second.levelBegins(own, PIXELS);
+        assertTrue(second.wantsMeasurement(own));
     }
 
     /** What was learned at one size of the window is not mixed with the frames of another one. */

@@ -86,6 +86,23 @@ class ViewportSurfaceGlTest {
         surface.close();
     }
 
+    /** Who waits for a picture is not held up by the end of the surface. */
+    @Test
+    void aPictureThatIsDrawnAtTheEndIsWaitedForByNobody() throws Exception {
+        surface.component().setSize(20, 10);
+        Semaphore goOn = new Semaphore(0);
+        painter.before = goOn::acquireUninterruptibly;
+        EventQueue.invokeAndWait(() -> {
+            paint(surface);
+            assertFalse(surface.drawing().isDone());
+            surface.close();
+            assertTrue(surface.drawing().isDone());
+        });
+        goOn.release();
+        surface.closed().join();
+        assertEquals(Map.of(), withoutNone(surface));
+    }
+
     @Test
     void itDrawsOnlyWhenAskedOrResizedAndLeaksNothing() throws Exception {
         EventQueue.invokeAndWait(() -> {

@@ -5,12 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.GunInHand;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.ShotEffect;
+import nephele.engine.scene.View;
+import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.scene.dynamic.DynamicInstances;
+import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.dynamic.GunMesh;
+import nephele.engine.scene.dynamic.HeldBodyVisibility;
+import nephele.engine.scene.dynamic.VisibleInstances;
 import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
 import org.joml.Quaterniond;
@@ -151,5 +162,32 @@ class GunMotionTest {
         double half = room.ticks(12).walk().frameState().closing().get(0).openness();
         assertTrue(half > 0.1 && half < 0.5, "openness " + half);
         assertTrue(room.ticks(20).walk().frameState().closing().isEmpty());
+    }
+
+    /** Looking down, the player sees one right forearm: the gun's. Whoever sees the body from elsewhere sees its own. */
+    @Test
+    void theGunsArmIsSeenInsteadOfTheBodys() {
+        Level level = RoomLevel.hall().gun().startAt(0, 0, 0, 0, -60).level();
+        Playthrough walk = new HandWalk(level).ticks(30).walk();
+        var own = DynamicObjects.of(level, Scene.of(level, TestAssets.NONE).materials(), CharacterPresence.POSSIBLE);
+        var copies = new DynamicInstances(own, Vec3.ZERO, null);
+        FrameState frameState = walk.frameState();
+        copies.update(frameState);
+        View down = walk.view(1);
+        View behind = Viewpoints.ofEye(down.eye().plus(new Vec3(0, 0, 2)), Basis.WORLD, 70, 1);
+        int withGun = indices(own, copies, down, frameState);
+        int fromBehind = indices(own, copies, behind, frameState);
+        frameState.gun(null);
+        assertTrue(withGun < indices(own, copies, down, frameState), "without the forearm");
+        assertEquals(fromBehind, indices(own, copies, behind, frameState), "whole");
+    }
+
+    private static int indices(DynamicObjects own, DynamicInstances copies, View view, FrameState frameState) {
+        var held = new HeldBodyVisibility(copies);
+        held.find(view, frameState);
+        var visible = new VisibleInstances(own, copies);
+        visible.find(view, 90, held);
+        assertEquals(1, visible.runs());
+        return visible.mesh(0).count();
     }
 }

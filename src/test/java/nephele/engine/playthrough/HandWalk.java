@@ -10,18 +10,21 @@ final class HandWalk {
     private PlayerInput hands = PlayerInput.NONE;
 
     HandWalk(Level level) {
-        walk = new Playthrough(
-                level, new Playthrough.Beginning("room.json", SimSettings.DEFAULT, null), new TickInput() {
-                    @Override
-                    public PlayerInput next() {
-                        return hands;
-                    }
+        this(level, SimSettings.DEFAULT);
+    }
 
-                    @Override
-                    public boolean isFinished() {
-                        return false;
-                    }
-                });
+    HandWalk(Level level, SimSettings settings) {
+        walk = new Playthrough(level, new Playthrough.Beginning("room.json", settings, null), new TickInput() {
+            @Override
+            public PlayerInput next() {
+                return hands;
+            }
+
+            @Override
+            public boolean isFinished() {
+                return false;
+            }
+        });
     }
 
     Playthrough walk() {

@@ -3,8 +3,12 @@ package nephele.engine.playthrough;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.engine.level.RoomLevel;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.TickEvent;
 import org.junit.jupiter.api.Test;
 
 /** Landings are felt the more the faster they are, and falls out of the level fade. */
@@ -66,6 +70,31 @@ class LandingDipTest {
             room.hold(PlayerInput.NONE);
             assertEquals(motion == PictureMotion.FULL ? 1 : 0, room.walk().darkness());
             assertEquals(0, room.ticks(31).walk().darkness());
+        }
+    }
+
+    /** With safe-return it is black by steps before the return, and clear by steps after it. */
+    @Test
+    void aFallFadesToItsReturn() {
+        var settings = new SimSettings(120, List.of(Assist.SAFE_RETURN));
+        for (PictureMotion motion : PictureMotion.values()) {
+            HandWalk room =
+                    new HandWalk(new RoomLevel().box(-1, -1, -1, 1, 0, 1).level(), settings);
+            room.walk().motion(motion);
+            room.ticks(60).hold(PlayerInput.FORWARD);
+            double before = 0;
+            boolean isBack = false;
+            for (int ticks = 0; ticks < 400 && !isBack; ticks++) {
+                isBack = room.ticks(1).walk().takeEvents().contains(new TickEvent.PlayerReturned());
+                double dark = room.walk().darkness();
+                assertTrue(dark >= before && dark <= before + 1 / 30.0 + 1e-9, before + " then " + dark);
+                before = dark;
+            }
+            assertTrue(isBack);
+            assertEquals(motion == PictureMotion.FULL ? 1 : 0, before, "at the return");
+            double after = room.hold(PlayerInput.NONE).ticks(15).walk().darkness();
+            assertEquals(motion == PictureMotion.FULL ? 0.5 : 0, after, 1e-9, "half way");
+            assertEquals(0, room.ticks(15).walk().darkness());
         }
     }
 }

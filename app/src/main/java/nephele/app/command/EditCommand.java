@@ -42,7 +42,7 @@ final class EditCommand implements Command {
                     "Run the lines ACTION key=value … of a file and leave; docs/editor-keys.md lists the actions.")
     private Path script;
 
-    /** Accepted without effect, from scripts for earlier versions, in which a canvas could be chosen. */
+    /** Accepted, from scripts for earlier versions, in which a canvas could be chosen; the user is told that it is over. */
     @Option(names = "--viewport", hidden = true)
     private String formerViewport;
 
@@ -51,6 +51,9 @@ final class EditCommand implements Command {
         if (script == null) {
             SystemDisplay.requireForSwing(
                     "without a display, run the editor's actions from a file with --script F (docs/editor-keys.md)");
+        }
+        if (formerViewport != null) {
+            terminal.err().println("--viewport has no effect any more: leave it out");
         }
         EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
         EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;

@@ -17,7 +17,10 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
-/** Prints which features a level requires, and why, whether its portals slide to floors, which clouds its weather means, and what players are told. */
+/**
+ * Prints which features a level requires, and why, whether its portals slide to floors, which clouds its weather means,
+ * and what players are told.
+ */
 @picocli.CommandLine.Command
 final class ExplainCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")

@@ -64,10 +64,9 @@ final class PlayCommand implements Command {
             names = "--assist",
             paramLabel = "NAME",
             split = ",",
-            description = {
-                "What helps the player: funnel, floor-exit-speed, speed-cap, body-return, portal-to-floor,",
-                "portal-turn, or none (default: all but speed-cap). Stored with --record; a replay brings its own."
-            })
+            description = "What helps the player: funnel, floor-exit-speed, speed-cap, body-return, portal-to-floor,"
+                    + " portal-turn, walk-in, exit-room, safe-return, or none (default: all but speed-cap)."
+                    + " Stored with --record; a replay brings its own.")
     private List<String> assists;
 
     @Option(

@@ -74,7 +74,7 @@ final class AutoQuality {
      */
     void levelBegins(PlayRequest request, long ofPicture) {
         levelEnds();
-        level = request.level().fileName();
+        level = request.level().key();
         pixels = ofPicture;
         levelNanos = System.nanoTime();
         var known = files.quality().highMillis(machine, level, pixels);

@@ -32,10 +32,10 @@ final class Display implements AutoCloseable {
     /** The colour behind the overlay while there is no level, linear or sRGB as the window takes it. */
     private static final float EMPTY_RED = 0.055f;
 
-    private static final OverlayColour BLACK = OverlayColour.opaque(0);
-
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
+
+    private static final OverlayColour BLACK = OverlayColour.opaque(0);
 
     /** The greatest height of the overlay in points; the overlay of a higher picture is scaled up. */
     static final double HIGHEST_POINTS = 1080;

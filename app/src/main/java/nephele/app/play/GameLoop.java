@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Page;
@@ -18,6 +19,7 @@ import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
 import nephele.app.window.PadState;
 import nephele.app.window.Screenshots;
+import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
@@ -249,7 +251,7 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.Show shown) {
             visit(shown.scene());
         } else if (choice instanceof Menu.Choice.ShowFolder shown) {
-            message.say(FolderWindow.show(shown.folder(), language()));
+            show(shown.folder());
         } else if (choice instanceof Menu.Choice.Open open) {
             menu.turnTo(menus.page(open.page()));
         } else if (choice instanceof Menu.Choice.OpenSettings open) {
@@ -266,6 +268,10 @@ public final class GameLoop implements AutoCloseable {
             settings.change(step);
             menu.rewriteFirst(firstPage());
         }
+    }
+
+    private void show(Path folder) {
+        message.say(SystemDisplay.show(folder) ? folder.toString() : Phrase.FOLDER_NOT_SHOWN.in(language(), folder));
     }
 
     /** Starts a level; one that is loaded or being loaded already is used. */

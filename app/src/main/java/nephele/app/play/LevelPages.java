@@ -183,6 +183,9 @@ final class LevelPages {
     /** Returns the player's own levels; the folder is looked through anew. */
     Menu own() {
         Path folder = writer.files().levels();
+        if (ownReader != null) {
+            ownReader.end();
+        }
         ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder), LevelSummary::checked);
         return ownPage();
     }

@@ -19,6 +19,7 @@ final class LevelReader {
     private final List<LevelName> levels;
     private final Function<LevelName, LevelSummary> summary;
     private final Map<LevelName, Read> read = new ConcurrentHashMap<>();
+    private volatile boolean isEnded;
 
     /** A level that was read, with its picture if it has one. */
     record Read(LevelSummary summary, Optional<Picture> picture) {}
@@ -40,13 +41,19 @@ final class LevelReader {
 
     private void readAll() {
         int pictures = 0;
-        for (LevelName level : levels) {
+        for (int i = 0; i < levels.size() && !isEnded; i++) {
+            LevelName level = levels.get(i);
             Optional<Picture> picture = pictures < MOST_PICTURES
                     ? level.picture().filter(shown -> shown.width() * shown.height() <= MOST_PIXELS)
                     : Optional.empty();
             pictures += picture.isPresent() ? 1 : 0;
             read.put(level, new Read(summary.apply(level), picture));
         }
+    }
+
+    /** Reads no further level: the list is shown no more. */
+    void end() {
+        isEnded = true;
     }
 
     /** Returns the levels in the order in which they are read. */

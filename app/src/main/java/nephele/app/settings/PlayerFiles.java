@@ -8,12 +8,12 @@ import java.util.function.Consumer;
 import nephele.engine.userfile.UserFile;
 import nephele.engine.userfile.UserFolders;
 
-/** The settings and the progress of a player, and what was learned of quality, a file each; each change is saved at once. */
+/** Settings, progress and learned quality of a player, each in a file of its own; each change is saved at once. */
 public final class PlayerFiles {
     private final UserFile settingsFile;
     private final UserFile progressFile;
-    private final Path levels;
     private final UserFile qualityFile;
+    private final Path levels;
     private final List<String> problems = new ArrayList<>();
     private GameSettings settings;
     private Progress progress;

@@ -17,7 +17,7 @@ public enum Phrase {
                     + " this folder, and each level in it is listed on this page.",
             "Ponha aqui fases (.json) e pacotes (.zip):\n%s\nFaça-os com o editor: nephele edit. Ele salva nesta"
                     + " pasta, e cada fase que está nela aparece nesta página.",
-            "Põe aqui níveis (.json) e pacotes (.zip):\n%s\nFaz-se com o editor: nephele edit. Ele guarda nesta"
+            "Põe aqui níveis (.json) e pacotes (.zip):\n%s\nCria-os com o editor: nephele edit. Ele guarda nesta"
                     + " pasta, e cada nível que está nela aparece nesta página."),
     NO_LEVEL_YET("None yet", "Nenhuma ainda", "Ainda nenhum"),
     NO_LEVELS_FOLDER(
@@ -66,7 +66,6 @@ public enum Phrase {
     BOUNDS_NEXT("next bounds", "próximo volume", "volume seguinte"),
     OBSERVER_MOVES("move the sphere", "mover a esfera", "mover a esfera"),
     REPLAY_OVER("The replay is over", "A gravação terminou", "A gravação terminou"),
-    TAKEN_OVER("You are in control", "O controle é seu", "O controlo é teu"),
     EXIT_REACHED("Exit reached", "Saída alcançada", "Saída alcançada"),
     SLOW(
             "Fewer than four frames a second: time runs slower.",
@@ -194,8 +193,8 @@ public enum Phrase {
             "Manter: agachado com a tecla premida. Alternar: de um toque ao outro."),
     HELP_QUALITY(
             "How fine the picture is. Auto changes it to keep the game smooth.",
-            "A nitidez da imagem. Automática a muda para o jogo continuar fluido.",
-            "A nitidez da imagem. Automática muda-a para o jogo continuar fluido."),
+            "A nitidez da imagem. A automática muda para o jogo continuar fluido.",
+            "A nitidez da imagem. A automática muda para o jogo continuar fluido."),
     HELP_AUTO_FRAME_RATE(
             "Frames a second that auto quality holds: 60 with a graphics card, 30 without.",
             "Quadros por segundo que a automática mantém: 60 com placa de vídeo, 30 sem.",
@@ -218,8 +217,8 @@ public enum Phrase {
             "Cada imagem espera pelo ecrã, para que não se rasgue."),
     HELP_FRAME_CAP(
             "Most frames a second. Fewer keep the machine cool and quiet.",
-            "Máximo de quadros por segundo. Menos deixam a máquina fria e silenciosa.",
-            "Máximo de imagens por segundo. Menos deixam a máquina fria e silenciosa."),
+            "Máximo de quadros por segundo. Com menos, a máquina fica fria e silenciosa.",
+            "Máximo de imagens por segundo. Com menos, a máquina fica fria e silenciosa."),
     HELP_ASSISTS(
             "Help with portals and lost cubes. Holds from the next start on.",
             "Ajuda com portais e cubos perdidos. Vale a partir do próximo início.",
@@ -229,13 +228,13 @@ public enum Phrase {
             "Rapidez com que a visão se endireita após um portal. Vale a partir do próximo início.",
             "Rapidez com que a vista se endireita após um portal. Vale a partir do próximo início."),
     HELP_REDUCED_MOTION(
-            "The view turns upright at once. Holds from the next start on.",
-            "A visão se endireita de imediato. Vale a partir do próximo início.",
-            "A vista endireita-se de imediato. Vale a partir do próximo início."),
+            "No sway, no dips, no fades. From the next start on the view turns upright at once.",
+            "Sem balanço nem escurecimento. A partir do próximo início a visão se endireita logo.",
+            "Sem balanço nem escurecimento. A partir do próximo início a vista endireita-se logo."),
     HELP_REDUCED_FLASHES(
-            "Lightning is dim and slow, for people whom flashes harm.",
-            "Relâmpagos fracos e lentos, para quem clarões fazem mal.",
-            "Relâmpagos fracos e lentos, para quem clarões fazem mal."),
+            "Lightning and shots are dim and slow, for people whom flashes harm.",
+            "Relâmpagos e tiros fracos e lentos, para quem não suporta clarões.",
+            "Relâmpagos e tiros fracos e lentos, para quem não suporta clarões."),
     HELP_PORTAL_COLOURS(
             "Colours of your two portals. Choose those that you tell apart best.",
             "Cores dos seus dois portais. Escolha as que melhor distingue.",
@@ -313,7 +312,7 @@ public enum Phrase {
     PROMPT_SECOND("open the second portal", "abrir o segundo portal", "abrir o segundo portal"),
     PROMPT_WALK("walk", "andar", "andar"),
     GOAL("Goal", "Objetivo", "Objetivo"),
-    NO_GOAL("This level says no goal.", "Esta fase não diz o objetivo.", "Este nível não diz o objetivo."),
+    NO_GOAL("This level names no goal.", "Esta fase não indica um objetivo.", "Este nível não indica um objetivo."),
     HINT_OFFERED("%s: a hint, if you are stuck", "%s: uma dica, se você travou", "%s: uma pista, se não avanças"),
     HINT_GIVEN("Hint %s of %s: %s", "Dica %s de %s: %s", "Pista %s de %s: %s"),
     NO_HINT_YET(

@@ -3,6 +3,9 @@ package nephele.app.window;
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Locale;
 import nephele.engine.terminal.CommandFailure;
 
@@ -16,9 +19,12 @@ public final class SystemDisplay {
 
     /** Returns true if the environment names a display, which may not answer. */
     public static boolean isPresent() {
-        var system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
-        boolean alwaysHas = system.contains("mac") || system.contains("windows");
+        boolean alwaysHas = isSystem("mac") || isSystem("windows");
         return alwaysHas || isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+    }
+
+    private static boolean isSystem(String name) {
+        return System.getProperty("os.name").toLowerCase(Locale.ROOT).contains(name);
     }
 
     /**
@@ -53,6 +59,21 @@ public final class SystemDisplay {
     static CommandFailure unavailable(String reason, String otherwise) {
         return CommandFailure.environment("no display can be opened: " + reason
                 + "; start an X server there, or set DISPLAY to one that this user may use; " + otherwise);
+    }
+
+    /** Makes a folder if it is missing and opens it in the system's window for files; returns false if that fails. */
+    public static boolean show(Path folder) {
+        String opener = isSystem("windows") ? "explorer" : isSystem("mac") ? "open" : "xdg-open";
+        try {
+            Files.createDirectories(folder);
+            new ProcessBuilder(opener, folder.toString())
+                    .redirectErrorStream(true)
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            return true;
+        } catch (IOException nothingShowsIt) {
+            return false;
+        }
     }
 
     private static boolean isSet(String variable) {

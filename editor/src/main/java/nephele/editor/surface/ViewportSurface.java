@@ -51,7 +51,7 @@ public final class ViewportSurface implements AutoCloseable {
     /** The picture that is drawn now; {@code null} for none. */
     private CompletableFuture<Drawn> coming;
 
-    /** Is done when what came last is shown. */
+    /** Is done when what came last is shown, or never will be. */
     private CompletableFuture<Void> ended = CompletableFuture.completedFuture(null);
 
     private SurfaceSize comingSize;
@@ -230,7 +230,7 @@ public final class ViewportSurface implements AutoCloseable {
         view.repaint();
     }
 
-    /** Is done when the picture that is being drawn is shown; called on Swing's thread. */
+    /** Is done when the picture that is being drawn is shown, or the surface is closed; called on Swing's thread. */
     public CompletableFuture<Void> drawing() {
         return ended;
     }
@@ -257,6 +257,7 @@ public final class ViewportSurface implements AutoCloseable {
         }
         isClosed = true;
         view.look.stop();
+        ended.complete(null);
         CompletableFuture.runAsync(drawing::close, thread).whenComplete((nothing, thrown) -> {
             if (thrown == null) {
                 closed.complete(null);

@@ -127,7 +127,7 @@ public final class FieldWords {
             word("observer", "Observer's sphere", "Esfera do observador", "Esfera do observador"),
             word("outerConeDegrees", "Outer cone", "Cone externo", "Cone exterior"),
             word("ozoneScale", "Ozone", "Ozônio", "Ozono"),
-            word("par", "Par", "Referência", "Referência"),
+            word("par", "Par", "Meta", "Meta"),
             word("parent", "Parent", "Objeto pai", "Objeto pai"),
             word("path", "Path", "Percurso", "Percurso"),
             word("phaseBackG", "Back lobe g", "Lobo traseiro g", "Lobo traseiro g"),

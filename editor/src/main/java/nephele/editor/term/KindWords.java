@@ -25,7 +25,7 @@ public final class KindWords {
             word("material", "Material", "Material", "Material"),
             word("modelplacement", "Model", "Modelo", "Modelo"),
             word("observer", "Observer's sphere", "Esfera do observador", "Esfera do observador"),
-            word("par", "Par of the level", "Referência da fase", "Referência do nível"),
+            word("par", "Par of the level", "Meta da fase", "Meta do nível"),
             word("place", "Place", "Lugar", "Lugar"),
             word("planes", "Solid of planes", "Sólido de planos", "Sólido de planos"),
             word("playerstart", "Player start", "Início do jogador", "Início do jogador"),

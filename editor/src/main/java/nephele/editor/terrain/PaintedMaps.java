@@ -10,11 +10,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import nephele.editor.save.ContentHash;
 import nephele.editor.save.NamedAssets;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
+import nephele.engine.level.Terrain;
 
 /**
  * The maps that strokes make. While a stroke goes on, its map is in memory under a name of its own; at the end it becomes
@@ -34,6 +36,9 @@ public final class PaintedMaps {
     /** Files of maps that no saved level names. */
     private final Set<Path> unsaved = new LinkedHashSet<>();
 
+    /** Ids of maps that are not forgotten, because a picture of them is being drawn. */
+    private Set<String> drawn = Set.of();
+
     private long shown;
 
     /** @param levelFile the level's, empty if it was never saved */
@@ -51,6 +56,15 @@ public final class PaintedMaps {
         return levelFile.get().isPresent();
     }
 
+    /**
+     * Keeps the maps that a level names until another level is drawn: its picture is drawn on another thread, while the
+     * stroke goes on.
+     */
+    public synchronized void drawing(Level level) {
+        drawn = level.terrains().stream().map(Terrain::heightMap).collect(Collectors.toCollection(LinkedHashSet::new));
+        level.terrains().stream().map(Terrain::layerMap).forEach(drawn::add);
+    }
+
     /** Keeps a map in memory until a few others have been shown; returns its id. */
     synchronized String show(PaintedMap map) {
         shown++;
@@ -60,9 +74,11 @@ public final class PaintedMaps {
     private String remember(String id, PaintedMap map) {
         known.remove(id);
         known.put(id, map);
-        if (known.size() > MOST_KNOWN) {
-            known.remove(known.keySet().iterator().next());
-        }
+        known.keySet().stream()
+                .filter(other -> !drawn.contains(other))
+                .limit(Math.max(0, known.size() - MOST_KNOWN))
+                .toList()
+                .forEach(known::remove);
         return id;
     }
 

@@ -1,6 +1,7 @@
 package nephele.engine.asset;
 
 import java.io.IOException;
+import java.util.function.Supplier;
 import nephele.engine.work.SwingThread;
 
 /** Decodes picture files in pure Java; size limits are enforced before pixels are allocated. */
@@ -57,8 +58,28 @@ public final class PictureDecoder {
                     "save it again as " + limits.saved(),
                     problem);
         } catch (OutOfMemoryError tooLarge) {
-            throw new AssetException(assetId, "does not fit into memory", "make the picture smaller");
+            throw tooLarge(assetId);
         }
+    }
+
+    /**
+     * Returns what is made of a picture.
+     *
+     * @throws AssetException that names the picture if memory does not suffice
+     */
+    public static <T> T inMemory(String assetId, Supplier<T> made) {
+        try {
+            return made.get();
+        } catch (OutOfMemoryError tooLarge) {
+            throw tooLarge(assetId);
+        }
+    }
+
+    private static AssetException tooLarge(String assetId) {
+        return new AssetException(
+                assetId,
+                "does not fit into memory",
+                "make the picture smaller, or give Java more, for example `java -Xmx4g -jar …`");
     }
 
     private static Picture png(byte[] bytes, boolean isColour) throws IOException {

@@ -48,7 +48,6 @@ public final class AirTables {
 
     /** Returns the tables, computed unless the air is clear. */
     public static AirTables of(Air air) {
-        SwingThread.refuse("the light of air");
         return of(air, AirFiles.NONE, done -> {});
     }
 

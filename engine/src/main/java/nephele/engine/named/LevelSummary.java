@@ -46,6 +46,8 @@ public record LevelSummary(
                     .toList());
         } catch (AssetException wrong) {
             return NOTHING.with(List.of(wrong.getMessage()));
+        } catch (OutOfMemoryError tooLarge) {
+            return NOTHING.with(List.of("does not fit into memory: make the level or its files smaller"));
         }
     }
 

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -18,8 +19,6 @@ public final class OwnLevels {
     /** Bounds the time for a folder that is none of levels. */
     private static final int MOST = 1000;
 
-    private static final int DEPTH = 2;
-
     /** Folders beside a level that hold other files. */
     private static final Set<String> OTHER = Set.of("replays", "pictures", "baked", "cache");
 
@@ -30,13 +29,24 @@ public final class OwnLevels {
         if (!Files.isDirectory(folder)) {
             return List.of();
         }
-        try (Stream<Path> files = Files.walk(folder, DEPTH)) {
-            return files.filter(file -> isLevel(folder, file))
+        List<Path> files = new ArrayList<>(entries(folder));
+        for (Path entry : List.copyOf(files)) {
+            if (Files.isDirectory(entry, LinkOption.NOFOLLOW_LINKS) && files.size() < MOST) {
+                files.addAll(entries(entry));
+            }
+        }
+        return files.stream()
+                .filter(file -> isLevel(folder, file))
+                .limit(MOST)
+                .map(file -> new LevelName(file.toString()))
+                .toList();
+    }
+
+    /** Returns what is in a folder, by name; nothing if it cannot be read, which hides no other folder. */
+    private static List<Path> entries(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.sorted((a, b) -> a.toString().compareToIgnoreCase(b.toString()))
                     .limit(MOST)
-                    .sorted((a, b) -> a.getNameCount() == b.getNameCount()
-                            ? a.toString().compareToIgnoreCase(b.toString())
-                            : a.getNameCount() - b.getNameCount())
-                    .map(file -> new LevelName(file.toString()))
                     .toList();
         } catch (IOException | UncheckedIOException unreadable) {
             return List.of();

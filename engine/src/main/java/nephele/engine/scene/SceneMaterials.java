@@ -124,7 +124,9 @@ public record SceneMaterials(
 
         private Slot add(String assetId) {
             Picture picture = known.computeIfAbsent(
-                    assetId, id -> decode.apply(id, assets.bytes(id)).toRgba8());
+                    assetId,
+                    id -> PictureDecoder.inMemory(
+                            id, () -> decode.apply(id, assets.bytes(id)).toRgba8()));
             int array = arrayBySize.computeIfAbsent(List.of(picture.width(), picture.height()), size -> {
                 arrays.add(new ArrayList<>());
                 return arrays.size() - 1;

@@ -20,7 +20,6 @@ public enum PanelText implements Text {
     RENAME("Rename", "Renomear", "Mudar o nome"),
     RENAME_TO("Rename to %s", "Renomear para %s", "Mudar o nome para %s"),
     DELETE("Delete", "Excluir", "Eliminar"),
-    DELETE_MANY("Delete %s", "Excluir %s", "Eliminar %s"),
     FIND_USAGES("Find usages", "Encontrar usos", "Encontrar utilizações"),
     NO_USAGES("Nothing uses %s", "Nada usa %s", "Nada utiliza %s"),
     USAGES("%s entities use %s", "%s entidades usam %s", "%s entidades utilizam %s"),

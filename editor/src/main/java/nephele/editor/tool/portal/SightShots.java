@@ -26,8 +26,8 @@ import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
 
 /**
- * Shots along the ray of sight, as the game makes them with the usual assists, but without a range. The surfaces are prepared anew only when
- * they differ.
+ * Shots along the ray of sight, as the game makes them with the usual assists, but without a range. The surfaces are
+ * prepared anew only when they differ.
  */
 final class SightShots {
     static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);

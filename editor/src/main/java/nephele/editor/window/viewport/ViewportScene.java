@@ -62,6 +62,7 @@ final class ViewportScene implements SurfacePainter {
     public Painting next(SurfaceSize size) {
         session.viewport(new PaneSize(size.width(), size.height()));
         ViewportFrame frame = frame(pixelsPerPoint(size));
+        session.maps().drawing(frame.level());
         Marked marked = Marked.of(session);
         boolean isAtOnce = isComplete;
         boolean isFirst = !isAtOnce && begun != session.assets();

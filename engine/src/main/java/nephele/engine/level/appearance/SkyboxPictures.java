@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 
@@ -32,6 +33,10 @@ public record SkyboxPictures(int side, List<Picture> pictures) {
             throw new IllegalArgumentException("a skybox of this layout has " + wanted + " files, not "
                     + sky.files().size());
         }
+        return PictureDecoder.inMemory(sky.files().get(0), () -> read(sky, pictureOf));
+    }
+
+    private static SkyboxPictures read(Sky.Skybox sky, Function<String, Picture> pictureOf) {
         List<Picture> read = sky.layout() == SkyboxLayout.CROSS
                 ? cells(sky.files().get(0), pictureOf)
                 : squares(sky.files(), pictureOf);

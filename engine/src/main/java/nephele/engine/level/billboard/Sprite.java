@@ -25,6 +25,10 @@ public record Sprite(int width, int height, List<Picture> frames) {
      * @throws nephele.engine.asset.AssetException that names a picture that cannot be used
      */
     public static Sprite of(Billboards group, AssetSource assets) {
+        return PictureDecoder.inMemory(group.sprite(), () -> read(group, assets));
+    }
+
+    private static Sprite read(Billboards group, AssetSource assets) {
         Picture stored = PictureDecoder.decode(group.sprite(), assets.bytes(group.sprite()));
         boolean hasAlpha = stored.channels() == 2 || stored.channels() == 4;
         Picture keyed = stored.toRgba8();

@@ -5,7 +5,7 @@ import nephele.engine.level.placed.PlacedRule;
 
 /**
  * The rules on the layout of shapes, in the order in which their problems are reported; only starts below
- * the ground are errors.
+ * the ground and too many kinds of impostors are errors.
  */
 public final class LayoutRules {
     public static final List<PlacedRule> ALL = List.of(
@@ -14,7 +14,8 @@ public final class LayoutRules {
             FaceRules.APART,
             BuriedRules.LIGHTS,
             LeakRules.CLOSED,
-            GroundRules.ABOVE);
+            GroundRules.ABOVE,
+            ImpostorCost.FEW);
 
     private LayoutRules() {}
 }

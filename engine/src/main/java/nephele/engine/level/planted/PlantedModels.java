@@ -2,9 +2,12 @@ package nephele.engine.level.planted;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
@@ -30,6 +33,9 @@ import org.joml.Vector3d;
 public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     /** The most impostors of a level. */
     public static final int MOST = 200_000;
+
+    /** The most kinds of a level: each has pictures of some 6 MB. */
+    public static final int MOST_KINDS = 500;
 
     private static final int SIZE = 0;
     private static final int TURN = 2;
@@ -88,7 +94,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     /**
      * Plants the models of a level.
      *
-     * @throws nephele.engine.asset.AssetException that names a density map that cannot be used
+     * @throws AssetException that names a density map that cannot be used, or a mesh of which there is one kind too many
      */
     public static PlantedModels of(Level level, StaticShapes statics, AssetSource assets) {
         List<Plant> plants = new ArrayList<>();
@@ -101,11 +107,11 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
                 continue;
             }
             Plant alone = said.isPlanted() ? null : alone(model);
-            Matrix4dc shape = said.isPlanted() ? model.worldFromModel() : shape(model, alone);
-            int kind = kinds.computeIfAbsent(new Kind(model.mesh(), shape, said.material()), added -> {
+            int kind = kinds.computeIfAbsent(kind(model, alone), added -> {
                 inOrder.add(added);
                 return inOrder.size() - 1;
             });
+            requireFew(inOrder.size(), said);
             if (alone != null) {
                 plants.add(new Plant(kind, model.index(), alone.foot(), alone.turn(), alone.scale()));
             } else {
@@ -119,6 +125,37 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
             }
         }
         return new PlantedModels(inOrder, plants);
+    }
+
+    /** @param alone {@code null} for the models of a field */
+    private static Kind kind(PlacedModel model, Plant alone) {
+        Matrix4dc shape = alone == null ? model.worldFromModel() : shape(model, alone);
+        return new Kind(model.mesh(), shape, model.said().material());
+    }
+
+    private static void requireFew(int kinds, ModelPlacement last) {
+        if (kinds > MOST_KINDS) {
+            throw new AssetException(
+                    last.file(),
+                    "a level has at most " + MOST_KINDS + " kinds of impostors, and '" + last.id() + "' is one more",
+                    "let more models have the same mesh, material and form, or leave out impostor");
+        }
+    }
+
+    /**
+     * Returns how many kinds a level has, without planting any.
+     *
+     * @throws AssetException if they are too many
+     */
+    public static int kinds(StaticShapes statics) {
+        Set<Kind> kinds = new HashSet<>();
+        for (PlacedModel model : statics.models().all()) {
+            if (model.said().impostor()) {
+                kinds.add(kind(model, model.said().isPlanted() ? null : alone(model)));
+                requireFew(kinds.size(), model.said());
+            }
+        }
+        return kinds.size();
     }
 
     /** Returns the place, turn and size of a single model, as far as its frame has them; its kind is not known yet. */

@@ -1,7 +1,7 @@
 package nephele.engine.level.rule;
 
-import java.util.HashMap;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -15,11 +15,12 @@ import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxSizes;
+import nephele.engine.level.json.AssetPlaces;
 
 /** Every file that the level names exists, and every picture and grid can be decoded. */
 final class AssetRules {
     static final LevelRule READABLE = (level, assets, report) -> {
-        Check check = new Check(assets, report, new HashMap<>());
+        Check check = new Check(assets, report, new TreeMap<>(), AssetPlaces.of(level));
         LevelRule.each("materials", level.materials(), (path, material) -> {
             check.picture(path + ".texture", material.texture());
             check.picture(path + ".normalTexture", material.normalTexture());
@@ -37,14 +38,18 @@ final class AssetRules {
                 "environment.clouds",
                 level.environment().clouds(),
                 (path, cloud) -> check.density(path + ".density", cloud));
+        check.memory();
     };
+
+    private static final double MUCH_MEMORY_BYTES = 450e6;
 
     private AssetRules() {}
 
     /** @param objection {@code null} for a usable picture, of the given size */
     private record Verdict(String objection, int width, int height) {}
 
-    private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts) {
+    private record Check(
+            AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts, Map<String, String> places) {
         /** Returns the picture's size, or reports a problem and returns {@code null}. */
         Verdict picture(String path, String id) {
             Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
@@ -86,6 +91,26 @@ final class AssetRules {
                 }
             } catch (AssetException problem) {
                 report.accept(Problem.error(path, problem.getMessage()));
+            }
+        }
+
+        /** Warns of pictures that together need much memory: four bytes a pixel, and as much again for one as it is read. */
+        void memory() {
+            double sum = 0;
+            String largest = "";
+            double most = 0;
+            for (Map.Entry<String, Verdict> picture : verdicts.entrySet()) {
+                double bytes =
+                        4.0 * picture.getValue().width() * picture.getValue().height();
+                sum += bytes;
+                largest = bytes > most ? picture.getKey() : largest;
+                most = Math.max(most, bytes);
+            }
+            if (sum + most > MUCH_MEMORY_BYTES) {
+                report.accept(Problem.warning(
+                        places.getOrDefault(largest, largest),
+                        "the pictures of the level need some " + Math.round((sum + most) / 1e6) + " MB of memory, and '"
+                                + largest + "' most of all: make them smaller"));
             }
         }
 

@@ -14,8 +14,8 @@ import nephele.engine.portal.Portal;
 /**
  * Decides where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. A place
  * is legal if the whole aperture is in the surface's region and overlaps no other portal: {@link RegionFit}; on terrain,
- * {@link GroundPlacement}. With {@link ShotAids} it slides on to the floor or turns to the surface's edges. One object serves one gun and fixed surfaces for any number of queries; the answer depends
- * only on the query. One for each thread.
+ * {@link GroundPlacement}. With {@link ShotAids} it slides on to the floor or turns to the surface's edges. One object
+ * serves one gun and fixed surfaces for any number of queries; the answer depends only on the query. One for each thread.
  */
 public final class Placement {
     /** Least cosine of incidence; a flatter ray would hit the fitted plane at a place decided by rounding. */

@@ -83,7 +83,8 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * Adopts the current context of a window or another toolkit, which destroys it after this object is closed.
+     * Adopts the current context of a window, which destroys it after this object is closed; assumes nothing about its
+     * state.
      *
      * @throws IllegalStateException if no context is current
      */
@@ -92,12 +93,6 @@ public final class GlContext implements AutoCloseable {
         GlContext adopted = new GlContext(() -> {});
         adopted.state.assumeNothing();
         return adopted;
-    }
-
-    /** Resumes use of an adopted context; assumes nothing about state that foreign code may have set. */
-    public void resume() {
-        setForAll();
-        state.assumeNothing();
     }
 
     /** Returns the capabilities of this context. */

@@ -44,22 +44,23 @@ final class CharacterMesh {
     }
 
     /**
-     * Adds all parts, the head last.
+     * Adds all parts, the right forearm and the head last.
      *
-     * @return the range of the whole character and the range without the head
+     * @return the range of the whole character, the range without the head, and that without both
      */
     static Range[] add(Builder mesh, int fineness) {
         int first = mesh.indexCount();
         CharacterMesh character = new CharacterMesh(mesh, fineness);
         for (CharacterPart each : CharacterPart.ALL) {
-            if (each == CharacterPart.HEAD) {
-                break;
+            if (each != CharacterPart.HEAD && each != CharacterPart.RIGHT_FOREARM) {
+                character.add(each);
             }
-            character.add(each);
         }
+        Range gunHolding = mesh.since(first);
+        character.add(CharacterPart.RIGHT_FOREARM);
         Range headless = mesh.since(first);
         character.add(CharacterPart.HEAD);
-        return new Range[] {mesh.since(first), headless};
+        return new Range[] {mesh.since(first), headless, gunHolding};
     }
 
     private void add(CharacterPart each) {

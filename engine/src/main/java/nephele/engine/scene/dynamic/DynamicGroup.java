@@ -7,9 +7,16 @@ import nephele.engine.scene.dynamic.DynamicMesh.Range;
  * Dynamic objects of one shape and one kind of material: drawn with one program and, if all are visible, with one call.
  *
  * @param steps index ranges of the levels of detail, from the finest to the coarsest
- * @param headless the same without the last part, which may enclose the eye; {@code null} if there is no such part
+ * @param headless the same without the part that may enclose the eye; {@code null} if there is no such part
+ * @param gunHolding the same without that part and the right forearm, which the gun in the hand has itself
  * @param flatness for each level of detail the depth of its flat sides below the exact surface, in radii
  * @param kind kind of material
  * @param parts number of parts of each object; as many contiguous instances belong to each copy
  */
-public record DynamicGroup(Range[] steps, Range[] headless, double[] flatness, SolidBatch.Kind kind, int parts) {}
+public record DynamicGroup(
+        Range[] steps, Range[] headless, Range[] gunHolding, double[] flatness, SolidBatch.Kind kind, int parts) {
+    /** A group of objects without a head. */
+    DynamicGroup(Range[] steps, double[] flatness, SolidBatch.Kind kind) {
+        this(steps, null, null, flatness, kind, 1);
+    }
+}

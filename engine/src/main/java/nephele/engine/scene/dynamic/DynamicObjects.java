@@ -72,8 +72,8 @@ public record DynamicObjects(
         sorted.forEach((key, bodies) -> {
             groups.add(
                     key.round
-                            ? new DynamicGroup(round, null, BodyMeshes.flatness(), key.kind, 1)
-                            : new DynamicGroup(box, null, new double[1], key.kind, 1));
+                            ? new DynamicGroup(round, BodyMeshes.flatness(), key.kind)
+                            : new DynamicGroup(box, new double[1], key.kind));
             members.add(bodies.stream().mapToInt(i -> i).toArray());
         });
         List<Surface> materials = new ArrayList<>(known.surfaces());
@@ -94,6 +94,7 @@ public record DynamicObjects(
         return new DynamicGroup(
                 new Range[] {fine[0], coarse[0]},
                 new Range[] {fine[1], coarse[1]},
+                new Range[] {fine[2], coarse[2]},
                 new double[] {0, COARSE_FLATNESS},
                 new SolidBatch.Kind(false, -1, -1, first / SolidGeometry.MATERIALS_PER_BLOCK),
                 CharacterPart.ALL.length);
@@ -103,10 +104,8 @@ public record DynamicObjects(
         int first = append(OBSERVER_MATERIALS, materials);
         return new DynamicGroup(
                 round,
-                null,
                 BodyMeshes.flatness(),
-                new SolidBatch.Kind(false, -1, -1, first / SolidGeometry.MATERIALS_PER_BLOCK),
-                1);
+                new SolidBatch.Kind(false, -1, -1, first / SolidGeometry.MATERIALS_PER_BLOCK));
     }
 
     /** Appends materials, all in one block, and returns the index of the first. */

@@ -21,6 +21,7 @@ public final class HeldBodyVisibility {
     private final int[] instances = new int[PortalCopies.MOST_COPIES];
 
     private int size;
+    private boolean isGunBeforeEye;
 
     public HeldBodyVisibility(DynamicInstances copies) {
         this.copies = copies;
@@ -29,6 +30,7 @@ public final class HeldBodyVisibility {
     /** Finds the copies for a view; the copies must have been updated to {@code frameState}. */
     public void find(View view, FrameState frameState) {
         size = 0;
+        isGunBeforeEye = frameState.gun() != null;
         // A mirror always shows the body from elsewhere, however near it is to the mirror.
         if (frameState.held() == FrameState.NOTHING || view.isMirrored()) {
             return;
@@ -42,6 +44,11 @@ public final class HeldBodyVisibility {
 
     public int size() {
         return size;
+    }
+
+    /** Returns true if the frame shows a gun, with a hand and a forearm of its own. */
+    boolean isGunBeforeEye() {
+        return isGunBeforeEye;
     }
 
     int instance(int index) {

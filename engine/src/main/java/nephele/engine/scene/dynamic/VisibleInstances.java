@@ -74,7 +74,7 @@ public final class VisibleInstances {
             for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
                 if ((held == null || !held.contains(i)) && maySee(frustum, i, shape.parts())) {
                     double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(i);
-                    add(group, i, mesh(shape, pixels, i));
+                    add(group, i, mesh(shape, pixels, i, held));
                 }
             }
         }
@@ -109,13 +109,16 @@ public final class VisibleInstances {
         return Math.max(nearest, 1e-3);
     }
 
-    private Range mesh(DynamicGroup shape, double radiusPixels, int instance) {
+    private Range mesh(DynamicGroup shape, double radiusPixels, int instance, HeldBodyVisibility held) {
         int step = shape.steps().length - 1;
         while (step > 0 && shape.flatness()[step] * radiusPixels > FLATNESS_PIXELS) {
             step--;
         }
         boolean isHeadless = shape.headless() != null && copies.headContains(instance, shape.parts(), eye);
-        return isHeadless ? shape.headless()[step] : shape.steps()[step];
+        if (!isHeadless) {
+            return shape.steps()[step];
+        }
+        return held != null && held.isGunBeforeEye() ? shape.gunHolding()[step] : shape.headless()[step];
     }
 
     private void add(int group, int instance, Range mesh) {

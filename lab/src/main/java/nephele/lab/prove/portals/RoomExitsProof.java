@@ -15,8 +15,8 @@ import nephele.lab.prove.proof.ProofResult;
 
 /**
  * Sends players with the game's assists through random portals, lets them come to rest without a key, and then has them
- * walk in eight directions: one of these has to lead away. Who still falls from portal to portal then is in no corner, and who
- * was flung into a hole of the room, as behind its ramp, did not find it at the exit; both are counted apart.
+ * walk in eight directions: one of these has to lead away. Players that still fall from portal to portal are in no corner,
+ * and those flung into a hole of the room, as behind its ramp, did not find it at the exit; both are counted apart.
  */
 public final class RoomExitsProof implements Proof {
     private static final long EXITS_PER_ROOM = 100;
@@ -27,8 +27,8 @@ public final class RoomExitsProof implements Proof {
     /** Whoever gets so far has left the corner. */
     private static final double AWAY_METRES = 0.5;
 
-    /** Farther away than this from where it came out a player is in no corner of the exit: it was flung there. */
-    private static final double EXIT_METRES = 2;
+    /** The reach of the assist that makes room at an exit: who ends farther away was flung there. */
+    private static final double EXIT_METRES = 1;
 
     private static final double AT_REST_METRES_PER_SECOND = 1e-3;
     private static final int DIRECTIONS = 8;
@@ -38,7 +38,7 @@ public final class RoomExitsProof implements Proof {
     private static final class Tally {
         long without;
         long moving;
-        long pits;
+        long holes;
         final List<String> failures = new ArrayList<>();
     }
 
@@ -73,7 +73,7 @@ public final class RoomExitsProof implements Proof {
                 List.of(
                         Figure.sum("units without a crossing", tally.without, ""),
                         Figure.sum("still falling from portal to portal", tally.moving, ""),
-                        Figure.sum("flung more than 2 m away, into a pit of the room", tally.pits, "")),
+                        Figure.sum("flung more than 1 m away, into a hole of the room", tally.holes, "")),
                 tally.failures.subList(0, Math.min(tally.failures.size(), MOST_EXAMPLES)));
     }
 
@@ -102,7 +102,7 @@ public final class RoomExitsProof implements Proof {
                         rest.player().feet().x() - exit.x(),
                         rest.player().feet().z() - exit.z())
                 > EXIT_METRES) {
-            tally.pits++;
+            tally.holes++;
         } else {
             tally.failures.add("exit " + unit + " ends in a corner: " + rest.player());
         }

@@ -94,7 +94,7 @@ final class WalkInRooms {
     private void ramp(double x, double z) {
         double slope = StrictMath.tan(Math.toRadians(random.nextDouble(5, 30)));
         double rise = random.nextDouble(0.3, 1);
-        double long_ = rise / slope;
+        double length = rise / slope;
         Vec3 normal = Directions.unit(new Vec3(-slope, 1, 0));
         solids.add(new Solid.Planes(
                 "ramp",
@@ -102,7 +102,7 @@ final class WalkInRooms {
                 false,
                 TextureMapping.WORLD,
                 List.of(
-                        face(normal, x - long_, 0, 0),
+                        face(normal, x - length, 0, 0),
                         face(new Vec3(0, -1, 0), 0, 0, 0),
                         face(new Vec3(1, 0, 0), x, 0, 0),
                         face(new Vec3(0, 0, 1), 0, 0, z),

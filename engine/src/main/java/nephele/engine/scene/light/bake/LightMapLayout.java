@@ -34,7 +34,7 @@ public record LightMapLayout(
     private static final int LEAST_SIDE_TEXELS = 1024;
     private static final double GROWTH = 1.25;
 
-    /** Lays faces out within {@link #MAX_TEXELS}, or if they are so many that none suffices, within a little more than they need. */
+    /** Lays faces out within {@link #MAX_TEXELS}, or if these are too few for any size of texel, within a few more. */
     public static LightMapLayout of(List<Brush> brushes) {
         return of(brushes, MAX_TEXELS);
     }
