@@ -32,9 +32,7 @@ class PlayRequestTest {
     void theSettingsHoldWithoutOptions() {
         var request = request(null, null, null);
         assertEquals("auto", request.chosenQuality().preset());
-        assertEquals(
-                List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED, Assist.BODY_RETURN),
-                request.settings().assists());
+        assertEquals(Assist.USUAL, request.settings().assists());
         files.keep(files.settings()
                 .with(Settings.QUALITY, Settings.QualityPreset.LOW)
                 .with(Settings.REDUCED_MOTION, Settings.Switch.ON));

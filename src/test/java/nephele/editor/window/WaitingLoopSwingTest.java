@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.awt.EventQueue;
+import java.awt.SecondaryLoop;
 import java.awt.Toolkit;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -55,6 +56,33 @@ class WaitingLoopSwingTest {
         });
         EventQueue.invokeAndWait(() -> {});
         assertEquals(List.of("paint", "text", "press 1", "press 2", "press 3"), events);
+    }
+
+    /** Such a dialogue, of a file that another program has changed, stands above the wait, which cannot end before it. */
+    @Test
+    void aDialogueThatOpensMeanwhileCanBeAnsweredOnceTheTaskHasEnded() throws Exception {
+        var loop = new WaitingLoop(() -> {});
+        EventQueue.invokeAndWait(() -> loop.execute(() -> {
+            Thread task = Thread.currentThread();
+            EventQueue.invokeLater(() -> {
+                var dialogue = Toolkit.getDefaultToolkit().getSystemEventQueue().createSecondaryLoop();
+                new Thread(() -> answer(task, dialogue)).start();
+                dialogue.enter();
+                events.add("closed");
+            });
+        }));
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of("press 1", "closed"), events);
+    }
+
+    private void answer(Thread task, SecondaryLoop dialogue) {
+        try {
+            task.join();
+        } catch (InterruptedException interrupted) {
+            throw new IllegalStateException(interrupted);
+        }
+        press(1);
+        EventQueue.invokeLater(dialogue::exit);
     }
 
     @Test

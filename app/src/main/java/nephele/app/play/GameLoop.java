@@ -380,11 +380,12 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
-    /** Returns the loaded level as its first frame is drawn. */
+    /** Returns the loaded level as its first frame is drawn; its problems leave the one before as it is. */
     private Session session() {
         var request = loading.request();
+        var prepared = loading.prepared();
         auto.levelBegins(request, display.pixels());
-        return loading.session(gl, input, auto.of(request));
+        return Session.load(gl, request, prepared, input, auto.of(request));
     }
 
     private void begin() {

@@ -1,13 +1,9 @@
 package nephele.app.play;
 
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.text.Phrase;
-import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Language;
-import nephele.engine.render.frame.Quality;
-import nephele.engine.render.gl.GlContext;
 
 /** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */
 final class Loading {
@@ -44,8 +40,8 @@ final class Loading {
         return request;
     }
 
-    /** Returns the session of the prepared level; its problems are thrown before anything is allocated. */
-    Session session(GlContext gl, Input input, Optional<Quality> automatic) {
-        return Session.load(gl, request, preparation, input, automatic);
+    /** Returns the prepared level, or throws its problems. */
+    Preparation.Prepared prepared() {
+        return preparation.get();
     }
 }

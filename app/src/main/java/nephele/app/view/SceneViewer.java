@@ -4,6 +4,7 @@ import java.io.IOException;
 import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.InputListener;
+import nephele.app.window.PadButton;
 import nephele.app.window.Screenshots;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
@@ -54,7 +55,7 @@ public final class SceneViewer implements AutoCloseable {
     }
 
     /**
-     * Shows a scene in the window of the game until the user leaves.
+     * Shows a scene in the window of the game until the user leaves, by key or by B or Start of a gamepad.
      *
      * @param own the game's input, which the window has again afterwards
      * @param language of the hints
@@ -64,12 +65,19 @@ public final class SceneViewer implements AutoCloseable {
         window.captureMouse(false);
         window.listen(input);
         try (var viewer = new SceneViewer(start, window, input, gl, language)) {
-            while (!viewer.isLeaving()) {
+            boolean leavesByPad = false;
+            // Until the button is up again: the menu would take it for one of its own.
+            while (!viewer.isLeaving() && (!leavesByPad || isPadLeaving(window))) {
                 viewer.frame();
+                leavesByPad |= isPadLeaving(window);
             }
         } finally {
             window.listen(own);
         }
+    }
+
+    private static boolean isPadLeaving(GameWindow window) {
+        return window.pad().isDown(PadButton.B) || window.pad().isDown(PadButton.START);
     }
 
     /** Runs one frame. */

@@ -12,7 +12,8 @@ import java.util.Set;
 public record PadState(Set<PadButton> down, double leftX, double leftY, double rightX, double rightY) {
     public static final PadState RELEASED = new PadState(Set.of(), 0, 0, 0, 0);
 
-    boolean isDown(PadButton button) {
+    /** Returns true while a button or trigger is pressed. */
+    public boolean isDown(PadButton button) {
         return down.contains(button);
     }
 }

@@ -138,9 +138,13 @@ public final class DroppedFile {
         }
     }
 
+    private byte[] content() throws FileRefusal {
+        return session.aside().get(() -> AssetFolder.read(file));
+    }
+
     private void picture(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
-        byte[] content = AssetFolder.read(file);
+        byte[] content = content();
         try {
             session.aside().get(() -> PictureDecoder.decode(file.getFileName().toString(), content));
         } catch (AssetException noPicture) {
@@ -159,7 +163,7 @@ public final class DroppedFile {
 
     private void model(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
-        byte[] content = AssetFolder.read(file);
+        byte[] content = content();
         String id = folder.idOf(file, content, "models", session.aside().get(() -> neighbours(content)));
         new AssetUse(session, id).model(target.at());
         told(id);
@@ -193,7 +197,7 @@ public final class DroppedFile {
 
     private void cloud(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
-        byte[] content = AssetFolder.read(file);
+        byte[] content = content();
         Vec3 size = sizeMetres(grid(content));
         String id = folder.idOf(file, content, "clouds");
         new AssetUse(session, id).cloud(target.at(), size);
@@ -202,7 +206,7 @@ public final class DroppedFile {
 
     private void heights(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
-        byte[] content = AssetFolder.read(file);
+        byte[] content = content();
         try {
             session.aside().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
         } catch (AssetException noHeights) {

@@ -43,7 +43,10 @@ public final class WaitingLoop implements Executor {
                         task.run();
                     } finally {
                         // An event, because the loop cannot be left before it is entered.
-                        EventQueue.invokeLater(loop::exit);
+                        EventQueue.invokeLater(() -> {
+                            patient.isOver = true;
+                            loop.exit();
+                        });
                     }
                 },
                 "aside");
@@ -54,13 +57,15 @@ public final class WaitingLoop implements Executor {
         patient.end();
     }
 
-    /** Keeps the user's events until the end. */
+    /** Keeps the user's events until the task is over: then a dialogue that has opened meanwhile can be answered. */
     private static final class PatientQueue extends EventQueue {
         private final List<AWTEvent> kept = new ArrayList<>();
+        private boolean isOver;
 
         @Override
         protected void dispatchEvent(AWTEvent event) {
-            if (event instanceof InputEvent || event.getID() == WindowEvent.WINDOW_CLOSING) {
+            boolean isOfUser = event instanceof InputEvent || event.getID() == WindowEvent.WINDOW_CLOSING;
+            if (isOfUser && !isOver) {
                 kept.add(event);
             } else {
                 super.dispatchEvent(event);

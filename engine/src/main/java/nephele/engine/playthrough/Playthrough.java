@@ -326,7 +326,7 @@ public final class Playthrough {
     /** Returns the frame state between the last two ticks; always the same object. */
     public FrameState frameState() {
         double share = clock.share();
-        double seconds = Math.max(0, after.tick() + share) * secondsPerTick;
+        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
         live.frameState().closing(ages.closing(after.tick(), share));

@@ -1,10 +1,8 @@
-// With VEILS it dims what is behind the gaps between the curtains' strands; without, it adds the light of the curtains,
-// as follows.
+// Adds the light of exits' curtains between the eye and the surface behind them; with VEILS it dims instead what is
+// behind the gaps between their strands. The ray's two ways through a shell are each integrated at the two points of
+// Gauss and Legendre.
 //
-// Adds the light of exits' curtains between the eye and the surface behind them: the ray's two ways through a shell,
-// each integrated at the two points of Gauss and Legendre.
-//
-// Output DIRECT replaces the pixel by a sum, so that sum has every exit's light; the other outputs add one exit's.
+// Light for output DIRECT replaces the pixel by a sum, so that sum has every exit's; otherwise one exit is drawn.
 #include "output.glsl"
 #include "displayed.glsl"
 #include "exits.glsl"
