@@ -17,6 +17,7 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
 /** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
@@ -82,11 +83,16 @@ final class Display implements AutoCloseable {
 
     /** Draws one frame of the game. */
     void draw(Session session, HudContent content, StepListener listener, Shot shot) {
-        draw(session, session.walk().view(aspect()), content, listener, shot);
+        draw(session, session.walk().view(aspect()), session.walk().frameState(), content, listener, shot);
     }
 
-    /** Draws one frame from another eye. */
-    void draw(Session session, View view, HudContent content, StepListener listener, Shot shot) {
+    /** Draws one frame of the title over its level, which moves slowly. */
+    void drawTitle(Session session, double seconds, HudContent content, StepListener listener, Shot shot) {
+        draw(session, session.titleView(aspect(), seconds), session.titleState(), content, listener, shot);
+    }
+
+    private void draw(
+            Session session, View view, FrameState state, HudContent content, StepListener listener, Shot shot) {
         var picture = target();
         var walk = session.walk();
         if (walk.takeCut()) {
@@ -96,7 +102,7 @@ final class Display implements AutoCloseable {
         Wipe wipe = content.comparison() == null
                 ? Wipe.MIDDLE
                 : content.comparison().wipe();
-        session.picture().draw(view, walk.frameState(), wipe, picture, listener);
+        session.picture().draw(view, state, wipe, picture, listener);
         outlines.draw(walk.observer(), view, picture);
         darken(walk.darkness(), picture);
         drawOverlay(content, picture, shot);

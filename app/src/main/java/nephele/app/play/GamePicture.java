@@ -137,7 +137,7 @@ final class GamePicture {
         if (isKept) {
             display.drawTitle(session, content, shot);
         } else if (stage == GameStage.TITLE) {
-            display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot);
+            display.drawTitle(session, titleSeconds(), content, listener, shot);
         } else {
             display.draw(session, content, listener, shot);
         }

@@ -18,6 +18,7 @@ import nephele.engine.playthrough.UnturnedInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.sim.Simulation;
@@ -176,6 +177,15 @@ final class Session implements AutoCloseable {
                 .addScaled(SWAY_METRES * Math.sin(seconds * SWAY_RADIANS_PER_SECOND), still.right())
                 .addScaled(SWAY_METRES / 2 * Math.sin(seconds * SWAY_RADIANS_PER_SECOND * 0.7), still.up());
         return View.lookAt(eye, target, new Vec3(0, 1, 0), still.projection());
+    }
+
+    /** Returns the level as the title shows it: no gun is in the hand of an eye that is not the player's. */
+    FrameState titleState() {
+        FrameState state = playthrough.frameState();
+        if (!level.cameras().isEmpty()) {
+            state.gun(null);
+        }
+        return state;
     }
 
     Playthrough walk() {

@@ -38,8 +38,7 @@ final class TitlePicture implements AutoCloseable {
         }
         if (framesLeft > 0) {
             framesLeft--;
-            drawer.draw(
-                    session.titleView(aspect, 0), session.walk().frameState(), Wipe.MIDDLE, kept, StepListener.NONE);
+            drawer.draw(session.titleView(aspect, 0), session.titleState(), Wipe.MIDDLE, kept, StepListener.NONE);
         }
         kept.copyScaledTo(target);
     }
