@@ -72,6 +72,25 @@ class ExitGlTest {
         }
     }
 
+    /** Without a far plane the sky's distance is a division by zero but for rounding, which depends on the direction. */
+    @Test
+    void beforeTheSkyACurtainIsSeenFromAllSides() {
+        Projection endless = new Projection(Math.PI / 2, 1, 0.1, Double.POSITIVE_INFINITY);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
+                Renderer renderer = Renderer.load(offscreen.gl, level().level(), TestAssets.NONE, LIGHT)) {
+            for (int side = 0; side < 40; side++) {
+                Vec3 aside = new Vec3(4 * Math.cos(side), 0.02 * side, 4 * Math.sin(side));
+                View view = View.lookAt(AHEAD.plus(aside), AHEAD, new Vec3(0, 1, 0), endless);
+                renderer.draw(view, offscreen.picture);
+                double brightest = 0;
+                for (float value : renderer.readRadiance()) {
+                    brightest = Math.max(brightest, value);
+                }
+                assertTrue(brightest > 0.5, "side " + side + ": " + brightest);
+            }
+        }
+    }
+
     /** Returns the integral of the emission along a ray in fine steps. */
     private static Vec3 integral(Exit exit, Vec3 eye, Vec3 direction) {
         ExitCurtain curtain = new ExitCurtain(exit, 0);

@@ -5,6 +5,7 @@
 // Light for output DIRECT replaces the pixel by a sum, so that sum has every exit's; otherwise one exit is drawn.
 #include "output.glsl"
 #include "displayed.glsl"
+#include "view-distance.glsl"
 #include "exits.glsl"
 #include "exit-curtain.glsl"
 #if defined(OUTPUT_DIRECT) && !defined(VEILS)
@@ -18,12 +19,6 @@ in vec3 relativePosition;
 
 uniform float seconds;
 uniform sampler2D viewDepth;
-
-// Distance along the view's axis: recovers the projection's two numbers from its product with the rotation.
-float axisMetres(float windowDepth) {
-    vec3 third = vec3(clipFromRelative[0].z, clipFromRelative[1].z, clipFromRelative[2].z);
-    return clipFromRelative[3].z / (2.0 * windowDepth - 1.0 - dot(third, viewForward.xyz));
-}
 
 // Returns the light of a part of the ray, in multiples of its direction, within one shell.
 vec3 lightOfPart(vec2 part, vec3 direction, int exit) {
