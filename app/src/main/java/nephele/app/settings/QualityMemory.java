@@ -4,11 +4,10 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import nephele.engine.asset.TextFile;
 
 /**
  * What levels cost on the machines that drew them, from which automatic quality chooses its first frame; immutable. A
@@ -63,11 +62,12 @@ public final class QualityMemory {
     }
 
     private static Optional<String> listedProcessor() {
-        try (var lines = Files.lines(Path.of("/proc/cpuinfo"))) {
-            return lines.filter(line -> line.startsWith("model name"))
+        try {
+            return TextFile.lines(Path.of("/proc/cpuinfo")).stream()
+                    .filter(line -> line.startsWith("model name"))
                     .findFirst()
                     .map(line -> line.substring(line.indexOf(':') + 1).strip());
-        } catch (IOException | UncheckedIOException notLinux) {
+        } catch (IOException notLinux) {
             return Optional.empty();
         }
     }

@@ -95,6 +95,7 @@ class OutlinerModelTest {
                         "Portal",
                         "Portal gun",
                         "Observer's sphere",
+                        "Par of the level",
                         "Landmark",
                         "Hint"),
                 game);
