@@ -34,6 +34,9 @@ public final class FirstRoomScenario {
     /** The panels are darker than this, and so is a window without a picture. */
     private static final int LEAST_DAYLIGHT = 140;
 
+    /** Where the editor proposes to save a new level, below the folder of the run. */
+    static final Path OWN_LEVELS = Path.of("data/nephele/levels");
+
     private final Path folder;
     private final EditorSession session;
     private final WindowRobot robot;
@@ -157,7 +160,7 @@ public final class FirstRoomScenario {
         awaitStatus("Playing");
         Predicate<String> isOver = status -> status.startsWith("Solution recorded");
         robot.hold("W", () -> isOver.test(session.status().english()));
-        System.out.println("recorded " + Files.exists(folder.resolve("replays/first-room.json")));
+        System.out.println("recorded " + Files.exists(folder.resolve(OWN_LEVELS).resolve("replays/first-room.json")));
         takeKeys();
         robot.keys("SHIFT", "F6");
         awaitStatus("Solved");

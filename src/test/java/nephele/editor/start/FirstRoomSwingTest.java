@@ -35,8 +35,11 @@ class FirstRoomSwingTest {
     void theRoomIsBuiltSavedCheckedSolvedAndPlayed() throws Exception {
         String pictures = Path.of("build/pictures/first-room").toAbsolutePath().toString();
         try (VirtualDisplay display = VirtualDisplay.ofSize("1280x800")) {
-            Map<String, String> environment =
-                    Map.of("DISPLAY", display.name(), "WAYLAND_DISPLAY", "", "HOME", folder.toString());
+            Map<String, String> environment = Map.of(
+                    "DISPLAY", display.name(),
+                    "WAYLAND_DISPLAY", "",
+                    "HOME", folder.toString(),
+                    "XDG_DATA_HOME", folder.resolve("data").toString());
             ChildJvm run = ChildJvm.run(
                     folder,
                     environment,
@@ -46,7 +49,8 @@ class FirstRoomSwingTest {
                     pictures);
             assertEquals(STEPS, run.out().lines().toList(), run.err());
         }
-        Level level = LevelFile.read(folder.resolve("first-room.json"));
+        Level level =
+                LevelFile.read(folder.resolve(FirstRoomScenario.OWN_LEVELS).resolve("first-room.json"));
         assertEquals(
                 List.of(6, 1, 1, 1, 2),
                 List.of(

@@ -1,9 +1,8 @@
 package nephele.app.play;
 
-import java.util.EnumMap;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import nephele.app.play.hud.HudContent;
 import nephele.app.settings.GameSetting;
@@ -71,7 +70,9 @@ final class Prompts {
 
     private final PlayerFiles files;
     private final Set<Verb> learned = EnumSet.noneOf(Verb.class);
-    private final Map<Verb, Double> shownSeconds = new EnumMap<>(Verb.class);
+    /** How long each action was named in this level. */
+    private final double[] shownSeconds = new double[VERBS.size()];
+
     private double turnedDegrees;
     private double walkedMetres;
     private double restSeconds;
@@ -141,9 +142,8 @@ final class Prompts {
     private Verb named(Playthrough playthrough, CrosshairState crosshair, boolean optional) {
         for (int i = 0; i < VERBS.size(); i++) {
             Verb verb = VERBS.get(i);
-            boolean isMeant = verb.isOptional() == optional
-                    && !learned.contains(verb)
-                    && shownSeconds.getOrDefault(verb, 0.0) < OPTIONAL_SECONDS;
+            boolean isMeant =
+                    verb.isOptional() == optional && !learned.contains(verb) && shownSeconds[i] < OPTIONAL_SECONDS;
             if (isMeant && isPossible(verb, playthrough, crosshair)) {
                 return verb;
             }
@@ -155,8 +155,9 @@ final class Prompts {
     private Verb optional(Playthrough playthrough, CrosshairState crosshair, double seconds) {
         restSeconds -= seconds;
         Verb verb = restSeconds > 0 ? null : named(playthrough, crosshair, true);
-        if (verb != null && shownSeconds.merge(verb, seconds, Double::sum) >= OPTIONAL_SECONDS) {
-            restSeconds = REST_SECONDS;
+        if (verb != null) {
+            shownSeconds[verb.ordinal()] += seconds;
+            restSeconds = shownSeconds[verb.ordinal()] < OPTIONAL_SECONDS ? restSeconds : REST_SECONDS;
         }
         return verb;
     }
@@ -167,7 +168,7 @@ final class Prompts {
         long tick = playthrough.state().tick();
         if (watched != playthrough) {
             watched = playthrough;
-            shownSeconds.clear();
+            Arrays.fill(shownSeconds, 0);
             restSeconds = REST_SECONDS;
         } else if (now != before) {
             turned(before.heading(), now.heading());

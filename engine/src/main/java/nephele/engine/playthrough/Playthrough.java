@@ -59,6 +59,9 @@ public final class Playthrough {
     private final ShotEffects shots;
     private final boolean hasGun;
     private double verticalFovDegrees = Viewpoints.PLAYER_FOV_DEGREES;
+    /** The crosshair of first person, kept while it is the same. */
+    private CrosshairState middle = CrosshairState.MIDDLE;
+
     private SimState before;
     private SimState after;
     private PlayerPose viewedFrom;
@@ -305,7 +308,10 @@ public final class Playthrough {
         CrosshairState.Half second = aiming.half(after, GunPortals.Colour.SECOND);
         Seen now = seen();
         if (now.isFirstPerson()) {
-            return new CrosshairState(0, 0, first, second);
+            if (middle.first() != first || middle.second() != second) {
+                middle = new CrosshairState(0, 0, first, second);
+            }
+            return middle;
         }
         View view = view(widthPoints / heightPoints);
         Vec3 way = now.aimed().minus(view.eye());
