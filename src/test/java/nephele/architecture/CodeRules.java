@@ -95,6 +95,15 @@ final class CodeRules {
                     .as("asset sees of LWJGL and AWT only what decodes images"),
             noClasses()
                     .that()
+                    .resideInAPackage("nephele.engine..")
+                    .and()
+                    .doNotHaveSimpleName("ColourProfile")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("java.awt.color..")
+                    .as("colour profiles are used in one class"),
+            noClasses()
+                    .that()
                     .resideInAPackage("nephele.engine.render..")
                     .should()
                     .dependOnClassesThat(describe("AWT but images, or Swing", type -> type.getPackageName()

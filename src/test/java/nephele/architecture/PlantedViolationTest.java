@@ -74,6 +74,7 @@ class PlantedViolationTest {
         plant("nephele.engine.sim.SeesSwing", "javax.swing.JLabel l;");
         plant("nephele.engine.asset.SeesGlfw", "int i = org.lwjgl.glfw.GLFW.glfwGetTimerFrequency() > 0 ? 1 : 0;");
         plant("nephele.engine.render.SeesFrame", "java.awt.Frame f;");
+        plant("nephele.engine.asset.SeesProfile", "java.awt.color.ICC_Profile p;");
         plant("nephele.app.SeesOpenGl", "void f() { org.lwjgl.opengl.GL41C.glFlush(); }");
         plant("nephele.editor.tool.SeesSwing", "javax.swing.JLabel l;");
     }
@@ -115,6 +116,7 @@ class PlantedViolationTest {
                 new String[] {"no cycles", "level.ring.RoundC"},
                 new String[] {"headless packages", "sim.SeesSwing"},
                 new String[] {"asset sees", "asset.SeesGlfw"},
+                new String[] {"colour profiles are used", "asset.SeesProfile"},
                 new String[] {"the renderer opens no window", "render.SeesFrame"},
                 new String[] {"raw OpenGL only", "app.SeesOpenGl"},
                 new String[] {"editor tools", "tool.SeesSwing"},

@@ -86,7 +86,7 @@ class ViewportSurfaceGlTest {
         surface.close();
     }
 
-    /** Who waits for a picture is not held up by the end of the surface. */
+    /** Closing the surface completes the future of a picture that is still being drawn. */
     @Test
     void aPictureThatIsDrawnAtTheEndIsWaitedForByNobody() throws Exception {
         surface.component().setSize(20, 10);

@@ -102,7 +102,10 @@ final class ExitRoomTest {
         return path;
     }
 
-    /** Who has not come out of a portal, or has room, or is too fast, moves to the bit as without the assist. */
+    /**
+     * The assist changes no bit of the motion of a player that has not come out of a portal, has room around it, or is too
+     * fast.
+     */
     @Test
     void nobodyElseIsMoved() {
         assertEquals(

@@ -114,7 +114,7 @@ final class WalkInTest {
         }
     }
 
-    /** Whoever does not want in, or is past the opening, walks to the bit as without the assist. */
+    /** The assist changes no bit of a walk whose intent does not point into the portal, or that is past the opening. */
     @Test
     void withoutIntentIntoThePlaneNothingChanges() {
         PlayerInput right = PlayerInput.NONE.walking(0, 100);

@@ -22,10 +22,14 @@ import nephele.lab.prove.proof.ProofResult;
 
 /**
  * Opens the levels that take longest to draw in the real editor and edits what their tables follow from, while another
- * thread asks Swing's for an answer all the time. What may not be on that thread refuses it, which fails here as well.
+ * thread measures how long the event dispatch thread takes to answer. Readers, tables and pictures throw on that thread, which
+ * fails the proof as well.
  */
 public final class EditorStallsProof implements Proof {
-    /** Of the thread's own time: what other threads take from it on a busy machine is no fault of the editor. */
+    /**
+     * Greatest CPU time of the event dispatch thread between two answers, s. It is not wall-clock time, which grows with
+     * the load of the machine.
+     */
     static final double MOST_CPU_SECONDS = 0.5;
 
     private static final Dimension SIZE = new Dimension(960, 640);

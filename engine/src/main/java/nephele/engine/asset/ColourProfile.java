@@ -3,6 +3,7 @@ package nephele.engine.asset;
 import java.awt.color.ColorSpace;
 import java.awt.color.ICC_Profile;
 import java.awt.image.ColorConvertOp;
+import java.awt.image.ColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferByte;
 import java.awt.image.DataBufferUShort;
@@ -11,7 +12,8 @@ import java.awt.image.WritableRaster;
 
 /**
  * An ICC profile, which says what colours the numbers of a picture are. Pictures become sRGB; one whose profile cannot
- * be used, or differs from sRGB by less than is seen, keeps its numbers.
+ * be used, or differs from sRGB by less than is seen, keeps its numbers. This is the only class that uses
+ * {@code java.awt.color}, the JDK's colour management, which needs no window toolkit.
  */
 final class ColourProfile {
     private static final int MOST_BYTES = 4 << 20;
@@ -47,6 +49,12 @@ final class ColourProfile {
         } catch (RuntimeException damaged) {
             return null;
         }
+    }
+
+    /** Returns the number of colour channels of a grey or RGB model; 0 for any other colour space. */
+    static int colours(ColorModel model) {
+        int space = model.getColorSpace().getType();
+        return space == ColorSpace.TYPE_GRAY ? 1 : space == ColorSpace.TYPE_RGB ? 3 : 0;
     }
 
     /**

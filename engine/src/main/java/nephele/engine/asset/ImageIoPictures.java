@@ -2,7 +2,6 @@ package nephele.engine.asset;
 
 import com.twelvemonkeys.imageio.plugins.bmp.BMPImageReaderSpi;
 import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
-import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.ComponentColorModel;
@@ -140,8 +139,7 @@ final class ImageIoPictures {
 
     private static Picture picture(BufferedImage image) throws IOException {
         ColorModel model = image.getColorModel();
-        int space = model.getColorSpace().getType();
-        int colours = space == ColorSpace.TYPE_GRAY ? 1 : space == ColorSpace.TYPE_RGB ? 3 : 0;
+        int colours = ColourProfile.colours(model);
         if (colours == 0 || model.isAlphaPremultiplied()) {
             throw new UnreadablePicture("has colours that are neither grey nor RGB", "save it again as a PNG in RGB");
         }

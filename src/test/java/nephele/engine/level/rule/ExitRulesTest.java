@@ -3,14 +3,10 @@ package nephele.engine.level.rule;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
-import nephele.engine.level.BadLevel;
 import nephele.engine.level.Exit;
-import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -42,32 +38,6 @@ class ExitRulesTest {
         assertEquals(
                 List.of("exits[0].heightMetres"),
                 found.stream().map(Problem::path).toList());
-    }
-
-    /** A par that no run reaches is a warning, and no par changes what a recording belongs to. */
-    @Test
-    void aParNeedsAnExitAndPortalsAGun() {
-        String exit = "\"exits\": [{\"id\": \"e\", \"feet\": [0, 0, 0]}], ";
-        Level ended = level(exit + "\"portalGun\": {}, " + par(2));
-        assertEquals(List.of(), parProblems(ended));
-        assertEquals(List.of("par"), parProblems(level(par(0))));
-        assertEquals(List.of("par.portals"), parProblems(level(exit + par(2))));
-        assertEquals(List.of(), parProblems(level(exit + par(0))));
-        assertEquals(LevelJson.sha256(level(exit + par(0))), LevelJson.sha256(level(exit + par(3))));
-    }
-
-    private static String par(int portals) {
-        return "\"par\": {\"seconds\": 1.5, \"portals\": " + portals + "}";
-    }
-
-    private static Level level(String sections) {
-        return LevelJson.read("x", BadLevel.wrap(sections).getBytes(StandardCharsets.UTF_8));
-    }
-
-    private static List<String> parProblems(Level level) {
-        return LevelRules.check(List.of(ExitRules.PAR), level, null).stream()
-                .map(Problem::path)
-                .toList();
     }
 
     @Test

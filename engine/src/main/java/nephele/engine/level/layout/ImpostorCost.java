@@ -10,13 +10,13 @@ import nephele.engine.level.planted.PlantedModels;
 
 /** The impostors are not so many, or of so many kinds, that a picture of them takes long. */
 final class ImpostorCost {
-    /** Processor's time of a picture from which on somebody waits. */
+    /** CPU time of a first picture above which {@code check} warns. */
     private static final double LONG_SECONDS = 10;
 
-    /** Of the pictures of a kind; measured on one core of a machine of 2024. */
+    /** CPU time to draw the atlas of one kind of plant, measured on one core of a machine of 2024. */
     private static final double SECONDS_PER_KIND = 0.17;
 
-    /** Of planting one. */
+    /** CPU time to place one plant. */
     private static final double SECONDS_PER_PLANT = 6e-5;
 
     private static final double MEGABYTES_PER_KIND = 6;

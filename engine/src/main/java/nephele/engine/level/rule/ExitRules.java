@@ -3,7 +3,7 @@ package nephele.engine.level.rule;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 
-/** Rules for exits that a player cannot enter, and for a par that nobody can reach. */
+/** Rules for exits that a player cannot enter. */
 final class ExitRules {
     /** The height of a standing player's centre above the feet. */
     private static final double CENTRE_METRES = 0.9;
@@ -26,14 +26,6 @@ final class ExitRules {
                     }
                 });
             });
-
-    static final LevelRule PAR = (level, assets, report) -> {
-        if (level.par() != null && level.exits().isEmpty()) {
-            report.accept(Problem.warning("par", "nothing ends the level: add an exit, or leave the par out"));
-        } else if (level.par() != null && level.par().portals() > 0 && level.portalGun() == null) {
-            report.accept(Problem.warning("par.portals", "nobody can shoot portals here: add a portalGun, or write 0"));
-        }
-    };
 
     private ExitRules() {}
 }

@@ -39,13 +39,13 @@ final class SolidRules {
         }
     };
 
-    /** Processor's time of a picture from which on somebody waits. */
+    /** CPU time of a first picture above which {@code check} warns. */
     private static final double LONG_SECONDS = 10;
 
-    /** Of dividing a face, baking its light and drawing it; measured on one core of a machine of 2024. */
+    /** CPU time to mesh, bake and draw one face, measured on one core of a machine of 2024. */
     private static final double SECONDS_PER_FACE = 8e-5;
 
-    /** Of finding the corners of a shape. */
+    /** CPU time to intersect three planes of a solid, which finds its corners. */
     private static final double SECONDS_PER_TRIPLE = 8e-8;
 
     /** The solids are not so many that a picture of them takes long. */

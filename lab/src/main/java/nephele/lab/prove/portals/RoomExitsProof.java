@@ -24,10 +24,10 @@ public final class RoomExitsProof implements Proof {
     private static final double REST_SECONDS = 4;
     private static final double WALK_SECONDS = 1;
 
-    /** Whoever gets so far has left the corner. */
+    /** Distance from its resting place at which a walking player counts as out of the corner. */
     private static final double AWAY_METRES = 0.5;
 
-    /** The reach of the assist that makes room at an exit: who ends farther away was flung there. */
+    /** Distance from the exit portal beyond which an end is counted apart: {@code exit-room} does not act there. */
     private static final double EXIT_METRES = 1;
 
     private static final double AT_REST_METRES_PER_SECOND = 1e-3;

@@ -7,19 +7,27 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.WordFormats;
 
-/** Rules for hints that a player cannot read or never gets. */
-final class HintRules {
+/** Rules for what the game tells a player: hints that can be read and are given, a par that can be reached. */
+final class GuidanceRules {
     /** The longest text that the smallest window shows whole. */
     private static final int MOST_LETTERS = 140;
 
-    static final LevelRule READ = (level, assets, report) -> {
+    static final LevelRule HINTS = (level, assets, report) -> {
         LevelRule.each("hints", level.hints(), (path, hint) -> text(path + ".text", hint, report));
         if (!level.hints().isEmpty() && level.player() == null) {
             report.accept(Problem.warning("hints", "nobody plays the level: add a player, or delete the hints"));
         }
     };
 
-    private HintRules() {}
+    static final LevelRule PAR = (level, assets, report) -> {
+        if (level.par() != null && level.exits().isEmpty()) {
+            report.accept(Problem.warning("par", "nothing ends the level: add an exit, or leave the par out"));
+        } else if (level.par() != null && level.par().portals() > 0 && level.portalGun() == null) {
+            report.accept(Problem.warning("par.portals", "nobody can shoot portals here: add a portalGun, or write 0"));
+        }
+    };
+
+    private GuidanceRules() {}
 
     private static void text(String path, Hint hint, Consumer<Problem> report) {
         String english = hint.text().get(Language.EN);
