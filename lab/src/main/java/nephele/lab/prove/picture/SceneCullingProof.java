@@ -5,13 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
-import nephele.engine.render.fixed.FixedSceneDrawing;
-import nephele.engine.render.fixed.FixedSceneDrawing.Source;
-import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
-import nephele.engine.render.fixed.SceneAppearance;
-import nephele.engine.render.fixed.SceneAppearance.Culling;
-import nephele.engine.render.fixed.SceneFolder;
-import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -20,6 +13,13 @@ import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
+import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.FixedSceneDrawing.Source;
+import nephele.scenes.fixed.FixedSceneDrawing.Sources;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.fixed.SceneAppearance.Culling;
+import nephele.scenes.fixed.SceneFolder;
+import nephele.scenes.fixed.Shading;
 import org.joml.Matrix4d;
 
 /** Compares XML scenes drawn with culling and without, pixel by pixel. */

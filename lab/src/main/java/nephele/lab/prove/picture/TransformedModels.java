@@ -6,13 +6,13 @@ import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
-import nephele.engine.xmlscene.Dialect;
-import nephele.engine.xmlscene.XmlGroup;
-import nephele.engine.xmlscene.XmlGroup.Step;
-import nephele.engine.xmlscene.XmlLight;
-import nephele.engine.xmlscene.XmlModel;
-import nephele.engine.xmlscene.XmlModel.Colours;
-import nephele.engine.xmlscene.XmlScene;
+import nephele.scenes.xml.Dialect;
+import nephele.scenes.xml.XmlGroup;
+import nephele.scenes.xml.XmlGroup.Step;
+import nephele.scenes.xml.XmlLight;
+import nephele.scenes.xml.XmlModel;
+import nephele.scenes.xml.XmlModel.Colours;
+import nephele.scenes.xml.XmlScene;
 
 /**
  * Scenes by number: models in groups up to four deep, moved, rotated, scaled along the axes, mirrored and animated,
