@@ -35,7 +35,7 @@ class TextEncodingsTest {
     /** Files of the system or of this program's own processes, which only this system writes. */
     private static final List<String> NO_USERS_FILES = List.of(
             "StartProfile.java",
-            "ProofEnvironment.java",
+            "Provenance.java",
             "JvmVariant.java",
             "ReplayProcess.java",
             "EditorOpenSaveProof.java",

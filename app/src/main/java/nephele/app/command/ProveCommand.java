@@ -11,7 +11,7 @@ import nephele.engine.reference.tile.Shard;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.ProofEnvironment;
+import nephele.lab.trade.Provenance;
 import nephele.lab.prove.ProofRun;
 import nephele.lab.prove.ProofTable;
 import nephele.lab.prove.Proofs;
@@ -99,7 +99,7 @@ final class ProveCommand implements Command {
     }
 
     private ProofResult prove(Proof proof, Terminal terminal) throws Exception {
-        String commit = ProofEnvironment.commit();
+        String commit = Provenance.commit();
         var run = new ProofRun(proof, STATE_FOLDER, shard == null ? Shard.WHOLE : shard, terminal.err());
         if (from != null) {
             var result = run.alone(from, count);
@@ -115,7 +115,7 @@ final class ProveCommand implements Command {
         if (record || result.units() >= proof.claim().fullCount()) {
             String date = LocalDate.now(ZoneOffset.UTC).toString();
             new ProofTable(TABLE)
-                    .write(proof, result, new ProofTable.Circumstances(date, commit, ProofEnvironment.machine()));
+                    .write(proof, result, new ProofTable.Circumstances(date, commit, Provenance.machine()));
         }
         return result;
     }

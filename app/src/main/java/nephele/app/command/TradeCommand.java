@@ -14,7 +14,7 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.ProofEnvironment;
+import nephele.lab.trade.Provenance;
 import nephele.lab.technique.LevelTable;
 import nephele.lab.technique.TableMaker;
 import nephele.lab.technique.page.CloudPages;
@@ -179,9 +179,9 @@ final class TradeCommand implements Command {
                                 : run.opened().level().name(),
                 isOfSkies ? "skies of the samples" : request.level(),
                 pictures,
-                ProofEnvironment.machine(),
+                Provenance.machine(),
                 run.graphics(),
-                ProofEnvironment.commit(),
+                Provenance.commit(),
                 LocalDate.now(ZoneOffset.UTC).toString());
     }
 }

@@ -31,7 +31,7 @@ import nephele.lab.art.plant.PlantFiles;
 import nephele.lab.art.sprite.SpritePictures;
 import nephele.lab.art.terrain.StonesGrowth;
 import nephele.lab.art.terrain.StonesMap;
-import nephele.lab.art.terrain.TerrainFile;
+import nephele.lab.terrain.TerrainFile;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {

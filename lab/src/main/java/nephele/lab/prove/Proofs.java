@@ -1,7 +1,7 @@
 package nephele.lab.prove;
 
 import java.util.List;
-import nephele.lab.bound.CollisionBoundsProof;
+import nephele.lab.prove.geometry.CollisionBoundsProof;
 import nephele.lab.prove.bodies.BodiesProof;
 import nephele.lab.prove.bodies.EnergyProof;
 import nephele.lab.prove.bodies.FallsProof;
@@ -47,8 +47,8 @@ import nephele.lab.prove.sky.AirFieldsProof;
 import nephele.lab.prove.sky.SkySweepProof;
 import nephele.lab.prove.sky.SkyTableProof;
 import nephele.lab.prove.terrain.TerrainProof;
-import nephele.lab.technique.CloudAutoProof;
-import nephele.lab.technique.CloudRadianceProof;
+import nephele.lab.prove.cloud.CloudAutoProof;
+import nephele.lab.prove.cloud.CloudRadianceProof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {

@@ -1,2 +1,2 @@
-/** Makes the meshes of plants and rocks: a branching structure, tapered branches around it, leaves on it. */
+/** The files of plants and rocks that ship. */
 package nephele.lab.art.plant;

@@ -1,2 +1,2 @@
-/** Makes height maps: noise shaped into ridges and valleys, then eroded by running water. */
+/** The height map and the maps of growth of the level "Standing stones". */
 package nephele.lab.art.terrain;

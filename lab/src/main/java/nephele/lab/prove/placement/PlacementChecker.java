@@ -1,5 +1,8 @@
 package nephele.lab.prove.placement;
 
+import nephele.lab.placement.WallShot;
+import nephele.lab.placement.WallPlace;
+import nephele.lab.placement.ClippedAreas;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Directions;

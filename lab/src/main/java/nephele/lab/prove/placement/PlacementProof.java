@@ -1,5 +1,8 @@
 package nephele.lab.prove.placement;
 
+import nephele.lab.placement.WallShot;
+import nephele.lab.placement.RectangleQuestion;
+import nephele.lab.placement.RandomWall;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
 package nephele.lab.prove.placement;
 
+import nephele.lab.placement.WallPlace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

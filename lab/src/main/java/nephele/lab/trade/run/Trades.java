@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
-import nephele.lab.bound.CollisionSubject;
+import nephele.lab.trade.subject.CollisionSubject;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.BillboardSubjects;
 import nephele.lab.trade.subject.CloudSubjects;
