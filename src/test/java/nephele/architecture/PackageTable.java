@@ -108,8 +108,9 @@ final class PackageTable {
             "engine", List.of(),
             "scenes", List.of("engine"),
             "lab", List.of("engine", "scenes"),
-            "editor", List.of("engine", "lab"),
-            "app", List.of("engine", "scenes", "lab", "editor"));
+            "editor", List.of("engine"),
+            "app", List.of("engine", "scenes", "lab", "editor"),
+            "workshop", List.of("engine", "scenes", "lab", "editor", "app"));
 
     static ArchCondition<JavaClass> useOnlyModulesOfTheTable() {
         return new ArchCondition<>("use only modules that the table allows") {

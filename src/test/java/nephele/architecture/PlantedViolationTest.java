@@ -71,6 +71,9 @@ class PlantedViolationTest {
         plant("nephele.scenes.xml.SeesDrawing", "nephele.scenes.fixed.Drawing d;");
         plant("nephele.editor.SeesScenes", "nephele.scenes.fixed.Drawing d;");
         plant("nephele.app.play.SeesScenes", "nephele.scenes.fixed.Drawing d;");
+        plant("nephele.workshop.Proof", "");
+        plant("nephele.app.command.SeesWorkshop", "nephele.workshop.Proof p;");
+        plant("nephele.editor.pane.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.nowhere.InNoModule", "");
         plant("nephele.engine.portal.RoundA", "nephele.engine.cloud.RoundB b;");
         plant("nephele.engine.cloud.RoundB", "nephele.engine.portal.RoundA a;");
@@ -115,6 +118,8 @@ class PlantedViolationTest {
                 new String[] {"a module uses only", "editor.SeesApp"},
                 new String[] {"a module uses only", "editor.SeesScenes"},
                 new String[] {"a module uses only", "lab.SeesApp"},
+                new String[] {"a module uses only", "app.command.SeesWorkshop"},
+                new String[] {"a module uses only", "pane.SeesLab"},
                 new String[] {"a module uses only", "scene.SeesEditor"},
                 new String[] {"a module uses only", "lab.SeesEditor"},
                 new String[] {"a module uses only", "playthrough.SeesLab"},

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  */
 record SourceFile(String path, String text) {
     private static final List<String> ROOTS =
-            List.of("engine/src", "scenes/src", "lab/src", "editor/src", "app/src", "src/test");
+            List.of("engine/src", "scenes/src", "lab/src", "editor/src", "app/src", "workshop/src", "src/test");
 
     /** Returns every Java file and shader of the checkout. */
     static List<SourceFile> all() throws IOException {

@@ -144,7 +144,7 @@ class TextEncodingsTest {
     @Test
     void textFilesOfUsersAreDecodedInOnePlace() throws IOException {
         var found = new ArrayList<String>();
-        for (String module : List.of("engine", "scenes", "editor", "lab", "app")) {
+        for (String module : List.of("engine", "scenes", "editor", "lab", "app", "workshop")) {
             try (var files = Files.walk(Path.of(module, "src/main/java"))) {
                 for (Path file : files.filter(Files::isRegularFile).toList()) {
                     String name = file.getFileName().toString();

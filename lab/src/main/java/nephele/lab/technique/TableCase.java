@@ -26,7 +26,8 @@ import nephele.engine.scene.View;
  * @param cloud as a sample level has it, with other random numbers
  * @param angularDegrees its least extent seen from the eye
  */
-public record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
+public record TableCase(
+        Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
     /** Angular size of a finite cloud around the eye, as {@link CloudSituation} has it. */
     static final double INSIDE_DEGREES = 90;
 
