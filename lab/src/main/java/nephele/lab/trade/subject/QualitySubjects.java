@@ -39,7 +39,7 @@ public final class QualitySubjects {
                     .toList());
 
     private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(
-                    Stream.of("0.5", "0.59", "0.67", "0.77").flatMap(size -> Stream.of(
+                    Stream.of("0.3", "0.4", "0.5", "0.67").flatMap(size -> Stream.of(
                                     "bilinear", "sharp_bilinear", "edge_adaptive")
                             .map(filter -> new PictureSetting(
                                     new Setting(filter + " " + size, filterNote(filter)),
