@@ -57,7 +57,7 @@ final class MenuPages {
                  "description": "%s", "par": {"seconds": 3600.5, "portals": 100}}"""
                         .formatted("A room with a view of rooms with views. ".repeat(40)));
         LevelFile.save(own.resolve("another.json"), level("levels/samples/exits.json"));
-        menus = new GameMenus(files, LevelCatalogue.campaign(), () -> Input.Device.KEYBOARD);
+        menus = new GameMenus(files, LevelCatalogue.campaign(), LevelCatalogue.titles(), () -> Input.Device.KEYBOARD);
         files.keep(Progress.NONE
                 .withFinished("01-courtyard.json", 3467, 0, 0)
                 .withFinished("02-first-shot.json", 71_790, 12, 0));
