@@ -168,7 +168,7 @@ final class Display implements AutoCloseable {
         try {
             message.say(Phrase.SAVED, screenshots.take(picture));
         } catch (IOException failure) {
-            message.say(failure.getMessage());
+            message.say(Phrase.NOT_SAVED, failure.getMessage());
         }
     }
 

@@ -300,9 +300,9 @@ public final class GameLoop implements AutoCloseable {
                     titles.of(scene.scene().typed(), language(), scene.scene().title()));
             SceneViewer.visit(start, window, input, gl, language());
         } catch (CommandFailure problem) {
-            message.say(problem.getMessage());
+            message.say(Phrase.SCENE_NOT_SHOWN, problem.getMessage());
         } catch (RuntimeException problem) {
-            message.say(LoadProblem.line(problem).orElseThrow(() -> problem));
+            message.say(Phrase.SCENE_NOT_SHOWN, LoadProblem.line(problem).orElseThrow(() -> problem));
         }
         window.title(TITLE);
         lastNanos = System.nanoTime();

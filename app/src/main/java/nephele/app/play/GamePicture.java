@@ -133,7 +133,7 @@ final class GamePicture {
         var content = new HudContent(
                 menu.page(),
                 page,
-                current.figureLines(),
+                current.figureLines(keys().language()),
                 message.texts(),
                 banner(stage, loading),
                 isPlaying && session.walk().observer() == null ? sight(session, area) : null,
@@ -149,7 +149,7 @@ final class GamePicture {
         } else {
             display.draw(session, content, listener, shot);
         }
-        current.figures().frameEnds(session.walk());
+        current.figures().frameEnds(session.walk(), keys().language());
         if (shot == Display.Shot.NONE && !isKept) { // a frame with a screenshot waits for a file
             current.frameCost(display.costMillis(), display.pixels());
         }

@@ -15,6 +15,7 @@ import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.Progress;
 import nephele.app.text.Phrase;
 import nephele.engine.compare.TechniquePair;
+import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.LevelSummary;
@@ -101,7 +102,7 @@ final class LevelPages {
     }
 
     private String about(LevelSummary summary) {
-        String aim = summary.aim().get(writer.language());
+        String aim = summary.aim().getOrDefault(writer.language(), summary.aim().get(Language.EN));
         return shortened(aim == null ? summary.description() : aim, LONGEST_TEXT);
     }
 
