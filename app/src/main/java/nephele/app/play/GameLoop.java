@@ -54,7 +54,7 @@ public final class GameLoop implements AutoCloseable {
     private final GamePicture picture;
     private final SettingsControl settings;
     private final RunCounter counter = new RunCounter();
-    private final TimeLoss timeLoss = new TimeLoss();
+    private final SlowAdvice slow = new SlowAdvice();
     private final FrameCap frameCap = new FrameCap();
     private final PlayRequest first;
     private final LevelTitles titles = LevelCatalogue.titles();
@@ -395,7 +395,7 @@ public final class GameLoop implements AutoCloseable {
         current.isPlayed(display::firstViewMillis);
         lastNanos = System.nanoTime();
         counter.restart();
-        timeLoss.restart();
+        slow.restart();
         input.forgetPresses();
         picture.levelBegins();
         stages.change(GameStage.RUNNING);
@@ -418,9 +418,11 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            var slow = SlowAdvice.picture(window, files.settings());
-            message.say(SlowAdvice.text(current.quality(), slow, language()));
+        if (slow.isTimeLost(now, walk.lostNanos())) {
+            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
+            if (slow.isNews(cause, now, message.showsHint())) {
+                message.sayAside(SlowAdvice.text(cause, language()));
+            }
         }
         if (finished.isPresent()) {
             end(session, finished.get());

@@ -369,10 +369,12 @@ public enum Phrase {
     NO_GOAL("This level names no goal.", "Esta fase não indica um objetivo.", "Este nível não indica um objetivo."),
     HINT_OFFERED("%s: a hint, if you are stuck", "%s: uma dica, se você travou", "%s: uma pista, se não avanças"),
     HINT_GIVEN("Hint %s of %s: %s", "Dica %s de %s: %s", "Pista %s de %s: %s"),
-    NO_HINT_YET(
-            "No hint yet: try for a while",
-            "Ainda sem dica: tente mais um pouco",
-            "Ainda sem pista: tenta mais um pouco"),
+    HINT_COMES("A hint comes in %s", "Uma dica vem em %s", "Uma pista chega dentro de %s"),
+    HINT_NEXT("(the next one in %s)", "(a próxima em %s)", "(a próxima dentro de %s)"),
+    NO_HINT_HERE(
+            "No hint for this place: look around",
+            "Sem dica para este lugar: olhe em volta",
+            "Sem pista para este lugar: olha em volta"),
     NO_HINTS("This level has no hints", "Esta fase não tem dicas", "Este nível não tem pistas"),
     HINTS("Hints", "Dicas", "Pistas"),
     KEY_SPACE("Space", "Espaço", "Espaço"),
