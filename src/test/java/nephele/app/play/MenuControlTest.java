@@ -21,6 +21,7 @@ import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.BeforeEach;
@@ -34,7 +35,8 @@ class MenuControlTest {
 
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final Input input = new Input();
-    private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT), input::device);
+    private final GameMenus menus =
+            new GameMenus(files, List.of(COURTYARD, SHOT), LevelCatalogue.titles(), input::device);
     private final MenuControl control = new MenuControl(input);
 
     @BeforeEach
@@ -90,6 +92,19 @@ class MenuControlTest {
         assertEquals(new Choice.Play(SHOT), menus.title().chosen());
         files.keep(files.progress().withFinished("02-first-shot.json", 1790, 2, 0));
         assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
+    }
+
+    /** Title, pause, list and end call a level by its title in the player's language. */
+    @Test
+    void everyPageNamesALevelInThePlayersLanguage() {
+        files.keep(files.settings().with(Settings.LANGUAGE, Language.PT_PT));
+        files.keep(files.progress().withFinished("01-courtyard.json", 3467, 0, 0));
+        assertEquals("Primeiro disparo", menus.title().entries().get(0).value());
+        assertEquals("Pátio", menus.pause(COURTYARD, null).lines().get(0));
+        assertEquals("Pátio", menus.page(Menu.Page.LEVELS).entries().get(0).label());
+        Menu ended = menus.ended(request(null), new FinishedRun(1790, 2, 0), Progress.NONE, Optional.of(COURTYARD));
+        assertEquals("Primeiro disparo – Concluído", ended.title());
+        assertEquals("Pátio", ended.entries().get(0).value());
     }
 
     @Test

@@ -7,12 +7,15 @@ import java.util.List;
 import java.util.Locale;
 import nephele.app.scenes.OpenedScene;
 import nephele.app.scenes.SceneName;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
 import nephele.app.view.OffscreenTour;
 import nephele.app.view.SceneStart;
 import nephele.app.view.SceneViewer;
 import nephele.app.window.GameWindow;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Language;
 import nephele.engine.render.Capture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.fixed.LightTerm;
@@ -24,6 +27,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
+import nephele.engine.userfile.UserFolders;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -93,7 +97,9 @@ final class SceneCommand implements Command {
             savePicture(start, pixels);
         } else if (SystemDisplay.isPresent()) {
             terminal.shown().run();
-            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()));
+            Language language =
+                    new PlayerFiles(UserFolders.ofThisUser()).settings().get(Settings.LANGUAGE);
+            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()), language);
         } else {
             new OffscreenTour(start, terminal.out()).save(PICTURES, name.stem(), pixels.width(), pixels.height());
         }

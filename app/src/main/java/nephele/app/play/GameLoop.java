@@ -24,6 +24,7 @@ import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
@@ -53,9 +54,10 @@ public final class GameLoop implements AutoCloseable {
     private final GamePicture picture;
     private final SettingsControl settings;
     private final RunCounter counter = new RunCounter();
-    private final TimeLoss timeLoss = new TimeLoss();
+    private final SlowAdvice slow = new SlowAdvice();
     private final FrameCap frameCap = new FrameCap();
     private final PlayRequest first;
+    private final LevelTitles titles = LevelCatalogue.titles();
     private Loading loading;
 
     private Page page = Page.NONE;
@@ -70,14 +72,14 @@ public final class GameLoop implements AutoCloseable {
         this.input = input;
         files = request.player().files();
         log = new StageLog(request.player().log());
-        menus = new GameMenus(files, LevelCatalogue.campaign(), input::device);
+        menus = new GameMenus(files, LevelCatalogue.campaign(), titles, input::device);
         gamepad = new Gamepad(input);
         menu = new MenuControl(input);
         auto = new AutoQuality(files, gl.limits(), request.player().log());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         settings = new SettingsControl(window, input, menus, menu, current, message);
-        picture = new GamePicture(display, current, menu, message, files, input);
+        picture = new GamePicture(display, current, menu, message, files, input, titles);
         settings.applyVerticalSync();
         if (window.mode() == WindowMode.WINDOWED && files.settings().get(Settings.WINDOW_MODE) != WindowMode.WINDOWED) {
             settings.applyMode();
@@ -294,12 +296,13 @@ public final class GameLoop implements AutoCloseable {
         try {
             var opened = OpenedScene.of(scene.scene(), scene.entity(), scene.background(), message::say);
             var start = new SceneStart(opened, SceneAppearance.USUAL, 0);
-            window.title(scene.scene().title());
+            window.title(
+                    titles.of(scene.scene().typed(), language(), scene.scene().title()));
             SceneViewer.visit(start, window, input, gl, language());
         } catch (CommandFailure problem) {
-            message.say(problem.getMessage());
+            message.say(Phrase.SCENE_NOT_SHOWN, problem.getMessage());
         } catch (RuntimeException problem) {
-            message.say(LoadProblem.line(problem).orElseThrow(() -> problem));
+            message.say(Phrase.SCENE_NOT_SHOWN, LoadProblem.line(problem).orElseThrow(() -> problem));
         }
         window.title(TITLE);
         lastNanos = System.nanoTime();
@@ -392,7 +395,7 @@ public final class GameLoop implements AutoCloseable {
         current.isPlayed(display::firstViewMillis);
         lastNanos = System.nanoTime();
         counter.restart();
-        timeLoss.restart();
+        slow.restart();
         input.forgetPresses();
         picture.levelBegins();
         stages.change(GameStage.RUNNING);
@@ -415,9 +418,11 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            var slow = SlowAdvice.picture(window, files.settings());
-            message.say(SlowAdvice.text(current.quality(), slow, language()));
+        if (slow.isTimeLost(now, walk.lostNanos())) {
+            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
+            if (slow.isNews(cause, now, message.showsHint())) {
+                message.sayAside(SlowAdvice.text(cause, language()));
+            }
         }
         if (finished.isPresent()) {
             end(session, finished.get());

@@ -41,13 +41,17 @@ public final class SceneViewer implements AutoCloseable {
         overlay = new ViewerOverlay(gl, language);
     }
 
-    /** Shows a scene until the user leaves. */
-    public static void show(SceneStart start, GameWindow.Request request) {
+    /**
+     * Shows a scene until the user leaves.
+     *
+     * @param language of the hints
+     */
+    public static void show(SceneStart start, GameWindow.Request request, Language language) {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var input = new ViewerInput();
         try (var window = GameWindow.open(request, input);
                 var gl = GlContext.ofCurrent();
-                var viewer = new SceneViewer(start, window, input, gl, Language.EN)) {
+                var viewer = new SceneViewer(start, window, input, gl, language)) {
             while (!viewer.isLeaving()) {
                 viewer.frame();
             }
@@ -148,7 +152,7 @@ public final class SceneViewer implements AutoCloseable {
         try {
             overlay.say(Phrase.SAVED.in(language, screenshots.take(target)));
         } catch (IOException failure) {
-            overlay.say(failure.getMessage());
+            overlay.say(Phrase.NOT_SAVED.in(language, failure.getMessage()));
         }
     }
 
