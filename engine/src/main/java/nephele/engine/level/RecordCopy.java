@@ -22,7 +22,7 @@ public final class RecordCopy {
     /**
      * Returns a copy of a record in which the named components have other values.
      *
-     * @param changes names of components, each followed by its value; whole numbers may stand for {@code double}
+     * @param changes names of components, each followed by its value; a whole number may stand for a {@code double}
      * @throws IllegalArgumentException if the record has no component of a name or it cannot hold the value, and what the
      *     record's own constructor throws
      */
