@@ -30,9 +30,9 @@ public record QualityFront(List<Point> points, int start) {
                     new Point("resolution 0.32", small(0.32), 0.24),
                     new Point("resolution 0.38", small(0.38), 0.28),
                     new Point("low", Quality.LOW, 0.37),
-                    new Point("resolution 0.6", Quality.LOW.withPictureResolution(0.6), 0.46),
+                    new Point("resolution 0.6", Quality.LOW.with("pictureResolution", 0.6), 0.46),
                     new Point("medium", Quality.MEDIUM, 0.58),
-                    new Point("resolution 0.85", Quality.MEDIUM.withPictureResolution(0.85), 0.78),
+                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.78),
                     new Point("high", Quality.HIGH, 1),
                     new Point("ultra", Quality.ULTRA, 2.5)),
             3);
@@ -51,7 +51,7 @@ public record QualityFront(List<Point> points, int start) {
     }
 
     private static Quality small(double resolution) {
-        return Quality.LOW.withPictureResolution(resolution).withUpscale(Quality.Upscale.EDGE_ADAPTIVE);
+        return Quality.LOW.with("pictureResolution", resolution).with("upscale", Quality.Upscale.EDGE_ADAPTIVE);
     }
 
     /** Returns the point of the first frames. */
