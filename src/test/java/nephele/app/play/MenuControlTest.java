@@ -34,8 +34,9 @@ class MenuControlTest {
 
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final Input input = new Input();
+    private long nanos = 1;
     private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT), input::device);
-    private final MenuControl control = new MenuControl(input);
+    private final MenuControl control = new MenuControl(input, () -> nanos);
 
     @BeforeEach
     void open() {
@@ -118,6 +119,22 @@ class MenuControlTest {
         return new PlayRequest(SHOT, from, null, null, null, null, null, null, player);
     }
 
+    /** After a level that cannot be loaded the player is where it was chosen, not in another level's pause. */
+    @Test
+    void pagesOpenAgainAsTheyWere() {
+        control.choiceOf(Control.BACK);
+        control.choiceOf(Control.BACK);
+        control.turnTo(menus.page(Menu.Page.LEVELS));
+        control.choiceOf(Control.BACK);
+        control.close();
+        assertNull(control.page());
+        control.reopen();
+        assertEquals("levels", control.page().name());
+        assertEquals(new Choice.Play(SHOT), control.choiceOf(Control.CONFIRM));
+        control.back();
+        assertEquals(2, control.page().selected());
+    }
+
     /** The first page of a question leads back to the game, not to a page that was never open. */
     @Test
     void nothingIsBelowThePageThatWasOpenedFirst() {
@@ -194,6 +211,32 @@ class MenuControlTest {
         assertInstanceOf(Choice.Quit.class, control.page().chosen());
         input.click();
         assertInstanceOf(Choice.Quit.class, control.choiceOf(AREA, 1));
+    }
+
+    /** Whoever jumps and shoots up to the exit still sees what the run has counted, with the next level selected. */
+    @Test
+    void whatWasMeantForTheGameChoosesNothingAtTheEnd() {
+        control.openUnasked(menus.pause(COURTYARD, "Find the way."));
+        nanos += MenuControl.UNASKED_NANOS - 1;
+        assertNull(control.choiceOf(Control.JUMP));
+        assertNull(control.choiceOf(Control.BACK));
+        input.point(640, row(5) - 1);
+        input.point(640, row(5));
+        input.click();
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals(0, control.page().selected());
+        nanos++;
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals(0, control.page().selected());
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.JUMP));
+    }
+
+    /** A page that the player opens obeys at once, also after one that has opened by itself. */
+    @Test
+    void aPageThatWasAskedForObeysAtOnce() {
+        control.openUnasked(menus.page(Menu.Page.LEVELS));
+        control.open(menus.pause(COURTYARD, "Find the way."));
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.CONFIRM));
     }
 
     /** In a slow frame the pointer may move after a click; the click counts where the button went down. */

@@ -69,7 +69,8 @@ public final class WaitingGame {
         message = parts.message;
         auto = new AutoQuality(files, gl.limits(), usual.player().log());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
-        picture = new GamePicture(parts.display, current, new MenuControl(input), message, files, input);
+        picture = new GamePicture(
+                parts.display, current, new MenuControl(input, System::nanoTime), message, files, input);
         input.bind(Settings.bindings(files.settings()));
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
