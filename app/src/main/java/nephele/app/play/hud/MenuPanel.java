@@ -1,5 +1,6 @@
 package nephele.app.play.hud;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
@@ -24,8 +25,13 @@ public final class MenuPanel {
     private static final double FOOT_EM = 15;
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
+    private static final double LEAST_FOOT_EM = 10;
+    private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
+    /** What the lines of a message may take: from the entries to the panel's edge, less what hangs below a line. */
+    private static final double FOOT_ROOM = FOOT_HEIGHT + PADDING - 2;
+
     private static final double HELP_HEIGHT = 62;
     private static final double HELP_EM = 17;
     private static final int HELP_LINES = 2;
@@ -74,7 +80,7 @@ public final class MenuPanel {
         draw(canvas, menu.foot(), HudPalette.QUIET_INK);
     }
 
-    /** @param foot the text below the entries; one of more than two lines is smaller */
+    /** @param foot the text below the entries, see {@link Foot} */
     void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
@@ -124,17 +130,51 @@ public final class MenuPanel {
         }
     }
 
-    private void drawFoot(OverlayCanvas canvas, double x, String foot, OverlayColour ink) {
-        double em = FOOT_EM;
-        List<String> lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
-        if (lines.size() > FOOT_LINES) {
-            em = FOOT_EM * FOOT_LINES / (FOOT_LINES + 1);
-            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
+    /**
+     * The lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's lower
+     * edge; the end of one that is too long even for the smallest letters is cut.
+     */
+    record Foot(List<String> lines, double em, double firstBaseline) {
+        static Foot of(OverlayCanvas canvas, String text) {
+            double width = WIDTH - 2 * PADDING;
+            List<String> lines = TextLines.of(canvas, FOOT_EM, width, text);
+            if (lines.size() <= FOOT_LINES) {
+                return new Foot(lines, FOOT_EM, FOOT_HEIGHT);
+            }
+            double em = FOOT_EM;
+            while (em > LEAST_FOOT_EM && lines.size() > mostLines(em)) {
+                em--;
+                lines = TextLines.of(canvas, em, width, text);
+            }
+            return new Foot(cut(canvas, em, width, lines), em, em);
         }
-        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight() + FOOT_HEIGHT);
-        for (String line : lines) {
-            canvas.text(x, baseline, scale * em, ink, line);
-            baseline += scale * em * FOOT_LINE_EMS;
+
+        private static int mostLines(double em) {
+            return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
+        }
+
+        private static List<String> cut(OverlayCanvas canvas, double em, double width, List<String> whole) {
+            int most = mostLines(em);
+            if (whole.size() <= most) {
+                return whole;
+            }
+            List<String> shown = new ArrayList<>(whole.subList(0, most));
+            String last = shown.get(most - 1);
+            while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
+                last = last.substring(0, last.length() - 1);
+            }
+            shown.set(most - 1, last + CUT);
+            return shown;
+        }
+    }
+
+    private void drawFoot(OverlayCanvas canvas, double x, String text, OverlayColour ink) {
+        Foot foot = Foot.of(canvas, text);
+        double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
+        double baseline = rowsEnd + scale * foot.firstBaseline();
+        for (String line : foot.lines()) {
+            canvas.text(x, baseline, scale * foot.em(), ink, line);
+            baseline += scale * foot.em() * FOOT_LINE_EMS;
         }
     }
 
