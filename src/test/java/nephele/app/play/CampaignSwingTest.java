@@ -141,7 +141,7 @@ class CampaignSwingTest {
     /** Returns the middle of the first entry of the page after a level. */
     private static int firstEntry() {
         var entries = Collections.nCopies(5, new Entry("entry", new Choice.Quit()));
-        var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, null, "");
+        var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, 0, null, "");
         var panel = new MenuPanel(menu, new Area(640, 360));
         int top = 0;
         while (panel.rowAt(320, top) != 0) {

@@ -248,6 +248,54 @@ class MenuControlTest {
         assertInstanceOf(Choice.Resume.class, control.choiceOf(AREA, 1));
     }
 
+    /** In a list that is longer than the window the pointer chooses what it was over before it selected it. */
+    @Test
+    void theListStaysUnderThePointerAndFollowsTheWheel() {
+        Area low = new Area(640, 360);
+        control.open(menus.page(Menu.Page.KEYS));
+        int first = new MenuPanel(control.page(), low).rowAt(320, 100);
+        for (int y = 100; y < 260; y++) {
+            int row = new MenuPanel(control.page(), low).rowAt(320, y);
+            input.point(320, y);
+            assertNull(control.choiceOf(low, 1));
+            assertEquals(row, control.page().selected(), "y " + y);
+        }
+        assertEquals(first, new MenuPanel(control.page(), low).rowAt(320, 100));
+        input.scroll(-0.75);
+        input.scroll(-1.5);
+        assertNull(control.choiceOf(low, 1));
+        assertEquals(first + 2, new MenuPanel(control.page(), low).rowAt(320, 100));
+        input.scroll(-99);
+        control.choiceOf(low, 1);
+        int last = control.page().entries().size() - 1;
+        int lastSeen = 0;
+        for (int y = 100; y < 360; y++) {
+            lastSeen = Math.max(lastSeen, new MenuPanel(control.page(), low).rowAt(320, y));
+        }
+        assertEquals(last, lastSeen);
+    }
+
+    /** With the mouse alone a number can be lowered as well as raised. */
+    @Test
+    void aClickOnTheLeftOfAValueStepsBack() {
+        control.open(menus.settings(GameSetting.Group.VIEW));
+        var panel = new MenuPanel(control.page(), AREA);
+        int y = 0;
+        while (panel.rowAt(640, y) != 0) {
+            y++;
+        }
+        double right = 640 + 220 - 32;
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, 1), clicked(right - 4, y + 20));
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, -1), clicked(right - 55, y + 20));
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, 1), clicked(640, y + 20));
+    }
+
+    private Choice clicked(double x, double y) {
+        input.point(x, y);
+        input.click();
+        return control.choiceOf(AREA, 1);
+    }
+
     /** Returns the middle of a row of the pause menu, counted from 0. */
     private double row(int number) {
         MenuPanel panel = new MenuPanel(menus.pause(COURTYARD, "Find the way."), AREA);

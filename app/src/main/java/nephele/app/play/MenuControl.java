@@ -72,13 +72,13 @@ final class MenuControl {
     /** Replaces the current page by one with other labels; the selection stays. */
     void rewrite(Menu page) {
         Menu before = pages.pop();
-        pages.push(page.pointedAt(before.selected()));
+        pages.push(page.like(before));
     }
 
     /** Replaces the first page, below all others, by one with other labels. */
     void rewriteFirst(Menu page) {
         Menu before = pages.removeLast();
-        pages.addLast(page.pointedAt(before.selected()));
+        pages.addLast(page.like(before));
     }
 
     /** Closes all pages; {@link #reopen} finds them as they were. */
@@ -135,7 +135,12 @@ final class MenuControl {
             return null;
         }
         var panel = new MenuPanel(page(), area);
-        if (input.takePointerMoved()) {
+        int rows = input.takeScrolledRows();
+        if (rows != 0) {
+            pages.push(pages.pop().centredAt(panel.scrolled(rows)));
+            panel = new MenuPanel(page(), area);
+        }
+        if (input.takePointerMoved() || rows != 0) {
             pointAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
         }
         var click = input.takeClick();
@@ -144,6 +149,7 @@ final class MenuControl {
             return null;
         }
         pointAt(row);
-        return page().chosen();
+        var step = page().stepped(panel.stepAt(row, click.x() / pixelsPerPoint));
+        return step == null ? page().chosen() : step;
     }
 }

@@ -20,7 +20,7 @@ class MenuTest {
             all.add(new Entry("entry " + i, "value", new Choice.Step(Settings.FIELD_OF_VIEW, 1)));
         }
         all.add(new Entry("quit", new Choice.Quit()));
-        return new Menu("m", "Menu", List.of("a line"), all, 0, null, "foot");
+        return new Menu("m", "Menu", List.of("a line"), all, 0, 0, null, "foot");
     }
 
     @Test
@@ -49,7 +49,7 @@ class MenuTest {
         for (double[] size : new double[][] {{640, 360}, {320, 180}, {1280, 720}, {2560, 1080}, {400, 900}}) {
             var area = new Area(size[0], size[1]);
             for (int selected = 0; selected <= 14; selected++) {
-                var panel = new MenuPanel(menu(14).pointedAt(selected), area);
+                var panel = new MenuPanel(menu(14).moved(selected), area);
                 boolean isSeen = false;
                 for (double y = 0; y < area.height(); y++) {
                     isSeen |= panel.rowAt(area.width() / 2, y) == selected;

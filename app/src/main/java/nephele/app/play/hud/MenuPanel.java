@@ -21,6 +21,11 @@ public final class MenuPanel {
     /** The most that a label takes of a row with a value. */
     private static final double LABEL_SHARE = 0.72;
 
+    /** The size of a value in relation to its label's. */
+    private static final double VALUE_SHARE = 0.85;
+    /** A letter's mean width, about. */
+    private static final double LETTER_EMS = 0.5;
+
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
     private static final double FOOT_LINE_EMS = 1.27;
@@ -53,7 +58,7 @@ public final class MenuPanel {
         scale = Math.max(LEAST_SCALE, Math.min(1, wanted));
         int fitting = (int) Math.floor((area.height() / scale - height(0)) / ROW_HEIGHT);
         visibleRows = Math.max(1, Math.min(rows, fitting));
-        firstVisible = Math.max(0, Math.min(menu.selected() - visibleRows / 2, rows - visibleRows));
+        firstVisible = Math.max(0, Math.min(menu.centred() - visibleRows / 2, rows - visibleRows));
     }
 
     private double height(int rows) {
@@ -73,6 +78,23 @@ public final class MenuPanel {
         boolean beside = x < left() || x > left() + scale * WIDTH;
         int row = (int) Math.floor((y - firstRow()) / (scale * ROW_HEIGHT));
         return beside || row < 0 || row >= visibleRows ? -1 : firstVisible + row;
+    }
+
+    /** Returns the row about which the list is shown after it has moved by so many rows. */
+    public int scrolled(int rows) {
+        int last = menu.entries().size() - visibleRows;
+        return Math.max(0, Math.min(last, firstVisible + rows)) + visibleRows / 2;
+    }
+
+    /** Returns the step of a setting for a click: back (−1) on the left half of its value, forward elsewhere. */
+    public int stepAt(int row, double x) {
+        double width = scale
+                * VALUE_SHARE
+                * ROW_EM
+                * LETTER_EMS
+                * menu.entries().get(row).value().length();
+        double fromRight = left() + scale * (WIDTH - PADDING) - x;
+        return fromRight > width / 2 && fromRight < width + scale * GAP ? -1 : 1;
     }
 
     /** Draws the menu with its own foot. */
@@ -211,7 +233,7 @@ public final class MenuPanel {
         double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
         double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
-            double valueEm = 0.85 * em;
+            double valueEm = VALUE_SHARE * em;
             double right = left() + scale * (WIDTH - PADDING);
             double room = right - end - scale * GAP;
             double width = canvas.width(valueEm, entry.value());
