@@ -134,7 +134,7 @@ final class MenuPages {
                             for (int row = 0; row < page.entries().size() - 1; row += 2) {
                                 target.bind();
                                 target.clear(0.3f, 0.4f, 0.5f);
-                                HudContent content = pages.content(page.pointedAt(row), language);
+                                HudContent content = pages.content(page.moved(row), language);
                                 overlay.draw(hud.canvas(content, area(window), scale(window)), target);
                                 Capture.png(
                                         target,

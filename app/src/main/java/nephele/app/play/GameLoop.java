@@ -60,6 +60,9 @@ public final class GameLoop implements AutoCloseable {
     private final LevelTitles titles = LevelCatalogue.titles();
     private Loading loading;
 
+    /** The stage whose menu has started the level that is being loaded; null if the command line has. */
+    private GameStage startedFrom;
+
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
     private long lastNanos = System.nanoTime();
@@ -74,7 +77,7 @@ public final class GameLoop implements AutoCloseable {
         log = new StageLog(request.player().log());
         menus = new GameMenus(files, LevelCatalogue.campaign(), titles, input::device);
         gamepad = new Gamepad(input);
-        menu = new MenuControl(input);
+        menu = new MenuControl(input, System::nanoTime);
         auto = new AutoQuality(files, gl.limits(), request.player().log());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder(), message);
@@ -278,6 +281,7 @@ public final class GameLoop implements AutoCloseable {
 
     /** Starts a level; one that is loaded or being loaded already is used. */
     private void play(PlayRequest next) {
+        startedFrom = stages.current();
         boolean isLoaded = current.session() != null
                 && current.session().request().isPlayedFromStart()
                 && current.session().request().shows(next);
@@ -359,7 +363,8 @@ public final class GameLoop implements AutoCloseable {
     }
 
     /**
-     * Replaces the level. The old one is kept until the new one is complete: after a level that fails the menu opens.
+     * Replaces the level. The old one is kept until the new one is complete: after a level that fails the menu that
+     * started it is there again.
      */
     private void load() {
         try {
@@ -368,18 +373,13 @@ public final class GameLoop implements AutoCloseable {
             begin();
         } catch (RuntimeException problem) {
             var told = LoadProblem.line(problem);
-            boolean mayGoOn = current.session() != null || first.level() == null;
-            if (!mayGoOn || told.isEmpty()) {
+            if (startedFrom == null || told.isEmpty()) {
                 throw problem;
             }
             loading = null;
             message.say(Phrase.NOT_LOADED, told.get());
-            if (current.session() == null) {
-                openTitle();
-                loading = null;
-            } else {
-                openPause();
-            }
+            menu.reopen();
+            stages.change(startedFrom);
         }
     }
 
@@ -446,7 +446,7 @@ public final class GameLoop implements AutoCloseable {
             files.keep(before.withFinished(level.key(), run.ticks(), run.portals(), run.hints()));
         }
         page = Page.NONE;
-        menu.open(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));
+        menu.openUnasked(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));
         stages.change(GameStage.ENDED);
     }
 

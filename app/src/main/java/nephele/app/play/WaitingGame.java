@@ -71,7 +71,13 @@ public final class WaitingGame {
         auto = new AutoQuality(files, gl.limits(), usual.player().log());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
         picture = new GamePicture(
-                parts.display, current, new MenuControl(input), message, files, input, LevelTitles.OF_FILES);
+                parts.display,
+                current,
+                new MenuControl(input, System::nanoTime),
+                message,
+                files,
+                input,
+                LevelTitles.OF_FILES);
         input.bind(Settings.bindings(files.settings()));
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
