@@ -34,7 +34,7 @@ class RecordTextTest {
         for (Class<?> module : List.of(
                 nephele.app.Main.class,
                 nephele.engine.level.Level.class,
-                nephele.lab.prove.Proofs.class,
+                nephele.workshop.prove.Proofs.class,
                 nephele.editor.document.Document.class)) {
             Path root = Path.of(
                     module.getProtectionDomain().getCodeSource().getLocation().getPath());

@@ -27,39 +27,37 @@ final class CodeRules {
     static final List<ArchRule> ALL = List.of(
             classes()
                     .that()
-                    .resideInAPackage("nephele.engine..")
+                    .resideInAnyPackage("nephele.engine..", "nephele.scenes..")
                     .should(PackageTable.useOnlyWhatTheTableAllows())
-                    .as("engine packages use only what the table in ARCHITECTURE allows"),
+                    .as("packages of engine and scenes use only what the table in ARCHITECTURE allows"),
             classes()
                     .that()
                     .resideInAPackage("nephele.engine.render.pass..")
                     .should(PackageTable.useNoOtherPass())
                     .as("a pass uses no other pass"),
+            classes()
+                    .that()
+                    .resideInAPackage("nephele..")
+                    .should(PackageTable.useOnlyModulesOfTheTable())
+                    .as("a module uses only those that the table in ARCHITECTURE allows"),
             noClasses()
                     .that()
-                    .resideInAnyPackage("nephele.engine..", "nephele.lab..", "nephele.editor..")
-                    .should()
-                    .dependOnClassesThat()
-                    .resideInAPackage("nephele.app..")
-                    .as("nobody uses app"),
-            noClasses()
-                    .that()
-                    .resideInAnyPackage("nephele.engine..", "nephele.lab..")
-                    .should()
-                    .dependOnClassesThat()
-                    .resideInAPackage("nephele.editor..")
-                    .as("neither engine nor lab uses the editor"),
-            noClasses()
-                    .that()
-                    .resideInAPackage("nephele.engine..")
-                    .or()
                     .resideInAPackage("nephele.app..")
                     .and()
                     .resideOutsideOfPackage("nephele.app.command..")
                     .should()
                     .dependOnClassesThat()
                     .resideInAPackage("nephele.lab..")
-                    .as("of engine and app only commands use the lab"),
+                    .as("of app only commands use the lab"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.app..")
+                    .and()
+                    .resideOutsideOfPackages("nephele.app.command..", "nephele.app.view..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("nephele.scenes..")
+                    .as("of app only commands and the viewer's window use XML scenes"),
             slices().assignedFrom(PackageTable.slices())
                     .should()
                     .beFreeOfCycles()
@@ -78,7 +76,7 @@ final class CodeRules {
                     .as("no simple name twice"),
             noClasses()
                     .that()
-                    .resideInAPackage("nephele.engine..")
+                    .resideInAnyPackage("nephele.engine..", "nephele.scenes.xml..")
                     .and()
                     .resideOutsideOfPackages("nephele.engine.render..", "nephele.engine.asset..")
                     .should()
@@ -104,7 +102,7 @@ final class CodeRules {
                     .as("colour profiles are used in one class"),
             noClasses()
                     .that()
-                    .resideInAPackage("nephele.engine.render..")
+                    .resideInAnyPackage("nephele.engine.render..", "nephele.scenes..")
                     .should()
                     .dependOnClassesThat(describe("AWT but images, or Swing", type -> type.getPackageName()
                             .matches("javax\\.swing.*|java\\.awt(?!\\.image).*")))

@@ -24,7 +24,6 @@ final class PackageTable {
             "asset",
             "model",
             "portal",
-            "xmlscene",
             "scene",
             "collision",
             "sim",
@@ -44,7 +43,6 @@ final class PackageTable {
         USES.put("asset", List.of("math", "work"));
         USES.put("model", List.of("math", "asset"));
         USES.put("portal", List.of("level"));
-        USES.put("xmlscene", List.of("level", "model"));
         USES.put("scene", List.of("portal", "model", "asset"));
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
@@ -55,7 +53,6 @@ final class PackageTable {
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of("work"));
-        USES.put("render.fixed", with("render.gl", HEADLESS));
         USES.put("render.line", with("render.gl", HEADLESS));
         USES.put("render.resource", with("render.gl", HEADLESS));
         USES.put("render.frame", List.of("render.resource"));
@@ -67,6 +64,10 @@ final class PackageTable {
         USES.put("playthrough", List.of("named"));
         USES.put("compare", List.of("render", "measure"));
         USES.put("draw", List.of("render", "named"));
+        USES.put("scenes.xml", List.of("level", "model"));
+        USES.put("scenes.fixed", with("scenes.xml", with("render.gl", HEADLESS)));
+        USES.put("scenes.file", List.of("scenes.fixed", "terminal"));
+        USES.put("scenes.view", List.of("scenes.file", "render"));
     }
 
     private PackageTable() {}
@@ -80,7 +81,8 @@ final class PackageTable {
     static String row(String packageName) {
         String best = null;
         for (String row : USES.keySet()) {
-            boolean holds = (packageName + ".").startsWith(ENGINE + row + ".");
+            String prefix = row.startsWith("scenes.") ? "nephele." : ENGINE;
+            boolean holds = (packageName + ".").startsWith(prefix + row + ".");
             if (holds && (best == null || row.length() > best.length())) {
                 best = row;
             }
@@ -99,6 +101,40 @@ final class PackageTable {
         if (reached.add(row)) {
             USES.get(row).forEach(next -> reach(next, reached));
         }
+    }
+
+    /** The modules that each module uses. */
+    static final Map<String, List<String>> MODULES = Map.of(
+            "engine", List.of(),
+            "scenes", List.of("engine"),
+            "lab", List.of("engine", "scenes"),
+            "editor", List.of("engine"),
+            "app", List.of("engine", "scenes", "lab", "editor"),
+            "workshop", List.of("engine", "scenes", "lab", "editor", "app"));
+
+    static ArchCondition<JavaClass> useOnlyModulesOfTheTable() {
+        return new ArchCondition<>("use only modules that the table allows") {
+            @Override
+            public void check(JavaClass origin, ConditionEvents events) {
+                String own = module(origin);
+                if (!MODULES.containsKey(own)) {
+                    events.add(SimpleConditionEvent.violated(origin, origin.getName() + " is in no module"));
+                    return;
+                }
+                origin.getDirectDependenciesFromSelf().forEach(dependency -> {
+                    String other = module(dependency.getTargetClass().getBaseComponentType());
+                    if (other != null && !other.equals(own) && !MODULES.get(own).contains(other)) {
+                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
+                    }
+                });
+            }
+        };
+    }
+
+    /** Returns the module of a class of ours, named like its package; {@code null} of any other class. */
+    private static String module(JavaClass type) {
+        String[] words = type.getPackageName().split("\\.");
+        return words.length > 1 && words[0].equals("nephele") ? words[1] : null;
     }
 
     /** Returns one slice for each package, so that a package and its subpackages can form a cycle, too. */

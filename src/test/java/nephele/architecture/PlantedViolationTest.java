@@ -67,6 +67,14 @@ class PlantedViolationTest {
         plant("nephele.engine.playthrough.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.play.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.command.SeesLab", "nephele.lab.SeesApp l;");
+        plant("nephele.scenes.fixed.Drawing", "");
+        plant("nephele.scenes.xml.SeesDrawing", "nephele.scenes.fixed.Drawing d;");
+        plant("nephele.editor.SeesScenes", "nephele.scenes.fixed.Drawing d;");
+        plant("nephele.app.play.SeesScenes", "nephele.scenes.fixed.Drawing d;");
+        plant("nephele.workshop.Proof", "");
+        plant("nephele.app.command.SeesWorkshop", "nephele.workshop.Proof p;");
+        plant("nephele.editor.pane.SeesLab", "nephele.lab.SeesApp l;");
+        plant("nephele.nowhere.InNoModule", "");
         plant("nephele.engine.portal.RoundA", "nephele.engine.cloud.RoundB b;");
         plant("nephele.engine.cloud.RoundB", "nephele.engine.portal.RoundA a;");
         plant("nephele.engine.level.ring.RoundC", "nephele.engine.level.RoundD d;");
@@ -103,14 +111,20 @@ class PlantedViolationTest {
 
     static List<String[]> plantedByRule() {
         return List.of(
-                new String[] {"engine packages use only", "math.SeesLevel"},
-                new String[] {"engine packages use only", "unknown.InNoRow"},
+                new String[] {"engine and scenes use only", "math.SeesLevel"},
+                new String[] {"engine and scenes use only", "unknown.InNoRow"},
                 new String[] {"a pass uses no other pass", "fog.SeesSky"},
-                new String[] {"nobody uses app", "editor.SeesApp"},
-                new String[] {"nobody uses app", "lab.SeesApp"},
-                new String[] {"neither engine nor lab", "scene.SeesEditor"},
-                new String[] {"neither engine nor lab", "lab.SeesEditor"},
-                new String[] {"only commands use the lab", "playthrough.SeesLab"},
+                new String[] {"engine and scenes use only", "scenes.xml.SeesDrawing"},
+                new String[] {"a module uses only", "editor.SeesApp"},
+                new String[] {"a module uses only", "editor.SeesScenes"},
+                new String[] {"a module uses only", "lab.SeesApp"},
+                new String[] {"a module uses only", "app.command.SeesWorkshop"},
+                new String[] {"a module uses only", "pane.SeesLab"},
+                new String[] {"a module uses only", "scene.SeesEditor"},
+                new String[] {"a module uses only", "lab.SeesEditor"},
+                new String[] {"a module uses only", "playthrough.SeesLab"},
+                new String[] {"a module uses only", "nowhere.InNoModule"},
+                new String[] {"only commands and the viewer", "play.SeesScenes"},
                 new String[] {"only commands use the lab", "play.SeesLab"},
                 new String[] {"no cycles", "portal.RoundA"},
                 new String[] {"no cycles", "level.ring.RoundC"},

@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 final class Mutants {
     static final String ENGINE = "engine/src/main/java/nephele/engine/";
     static final String SHADERS = "engine/src/main/resources/nephele/engine/render/";
+    static final String SCENES = "scenes/src/main/";
 
     static final List<Mutant> ALL = Stream.of(
                     PictureMutants.ALL,

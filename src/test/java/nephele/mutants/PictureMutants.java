@@ -8,6 +8,7 @@ import static nephele.mutants.Mutant.Area.MODEL;
 import static nephele.mutants.Mutant.Area.SHADOW;
 import static nephele.mutants.Mutant.Area.SRGB;
 import static nephele.mutants.Mutants.ENGINE;
+import static nephele.mutants.Mutants.SCENES;
 import static nephele.mutants.Mutants.SHADERS;
 
 import java.util.List;
@@ -165,7 +166,7 @@ final class PictureMutants {
             new Mutant(
                     CULLING,
                     "mirrored models show their insides",
-                    ENGINE + "render/fixed/FixedModels.java",
+                    SCENES + "java/nephele/scenes/fixed/FixedModels.java",
                     "? Cull.FRONT : Cull.BACK",
                     "? Cull.BACK : Cull.BACK",
                     "FixedSceneGlTest"),
@@ -179,7 +180,7 @@ final class PictureMutants {
             new Mutant(
                     LIGHT,
                     "a spot light has no edge",
-                    SHADERS + "include/fixed-light.glsl",
+                    SCENES + "resources/nephele/scenes/fixed/fixed-light.glsl",
                     "along < spot.w ? 0.0 : fixedPower",
                     "fixedPower",
                     "FixedLightGlTest"),

@@ -4,8 +4,11 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
+import nephele.app.command.CommandEntry;
 import nephele.app.command.CommandLineFront;
+import nephele.app.command.Commands;
 import nephele.engine.terminal.LongWork;
 import nephele.engine.terminal.Terminal;
 
@@ -14,13 +17,18 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] args) {
+        run(Commands.ALL, args);
+    }
+
+    /** Runs one of these commands and ends the process with its exit code. */
+    public static void run(List<CommandEntry> commands, String... args) {
         Utf8Locale.require();
         MesaCache.protect();
         Locale.setDefault(Locale.ROOT);
         trustExtractedLibraries();
         var work = LongWork.begin(new FileOutputStream(FileDescriptor.err), named(args));
         var terminal = new Terminal(utf8(FileDescriptor.out), work.err(), work::done);
-        var exitCode = new CommandLineFront(terminal).run(args);
+        var exitCode = new CommandLineFront(terminal, commands).run(args);
         work.done();
         terminal.out().flush();
         terminal.err().flush();

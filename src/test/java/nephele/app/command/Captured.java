@@ -8,15 +8,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
 import nephele.engine.terminal.Terminal;
+import nephele.workshop.Workshop;
 
 /** The exit code and output of a command run in this process. */
-record Captured(int exitCode, String out, String err) {
+public record Captured(int exitCode, String out, String err) {
     /** A record or an exception as Java writes it, which no user should read. */
     private static final Pattern OF_JAVA =
             Pattern.compile("[A-Z]\\w+\\[\\w+=|\\bjavax?\\.[a-z]|\\bnephele\\.[a-z]+\\.|\\w+Exception|\\w+Error\\b");
 
     /** Runs a command, whose output must be in plain words unless {@code --verbose} asks for more. */
-    static Captured run(String... arguments) {
+    public static Captured run(String... arguments) {
         Captured answer = runAsItIs(arguments);
         var ofJava = OF_JAVA.matcher(answer.out + answer.err);
         assertFalse(
@@ -29,7 +30,8 @@ record Captured(int exitCode, String out, String err) {
         var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
         var terminal = new Terminal(stream(out), stream(err));
-        int exitCode = new CommandLineFront(terminal).run(arguments).number();
+        int exitCode =
+                new CommandLineFront(terminal, Workshop.COMMANDS).run(arguments).number();
         return new Captured(exitCode, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
     }
 

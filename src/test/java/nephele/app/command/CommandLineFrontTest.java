@@ -5,12 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.util.stream.Stream;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandLineFrontTest {
     static Stream<String> commandNames() {
@@ -87,5 +92,16 @@ class CommandLineFrontTest {
                         "prove --count x|--count",
                         "prove --count 0|--count")
                 .map(line -> Arguments.of((Object[]) line.split("\\|")));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"prove", "prove --list", "prove rotations --count 1"})
+    void theJarSaysWhereProofsRun(String line) {
+        var out = new ByteArrayOutputStream();
+        var err = new ByteArrayOutputStream();
+        var terminal = new Terminal(new PrintStream(out, true), new PrintStream(err, true));
+        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal, Commands.ALL).run(line.split(" ")));
+        assertEquals("", out.toString());
+        assertTrue(err.toString().contains("./nephele prove"), err.toString());
     }
 }

@@ -11,8 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import nephele.app.scenes.OpenedScene;
-import nephele.app.scenes.SceneName;
+import nephele.scenes.file.OpenedScene;
+import nephele.scenes.file.SceneName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

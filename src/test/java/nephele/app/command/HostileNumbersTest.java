@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import nephele.engine.level.Range;
+import nephele.workshop.Workshop;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,7 +73,7 @@ class HostileNumbersTest {
 
     private record NumericOption(String command, OptionSpec option) {
         static Stream<NumericOption> all() {
-            return Commands.ALL.stream()
+            return Workshop.COMMANDS.stream()
                     .flatMap(entry -> new CommandLine(entry.build().get())
                             .getCommandSpec().options().stream()
                                     .filter(option -> NUMBERS.contains(option.type()))

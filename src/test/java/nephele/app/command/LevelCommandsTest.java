@@ -203,11 +203,13 @@ class LevelCommandsTest {
             }
         };
         var terminal = new Terminal(new PrintStream(full, true), new PrintStream(err, true));
-        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal).run("simulate", WALKING, "--every", "9999"));
+        assertEquals(
+                ExitCode.ENVIRONMENT,
+                new CommandLineFront(terminal, Commands.ALL).run("simulate", WALKING, "--every", "9999"));
         assertTrue(
                 err.toString(StandardCharsets.UTF_8).startsWith("nephele: the output is incomplete"), err.toString());
-        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal).run("--help"));
-        assertEquals(ExitCode.USAGE, new CommandLineFront(terminal).run("no-such-command"));
+        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal, Commands.ALL).run("--help"));
+        assertEquals(ExitCode.USAGE, new CommandLineFront(terminal, Commands.ALL).run("no-such-command"));
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.command.CommandLineFront;
+import nephele.app.command.Commands;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 
@@ -94,7 +95,7 @@ final class CorpusRun {
     private static ExitCode command(ByteArrayOutputStream err, String... words) {
         var out = new PrintStream(new ByteArrayOutputStream(), false, StandardCharsets.UTF_8);
         var terminal = new Terminal(out, new PrintStream(err, true, StandardCharsets.UTF_8));
-        return new CommandLineFront(terminal).run(words);
+        return new CommandLineFront(terminal, Commands.ALL).run(words);
     }
 
     private double secondsSince(long before) {

@@ -21,7 +21,7 @@ import nephele.engine.model.file.ModelFiles;
 import nephele.engine.model.shape.BezierPatches;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.userfile.UserFile;
-import nephele.engine.xmlscene.XmlSceneFile;
+import nephele.scenes.xml.XmlSceneFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,7 +35,7 @@ class TextEncodingsTest {
     /** Files of the system or of this program's own processes, which only this system writes. */
     private static final List<String> NO_USERS_FILES = List.of(
             "StartProfile.java",
-            "ProofEnvironment.java",
+            "Provenance.java",
             "JvmVariant.java",
             "ReplayProcess.java",
             "EditorOpenSaveProof.java",
@@ -144,7 +144,7 @@ class TextEncodingsTest {
     @Test
     void textFilesOfUsersAreDecodedInOnePlace() throws IOException {
         var found = new ArrayList<String>();
-        for (String module : List.of("engine", "editor", "lab", "app")) {
+        for (String module : List.of("engine", "scenes", "editor", "lab", "app", "workshop")) {
             try (var files = Files.walk(Path.of(module, "src/main/java"))) {
                 for (Path file : files.filter(Files::isRegularFile).toList()) {
                     String name = file.getFileName().toString();

@@ -21,7 +21,6 @@ import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
-import nephele.app.scenes.SceneName;
 import nephele.app.settings.Settings;
 import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.Language;
@@ -30,6 +29,7 @@ import nephele.engine.named.LevelName;
 import nephele.engine.named.SampleCatalogue;
 import nephele.engine.render.pass.overlay.DrawnBounds;
 import nephele.engine.render.pass.overlay.Lettering;
+import nephele.scenes.file.SceneName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

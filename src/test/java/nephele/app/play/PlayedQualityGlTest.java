@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import nephele.app.command.CommandLineFront;
+import nephele.app.command.Commands;
 import nephele.app.settings.PlayerFiles;
 import nephele.engine.compare.Wipe;
 import nephele.engine.draw.Preparation;
@@ -52,7 +53,10 @@ class PlayedQualityGlTest {
         System.arraycopy(more, 0, all, words.length, more.length);
         var err = new ByteArrayOutputStream();
         var terminal = new Terminal(new PrintStream(err), new PrintStream(err, true, StandardCharsets.UTF_8));
-        assertEquals(0, new CommandLineFront(terminal).run(all).number(), err.toString(StandardCharsets.UTF_8));
+        assertEquals(
+                0,
+                new CommandLineFront(terminal, Commands.ALL).run(all).number(),
+                err.toString(StandardCharsets.UTF_8));
         return out;
     }
 

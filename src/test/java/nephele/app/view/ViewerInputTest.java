@@ -5,6 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.util.HashSet;
 import java.util.Set;
+import nephele.engine.level.Language;
+import nephele.engine.math.Vec3;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.fixed.Shading;
+import nephele.scenes.view.ViewerKey;
+import nephele.scenes.view.ViewerState;
+import nephele.scenes.xml.XmlScene;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.glfw.GLFW;
 
@@ -69,5 +76,20 @@ class ViewerInputTest {
         assertEquals(Set.of(ViewerKey.values()), seen);
         input.key(-1, true);
         assertNull(input.nextPressed());
+    }
+
+    @Test
+    void whatAKeyChangesIsToldInWordsWhereThePictureDoesNotShowIt() {
+        var viewing = ViewerState.alone(
+                new XmlScene.Eye(Vec3.ZERO, new Vec3(0, 0, 1), new Vec3(0, 1, 0), 45, 1, 1000),
+                SceneAppearance.USUAL.with(Shading.PHONG),
+                0);
+        assertEquals("Shading: Phong", change(ViewerKey.SHADING, viewing));
+        assertEquals("Light: ambient, diffuse, specular, emissive", change(ViewerKey.DIFFUSE, viewing));
+        assertEquals("", change(ViewerKey.AXES, viewing));
+    }
+
+    private static String change(ViewerKey key, ViewerState viewing) {
+        return SceneViewer.change(key, viewing, Language.EN).orElse("");
     }
 }

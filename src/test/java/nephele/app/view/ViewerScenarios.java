@@ -6,13 +6,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
-import nephele.app.scenes.OpenedScene;
-import nephele.app.scenes.SceneName;
 import nephele.app.window.GameWindow;
 import nephele.engine.level.Language;
-import nephele.engine.render.fixed.SceneAppearance;
-import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
+import nephele.scenes.file.OpenedScene;
+import nephele.scenes.file.SceneName;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.fixed.Shading;
+import nephele.scenes.view.SceneStart;
+import nephele.scenes.view.ThirdPersonCamera;
+import nephele.scenes.view.ViewerAngles;
 
 /**
  * The viewer in a real window, run by {@link SceneViewerSwingTest} in a process that has a display. Prints a line for

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Delta-Eddington fluxes are near those of adding-doubling, keep energy, and are finite at every limit. */
 class TwoStreamSlabTest {
-    private static final String TRUTH = "/nephele/lab/prove/cloud/slab_truth.csv";
+    private static final String TRUTH = "/nephele/workshop/prove/cloud/slab_truth.csv";
 
     /** Greatest errors of both fluxes by the cosine of the beam, for asymmetry 0.85 and for the smaller ones. */
     private static final Map<Double, Double> FORWARD =

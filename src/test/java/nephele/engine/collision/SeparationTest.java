@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
-import nephele.lab.prove.geometry.BruteForce;
+import nephele.workshop.prove.geometry.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;

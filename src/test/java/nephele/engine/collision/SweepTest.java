@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
-import nephele.lab.prove.geometry.BruteForce;
+import nephele.workshop.prove.geometry.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -15,8 +15,8 @@ import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
-import nephele.lab.prove.portals.DoorwayRooms;
-import nephele.lab.prove.portals.DoorwayRooms.Doors;
+import nephele.workshop.prove.portals.DoorwayRooms;
+import nephele.workshop.prove.portals.DoorwayRooms.Doors;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 

@@ -10,7 +10,7 @@ import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
-import nephele.lab.prove.geometry.BruteForce;
+import nephele.workshop.prove.geometry.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -1,14 +1,11 @@
 package nephele.app.command;
 
 import java.util.stream.IntStream;
-import nephele.app.scenes.OpenedScene;
-import nephele.app.scenes.SceneName;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
-import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
@@ -20,6 +17,9 @@ import nephele.lab.bench.Drawing;
 import nephele.lab.bench.LevelDrawing;
 import nephele.lab.bench.PerPass;
 import nephele.lab.bench.SceneDrawing;
+import nephele.scenes.file.OpenedScene;
+import nephele.scenes.file.SceneName;
+import nephele.scenes.fixed.FixedSceneDrawing;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;

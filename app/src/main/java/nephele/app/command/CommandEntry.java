@@ -8,7 +8,8 @@ import java.util.function.Supplier;
  * @param preload starts background loading before the options are read
  */
 public record CommandEntry(String name, String summary, Supplier<Command> build, Supplier<Preload> preload) {
-    CommandEntry(String name, String summary, Supplier<Command> build) {
+    /** Creates a command that loads nothing in the background. */
+    public CommandEntry(String name, String summary, Supplier<Command> build) {
         this(name, summary, build, Preload::nothing);
     }
 }

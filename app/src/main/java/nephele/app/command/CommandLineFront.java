@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.asset.FileName;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.render.fixed.LightTerm;
-import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.frame.Output;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.ProgramVersion;
 import nephele.engine.terminal.Terminal;
+import nephele.scenes.fixed.LightTerm;
+import nephele.scenes.fixed.Shading;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -23,9 +23,12 @@ public final class CommandLineFront {
     private static final int NAME_WIDTH = 10;
 
     private final Terminal terminal;
+    private final List<CommandEntry> commands;
 
-    public CommandLineFront(Terminal terminal) {
+    /** @param commands in the order of the help text */
+    public CommandLineFront(Terminal terminal, List<CommandEntry> commands) {
         this.terminal = terminal;
+        this.commands = commands;
     }
 
     /** Runs the command of the arguments. Returns exit code 3 if its output could not be written. */
@@ -50,7 +53,9 @@ public final class CommandLineFront {
             terminal.out().println(ProgramVersion.line());
             return ExitCode.DONE;
         }
-        var entry = Commands.named(words.get(0));
+        var entry = commands.stream()
+                .filter(known -> known.name().equals(words.get(0)))
+                .findFirst();
         if (entry.isEmpty()) {
             terminal.err().println("nephele: " + unknown(words.get(0)));
             return ExitCode.USAGE;
@@ -124,8 +129,8 @@ public final class CommandLineFront {
                 .orElse("");
     }
 
-    private static String overview() {
-        var lines = Commands.ALL.stream()
+    private String overview() {
+        var lines = commands.stream()
                 .map(entry -> "  " + padded(entry.name()) + entry.summary() + "\n")
                 .collect(Collectors.joining());
         return "Usage: nephele COMMAND [ARGUMENT...]\n\n" + lines
@@ -134,9 +139,9 @@ public final class CommandLineFront {
                 + " input has errors, 2 wrong usage, 3 the environment lacks something.\n";
     }
 
-    private static String unknown(String word) {
+    private String unknown(String word) {
         return "unknown command `" + word + "`"
-                + NearestWord.proposal(word, Commands.ALL.stream().map(CommandEntry::name))
+                + NearestWord.proposal(word, commands.stream().map(CommandEntry::name))
                 + "\n`nephele --help` lists the commands.";
     }
 

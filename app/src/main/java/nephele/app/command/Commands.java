@@ -1,7 +1,6 @@
 package nephele.app.command;
 
 import java.util.List;
-import java.util.Optional;
 
 /**
  * All commands in the order of the help text; the only registration. The entries are lambdas, because a constructor
@@ -18,7 +17,7 @@ public final class Commands {
                     "simulate", "Play a replay without graphics and print hashes", () -> new SimulateCommand()),
             new CommandEntry("bench", "Measure a level's frames", () -> new BenchCommand()),
             new CommandEntry(
-                    "prove", "Run the proofs at full count and write docs/proofs.md", () -> new ProveCommand()),
+                    "prove", "Run the proofs at full count and write docs/proofs.md", () -> new CheckoutCommand()),
             new CommandEntry("edit", "Edit a level: edit [LEVEL], or run a script of edits", () -> new EditCommand()),
             new CommandEntry(
                     "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", () -> new TradeCommand()),
@@ -41,8 +40,4 @@ public final class Commands {
                     () -> new ImportCommand()));
 
     private Commands() {}
-
-    public static Optional<CommandEntry> named(String name) {
-        return ALL.stream().filter(entry -> entry.name().equals(name)).findFirst();
-    }
 }

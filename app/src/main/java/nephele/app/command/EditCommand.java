@@ -6,8 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
-import nephele.app.scenes.SceneImport;
-import nephele.app.scenes.SceneName;
 import nephele.app.window.SystemDisplay;
 import nephele.editor.pane.OpeningViews;
 import nephele.editor.save.DocumentFile;
@@ -26,6 +24,8 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import nephele.engine.userfile.UserFolders;
+import nephele.scenes.file.SceneImport;
+import nephele.scenes.file.SceneName;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

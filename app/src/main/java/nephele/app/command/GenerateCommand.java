@@ -19,11 +19,11 @@ import nephele.engine.model.shape.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.art.plant.PlantKind;
-import nephele.lab.art.plant.PlantKind.Family;
-import nephele.lab.art.plant.PlantKinds;
-import nephele.lab.art.terrain.TerrainFile;
-import nephele.lab.art.terrain.TerrainPainter;
+import nephele.lab.plant.PlantKind;
+import nephele.lab.plant.PlantKind.Family;
+import nephele.lab.plant.PlantKinds;
+import nephele.lab.terrain.TerrainFile;
+import nephele.lab.terrain.TerrainGenerator;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -102,7 +102,7 @@ final class GenerateCommand implements Command {
         int seed = whole("SEED", words.get(1), Integer.MIN_VALUE, Integer.MAX_VALUE);
         int side = whole("SIZE", words.get(2), HeightMap.LEAST_SAMPLES, HeightMap.MOST_SAMPLES);
         Path out = out(".png");
-        byte[] picture = TerrainFile.png(TerrainPainter.heights(seed, side), side);
+        byte[] picture = TerrainFile.png(TerrainGenerator.heights(seed, side), side);
         WrittenFile.write(out, file -> AtomicFile.write(file, picture));
         return ExitCode.DONE;
     }

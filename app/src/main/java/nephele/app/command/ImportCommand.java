@@ -2,11 +2,11 @@ package nephele.app.command;
 
 import java.nio.file.Path;
 import java.util.Locale;
-import nephele.app.scenes.SceneImport;
-import nephele.app.scenes.SceneName;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
+import nephele.scenes.file.SceneImport;
+import nephele.scenes.file.SceneName;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

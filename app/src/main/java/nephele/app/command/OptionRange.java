@@ -24,13 +24,13 @@ import picocli.CommandLine.ParseResult;
  * @param allowed the range in words
  * @param contains tells whether a word is a number in the range
  */
-record OptionRange(String allowed, Predicate<String> contains) {
+public record OptionRange(String allowed, Predicate<String> contains) {
     private static final String DECIMAL = "[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]{1,9})?";
 
     /** The range of an option with a whole number. */
     @Retention(RetentionPolicy.RUNTIME)
     @Target(ElementType.FIELD)
-    @interface Whole {
+    public @interface Whole {
         /** The least number that is allowed. */
         long least();
 
@@ -41,7 +41,7 @@ record OptionRange(String allowed, Predicate<String> contains) {
     /** The range of an option with a decimal number. */
     @Retention(RetentionPolicy.RUNTIME)
     @Target(ElementType.FIELD)
-    @interface Decimal {
+    public @interface Decimal {
         /** The least number that is allowed. */
         double least();
 

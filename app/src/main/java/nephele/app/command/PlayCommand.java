@@ -10,6 +10,7 @@ import nephele.app.play.WaitingGame;
 import nephele.app.play.WindowedGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
+import nephele.app.view.SceneViewer;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowSize;
 import nephele.engine.compare.TechniquePair;
@@ -163,7 +164,7 @@ final class PlayCommand implements Command {
                 settings(),
                 compared,
                 picture,
-                new PlayRequest.Player(files, log));
+                new PlayRequest.Player(files, log, SceneViewer::visit));
     }
 
     /** @param chosen by the player's settings; null for none */

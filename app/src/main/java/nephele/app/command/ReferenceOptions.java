@@ -32,7 +32,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
-final class ReferenceOptions {
+public final class ReferenceOptions {
     private static final int USUAL_SAMPLES = 64;
     private static final int MOST_SAMPLES = 1 << 20;
 
@@ -200,7 +200,7 @@ final class ReferenceOptions {
     }
 
     /** Reads {@code i/n}. */
-    static final class ShardConverter implements ITypeConverter<Shard> {
+    public static final class ShardConverter implements ITypeConverter<Shard> {
         @Override
         public Shard convert(String text) {
             try {

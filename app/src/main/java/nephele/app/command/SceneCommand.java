@@ -5,22 +5,14 @@ import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import nephele.app.scenes.OpenedScene;
-import nephele.app.scenes.SceneName;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.view.OffscreenTour;
-import nephele.app.view.SceneStart;
 import nephele.app.view.SceneViewer;
 import nephele.app.window.GameWindow;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Language;
 import nephele.engine.render.Capture;
-import nephele.engine.render.fixed.FixedSceneDrawing;
-import nephele.engine.render.fixed.LightTerm;
-import nephele.engine.render.fixed.SceneAppearance;
-import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -28,6 +20,14 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import nephele.engine.userfile.UserFolders;
+import nephele.scenes.file.OpenedScene;
+import nephele.scenes.file.SceneName;
+import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.LightTerm;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.fixed.Shading;
+import nephele.scenes.view.OffscreenTour;
+import nephele.scenes.view.SceneStart;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -108,7 +108,7 @@ final class SceneCommand implements Command {
 
     private OpenedScene opened(SceneName name, Terminal terminal) {
         if (scene == null) {
-            return OpenedScene.of(name, SceneName.SAMPLE_ENTITY, SceneName.SAMPLE_BACKGROUND, terminal.err()::println);
+            return OpenedScene.ofGame(name, terminal.err()::println);
         }
         return OpenedScene.of(name, entity == null ? null : new SceneName(entity), background, terminal.err()::println);
     }

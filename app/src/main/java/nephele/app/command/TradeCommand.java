@@ -14,10 +14,10 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.ProofEnvironment;
 import nephele.lab.technique.LevelTable;
 import nephele.lab.technique.TableMaker;
 import nephele.lab.technique.page.CloudPages;
+import nephele.lab.trade.Provenance;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.report.Circumstances;
@@ -179,9 +179,9 @@ final class TradeCommand implements Command {
                                 : run.opened().level().name(),
                 isOfSkies ? "skies of the samples" : request.level(),
                 pictures,
-                ProofEnvironment.machine(),
+                Provenance.machine(),
                 run.graphics(),
-                ProofEnvironment.commit(),
+                Provenance.commit(),
                 LocalDate.now(ZoneOffset.UTC).toString());
     }
 }

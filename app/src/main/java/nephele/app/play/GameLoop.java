@@ -5,14 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
-import nephele.app.scenes.OpenedScene;
-import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
-import nephele.app.view.SceneStart;
-import nephele.app.view.SceneViewer;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Gamepad;
@@ -25,7 +21,6 @@ import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.LevelTitles;
-import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
 
@@ -296,13 +291,10 @@ public final class GameLoop implements AutoCloseable {
     }
 
     /** Shows an XML scene in its viewer until the player leaves it; the menu is then as before. */
-    private void visit(SceneVisit scene) {
+    private void visit(String scene) {
         try {
-            var opened = OpenedScene.of(scene.scene(), scene.entity(), scene.background(), message::say);
-            var start = new SceneStart(opened, SceneAppearance.USUAL, 0);
-            window.title(
-                    titles.of(scene.scene().typed(), language(), scene.scene().title()));
-            SceneViewer.visit(start, window, input, gl, language());
+            var screen = new PlayRequest.SceneViewing.Screen(window, input, gl, language());
+            first.player().scenes().show(scene, titles.of(scene, language(), scene), screen, message::say);
         } catch (CommandFailure problem) {
             message.say(Phrase.SCENE_NOT_SHOWN, problem.getMessage());
         } catch (RuntimeException problem) {

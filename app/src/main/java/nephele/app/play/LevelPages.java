@@ -10,8 +10,6 @@ import nephele.app.play.hud.Menu.Card;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.play.hud.Menu.Fact;
-import nephele.app.scenes.SceneName;
-import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.Progress;
 import nephele.app.text.Phrase;
 import nephele.engine.compare.TechniquePair;
@@ -157,7 +155,7 @@ final class LevelPages {
 
     private static Choice choice(Sample sample) {
         if (sample.isScene()) {
-            return new Choice.Show(SceneVisit.of(new SceneName(sample.file())));
+            return new Choice.Show(sample.file());
         }
         LevelName level = new LevelName(sample.file());
         return sample.compare() == null

@@ -3,12 +3,17 @@ package nephele.app.play;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.function.Consumer;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
+import nephele.app.window.GameWindow;
+import nephele.app.window.InputListener;
 import nephele.engine.compare.TechniquePair;
 import nephele.engine.draw.QualityChoice;
+import nephele.engine.level.Language;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
+import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimSettings;
 
@@ -53,8 +58,33 @@ public record PlayRequest(
      * What belongs to the player.
      *
      * @param log receives a line for each change of the game's state; null for none
+     * @param scenes shows the XML scenes of the menu
      */
-    public record Player(PlayerFiles files, PrintStream log) {}
+    public record Player(PlayerFiles files, PrintStream log, SceneViewing scenes) {
+        /** Creates the player of a game whose menu shows no scenes. */
+        public Player(PlayerFiles files, PrintStream log) {
+            this(files, log, (file, title, screen, complaints) -> {});
+        }
+    }
+
+    /** The viewer of XML scenes. The command line hands it in: the game knows of a scene only its file. */
+    @FunctionalInterface
+    public interface SceneViewing {
+        /**
+         * Shows a scene until the player leaves it. Afterwards the window has the game's input, and the scene's title.
+         *
+         * @param title of the window meanwhile
+         * @param complaints receives what is wrong with the scene, a line each
+         */
+        void show(String file, String title, Screen screen, Consumer<String> complaints);
+
+        /**
+         * The game's window as the viewer borrows it.
+         *
+         * @param own the game's input, which the window has again afterwards
+         */
+        record Screen(GameWindow window, InputListener own, GlContext gl, Language language) {}
+    }
 
     /** Returns the replay to show; null for keyboard and mouse. */
     Replay replay() {

@@ -1,16 +1,26 @@
 package nephele.app.view;
 
 import java.io.IOException;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.function.Consumer;
+import nephele.app.play.PlayRequest.SceneViewing;
 import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
-import nephele.app.window.InputListener;
 import nephele.app.window.PadButton;
 import nephele.app.window.Screenshots;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
-import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.scenes.file.OpenedScene;
+import nephele.scenes.file.SceneName;
+import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.LightTerm;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.view.SceneStart;
+import nephele.scenes.view.ViewerKey;
+import nephele.scenes.view.ViewerState;
 
 /** The scene viewer in a window of its own. */
 public final class SceneViewer implements AutoCloseable {
@@ -58,17 +68,16 @@ public final class SceneViewer implements AutoCloseable {
         }
     }
 
-    /**
-     * Shows a scene in the window of the game until the user leaves, by key or by B or Start of a gamepad.
-     *
-     * @param own the game's input, which the window has again afterwards
-     * @param language of the hints
-     */
-    public static void visit(SceneStart start, GameWindow window, InputListener own, GlContext gl, Language language) {
+    /** Shows a scene in the window of the game until the user leaves, by key or by B or Start of a gamepad. */
+    public static void visit(String file, String title, SceneViewing.Screen screen, Consumer<String> complaints) {
+        var name = new SceneName(file);
+        var start = new SceneStart(OpenedScene.ofGame(name, complaints), SceneAppearance.USUAL, 0);
+        var window = screen.window();
+        window.title(title);
         var input = new ViewerInput();
         window.captureMouse(false);
         window.listen(input);
-        try (var viewer = new SceneViewer(start, window, input, gl, language)) {
+        try (var viewer = new SceneViewer(start, window, input, screen.gl(), screen.language())) {
             boolean leavesByPad = false;
             // Until the button is up again: the menu would take it for one of its own.
             while (!viewer.isLeaving() && (!leavesByPad || isPadLeaving(window))) {
@@ -76,7 +85,7 @@ public final class SceneViewer implements AutoCloseable {
                 leavesByPad |= isPadLeaving(window);
             }
         } finally {
-            window.listen(own);
+            window.listen(screen.own());
         }
     }
 
@@ -116,9 +125,33 @@ public final class SceneViewer implements AutoCloseable {
                             window.mode() == WindowMode.WINDOWED ? WindowMode.FULLSCREEN : WindowMode.WINDOWED, null);
                 case SCREENSHOT -> pictureAsked = true;
                 case KEYS -> overlay.toggleKeys();
-                default -> viewing.press(key, language).ifPresent(overlay::say);
+                default -> {
+                    viewing.press(key);
+                    change(key, viewing, language).ifPresent(overlay::say);
+                }
             }
         }
+    }
+
+    /** Returns in words what a key has changed, if the picture alone does not show it. */
+    static Optional<String> change(ViewerKey key, ViewerState viewing, Language language) {
+        return switch (key) {
+            case PAUSE -> Optional.of((viewing.isPaused() ? Phrase.SCENE_RESTS : Phrase.SCENE_GOES_ON).in(language));
+            case WIREFRAME, SHADING ->
+                Optional.of(Phrase.SHADING_IS.in(
+                        language, Phrase.ofWord(viewing.look().shading()).in(language)));
+            case AMBIENT, DIFFUSE, SPECULAR, EMISSIVE ->
+                Optional.of(Phrase.LIGHT_IS.in(language, termsInWords(viewing.look(), language)));
+            default -> Optional.empty();
+        };
+    }
+
+    private static String termsInWords(SceneAppearance look, Language language) {
+        var words = EnumSet.allOf(LightTerm.class).stream()
+                .filter(look.terms()::contains)
+                .map(term -> Phrase.ofWord(term).in(language))
+                .toList();
+        return words.isEmpty() ? Phrase.WORD_NONE.in(language) : String.join(", ", words);
     }
 
     private void advance() {

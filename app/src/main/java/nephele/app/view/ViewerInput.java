@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.EnumSet;
 import java.util.Set;
 import nephele.app.window.InputListener;
+import nephele.scenes.view.ViewerKey;
 
 /** The keyboard and mouse input of the viewer since the last query. */
 final class ViewerInput implements InputListener {

@@ -1,10 +1,10 @@
 package nephele.lab.bench;
 
-import nephele.engine.render.fixed.FixedSceneDrawing;
-import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
+import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.SceneAppearance;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 

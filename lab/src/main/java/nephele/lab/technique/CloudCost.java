@@ -6,7 +6,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.lab.bench.CalibrationDrawing;
 
 /** The CPU time that the clouds of a sky add to a frame. */
-final class CloudCost {
+public final class CloudCost {
     /** CPU time of a round: its clock advances in steps of 10 ms. */
     private static final double ROUND_NANOS = 0.4e9;
 
@@ -21,7 +21,7 @@ final class CloudCost {
      *
      * @param placed the sky's level with the techniques that are timed
      */
-    static double of(GlContext gl, SeenSky sky, PlacedLevel placed, Stopwatch watch) {
+    public static double of(GlContext gl, SeenSky sky, PlacedLevel placed, Stopwatch watch) {
         PlacedLevel clear = PlacedLevel.of(
                 sky.level()
                         .with(

@@ -16,7 +16,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 
 /** A sky drawn by a technique. */
-final class DrawnSky implements AutoCloseable {
+public final class DrawnSky implements AutoCloseable {
     /** Pixels of a timed picture along each side for one of the traced. */
     static final int TIMED = 16;
 
@@ -36,12 +36,12 @@ final class DrawnSky implements AutoCloseable {
     }
 
     /** Returns the radiance that a level with the sky's clouds shows at its best, each pixel the mean of four by four. */
-    static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed) {
+    public static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed) {
         return picture(gl, sky, placed, Quality.ULTRA);
     }
 
     /** Returns the radiance at a quality, each pixel the mean of four by four. */
-    static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed, Quality quality) {
+    public static LinearPicture picture(GlContext gl, SeenSky sky, PlacedLevel placed, Quality quality) {
         int scale = 4;
         try (var drawn = new DrawnSky(gl, sky, placed, quality, scale)) {
             drawn.draw(1);

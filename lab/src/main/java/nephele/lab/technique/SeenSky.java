@@ -26,9 +26,9 @@ import nephele.lab.oracle.PinholeViews;
  *
  * @param level without surfaces in front of its clouds
  */
-record SeenSky(Level level, AssetSource assets, View view) {
-    static final int WIDTH = 40;
-    static final int HEIGHT = 24;
+public record SeenSky(Level level, AssetSource assets, View view) {
+    public static final int WIDTH = 40;
+    public static final int HEIGHT = 24;
 
     private static final double NEAR = 0.1;
 
@@ -37,14 +37,14 @@ record SeenSky(Level level, AssetSource assets, View view) {
     private static final double FAR = 200_000;
 
     /** Returns a sky alone, in a level whose camera is where it is seen from: skyboxes are baked from there. */
-    static SeenSky alone(String name, Environment environment, AssetSource assets, View view) {
+    public static SeenSky alone(String name, Environment environment, AssetSource assets, View view) {
         Vec3 ahead = view.eye().minus(view.back());
         var camera = new Camera("eye", view.eye(), ahead, view.up(), 0, 0, NEAR, FAR, List.of());
         return new SeenSky(Level.of(name, "", environment, List.of(camera)), assets, view);
     }
 
     /** Returns the level with all its clouds drawn by a technique. */
-    PlacedLevel drawnBy(CloudTechnique technique) {
+    public PlacedLevel drawnBy(CloudTechnique technique) {
         return PlacedLevel.of(
                 level.with(WeatherClouds.drawnBy(level.environment(), technique), level.lights()), assets);
     }

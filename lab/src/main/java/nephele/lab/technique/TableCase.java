@@ -26,7 +26,8 @@ import nephele.engine.scene.View;
  * @param cloud as a sample level has it, with other random numbers
  * @param angularDegrees its least extent seen from the eye
  */
-record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
+public record TableCase(
+        Cloud cloud, AssetSource assets, double opticalDepth, double angularDegrees, double sunDegrees) {
     /** Angular size of a finite cloud around the eye, as {@link CloudSituation} has it. */
     static final double INSIDE_DEGREES = 90;
 
@@ -38,13 +39,13 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
     private static final double LAYER_FOV_DEGREES = 75;
     private static final double LEAST_BASE_METRES = 30;
     private static final double GREATEST_BASE_METRES = 13_000;
-    static final Vec3 SUN_IRRADIANCE = new Vec3(3.2, 3, 2.7);
+    public static final Vec3 SUN_IRRADIANCE = new Vec3(3.2, 3, 2.7);
     /** The sky is one colour: air would hide the errors of clouds that are far away, and take long to trace. */
-    static final Sky SKY = new Sky.Constant(new Vec3(0.12, 0.2, 0.35));
+    public static final Sky SKY = new Sky.Constant(new Vec3(0.12, 0.2, 0.35));
 
     private static final long OTHER_SEEDS = 100;
 
-    String form() {
+    public String form() {
         return CloudForm.of(cloud).word();
     }
 
@@ -55,11 +56,11 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
     }
 
     /** Returns true if the eye is in the middle of the cloud. */
-    boolean isCrossed() {
+    public boolean isCrossed() {
         return cloud.extent() instanceof Extent.Volume && angularDegrees >= INSIDE_DEGREES;
     }
 
-    boolean isLayer() {
+    public boolean isLayer() {
         return cloud.extent() instanceof Extent.Layer;
     }
 
@@ -79,7 +80,7 @@ record TableCase(Cloud cloud, AssetSource assets, double opticalDepth, double an
         return half / Math.tan(Math.toRadians(angularDegrees) / 2) - half;
     }
 
-    SeenSky sky() {
+    public SeenSky sky() {
         Cloud other = otherSeed(cloud);
         Cloud placed = with(other, extent());
         double depth = CloudColumns.meanDepth(

@@ -10,7 +10,7 @@ import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 
 /** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near or around the eye, low sun to high. */
-final class TableCases {
+public final class TableCases {
     private static final double[] DEPTHS = {0.3, 4, 40};
     private static final double[] LAYER_ANGLES = {5, 30, 75};
     private static final double[] ANGLES = {5, 30, TableCase.INSIDE_DEGREES};
@@ -21,7 +21,7 @@ final class TableCases {
 
     private TableCases() {}
 
-    static List<TableCase> all() {
+    public static List<TableCase> all() {
         List<TableCase> nodes = new ArrayList<>();
         OpenedLevel first = sample(SAMPLES.get(0));
         for (String name : SAMPLES) {
@@ -38,7 +38,7 @@ final class TableCases {
     }
 
     /** Returns a node for each form and some optical depths. */
-    static List<TableCase> at(double angularDegrees, double sunDegrees, double... depths) {
+    public static List<TableCase> at(double angularDegrees, double sunDegrees, double... depths) {
         List<TableCase> nodes = new ArrayList<>();
         for (TableCase at : all()) {
             for (double depth : at.opticalDepth() == DEPTHS[0] ? depths : new double[0]) {

@@ -102,7 +102,7 @@ public final class TableMaker {
                 .orElse(Double.NaN);
     }
 
-    static List<CloudTechnique> techniques(Cloud cloud) {
+    public static List<CloudTechnique> techniques(Cloud cloud) {
         return cloud.extent() instanceof Cloud.Extent.Layer
                 ? List.of(
                         CloudTechnique.SKYBOX,

@@ -48,7 +48,7 @@ public final class TracedSkies {
     }
 
     /** Returns the shipped pictures; what is traced besides is forgotten. */
-    static TracedSkies shipped() {
+    public static TracedSkies shipped() {
         return shipped(null);
     }
 
@@ -81,7 +81,7 @@ public final class TracedSkies {
     }
 
     /** Returns the picture of a sky, kept with at least as many samples a pixel or else traced. */
-    TracedSky of(SeenSky sky, int samples) {
+    public TracedSky of(SeenSky sky, int samples) {
         String key = key(sky);
         Kept found = kept.get(key);
         if (found != null && found.samples() >= samples) {

@@ -9,7 +9,7 @@ import nephele.engine.measure.LinearPicture;
  * @param first a pixel a block, bottom row first
  * @param cloudy for each block whether it counts
  */
-record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
+public record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
     /** Pixels along each side of a block. */
     private static final int BLOCK = 4;
 
@@ -37,7 +37,7 @@ record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
     }
 
     /** Returns the number of blocks that count. */
-    int size() {
+    public int size() {
         int count = 0;
         for (boolean one : cloudy) {
             count += one ? 1 : 0;
@@ -60,7 +60,7 @@ record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
      *
      * @param drawn a pixel a pixel of the traced pictures
      */
-    double errorPercent(LinearPicture drawn) {
+    public double errorPercent(LinearPicture drawn) {
         float[] test = drawn.reduced(BLOCK).rgb();
         double sum = 0;
         for (int i = 0; i < test.length; i++) {
@@ -72,7 +72,7 @@ record TracedSky(LinearPicture first, LinearPicture second, boolean[] cloudy) {
     }
 
     /** Returns by how much a picture's mean radiance is off, in per cent. */
-    double biasPercent(LinearPicture drawn) {
+    public double biasPercent(LinearPicture drawn) {
         float[] test = drawn.reduced(BLOCK).rgb();
         double sum = 0;
         for (int i = 0; i < test.length; i++) {

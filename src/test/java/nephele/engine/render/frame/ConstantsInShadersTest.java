@@ -19,7 +19,9 @@ import org.junit.jupiter.api.Test;
  * quality; a level's number is a uniform.
  */
 class ConstantsInShadersTest {
-    private static final Path RENDER = Path.of("engine/src/main/java/nephele/engine/render");
+    private static final List<Path> DRAWING = List.of(
+            Path.of("engine/src/main/java/nephele/engine/render"),
+            Path.of("scenes/src/main/java/nephele/scenes/fixed"));
     private static final Pattern DEFINED =
             Pattern.compile("(?:\\.with\\(|Map\\.of\\(|, )\\s*\"([A-Z][A-Z_0-9]*)\",\\s*([^;]*?)\\)?(?=\\)\\n"
                     + "|\\)\\)|\\)\\.|\\);|,\\s*\")");
@@ -48,9 +50,8 @@ class ConstantsInShadersTest {
     void whatIsDefinedIsNoNumberOfALevel() throws IOException {
         List<String> wrong = new ArrayList<>();
         int count = 0;
-        try (Stream<Path> files = Files.walk(RENDER)) {
-            for (Path file :
-                    files.filter(each -> each.toString().endsWith(".java")).toList()) {
+        for (Path folder : DRAWING) {
+            for (Path file : sources(folder)) {
                 Matcher defined = DEFINED.matcher(Files.readString(file));
                 while (defined.find()) {
                     count++;
@@ -63,5 +64,11 @@ class ConstantsInShadersTest {
         }
         assertEquals(List.of(), wrong);
         assertTrue(count > 40, count + " definitions were found");
+    }
+
+    private static List<Path> sources(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(each -> each.toString().endsWith(".java")).toList();
+        }
     }
 }

@@ -1,4 +1,4 @@
-#include "fixed-light.glsl"
+#include "/nephele/scenes/fixed/fixed-light.glsl"
 
 uniform samplerBuffer inputs;
 layout(location = 0) out vec4 result;

@@ -3,7 +3,6 @@ package nephele.app.play.hud;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.scenes.SceneVisit;
 import nephele.app.settings.GameSetting;
 import nephele.app.window.Control;
 import nephele.engine.asset.Picture;
@@ -125,7 +124,7 @@ public record Menu(
         record Compare(LevelName level, TechniquePair techniques) implements Choice {}
 
         /** Shows an XML scene in its viewer. */
-        record Show(SceneVisit scene) implements Choice {}
+        record Show(String scene) implements Choice {}
 
         record Open(Page page) implements Choice {}
 

@@ -9,10 +9,10 @@ import java.util.List;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.lab.oracle.LevelHash;
-import nephele.lab.prove.ProofEnvironment;
 import nephele.lab.trade.CodeHash;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Findings;
+import nephele.lab.trade.Provenance;
 import nephele.lab.trade.SubjectState;
 import nephele.lab.trade.SubjectState.Judged;
 import nephele.lab.trade.Trade;
@@ -75,7 +75,7 @@ public final class TradeRun {
     private String key(Trade trade) {
         String elsewhere = trade.level() == null ? "" : " " + LevelHash.key(new LevelName(trade.level()).open());
         return "code " + CodeHash.key() + "; level " + LevelHash.key(opened) + elsewhere + "; " + seen.camera() + "; "
-                + request.extent() + "; slice " + request.sliceSeconds() + "; " + ProofEnvironment.machine();
+                + request.extent() + "; slice " + request.sliceSeconds() + "; " + Provenance.machine();
     }
 
     private SubjectState measured(Trade trade, TradeSite site, Path partial) throws IOException {

@@ -7,9 +7,6 @@ import java.util.Set;
 import nephele.engine.math.Frustum;
 import nephele.engine.model.BoundingSphere;
 import nephele.engine.scene.View;
-import nephele.engine.xmlscene.PosedScene;
-import nephele.engine.xmlscene.WorldSpheres;
-import nephele.engine.xmlscene.XmlScene;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
@@ -17,6 +14,9 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.ReportCulling.Fault;
+import nephele.scenes.xml.PosedScene;
+import nephele.scenes.xml.WorldSpheres;
+import nephele.scenes.xml.XmlScene;
 import org.joml.Matrix4d;
 
 /**

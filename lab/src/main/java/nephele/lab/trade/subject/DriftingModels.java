@@ -6,11 +6,11 @@ import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
-import nephele.engine.xmlscene.Dialect;
-import nephele.engine.xmlscene.XmlGroup;
-import nephele.engine.xmlscene.XmlGroup.Step;
-import nephele.engine.xmlscene.XmlModel;
-import nephele.engine.xmlscene.XmlScene;
+import nephele.scenes.xml.Dialect;
+import nephele.scenes.xml.XmlGroup;
+import nephele.scenes.xml.XmlGroup.Step;
+import nephele.scenes.xml.XmlModel;
+import nephele.scenes.xml.XmlScene;
 
 /**
  * A scene of 2 000 primitives in nested groups that are moved, rotated and scaled, some of them animated; and views of

@@ -1,7 +1,7 @@
 package nephele.lab.trade.subject;
 
 import java.util.List;
-import nephele.lab.prove.placement.PlacementSample;
+import nephele.lab.placement.PlacementSample;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;

@@ -2,8 +2,8 @@ package nephele.lab.trade.subject;
 
 import nephele.engine.asset.Picture;
 import nephele.engine.model.Mesh;
-import nephele.engine.render.fixed.SceneFiles;
-import nephele.engine.xmlscene.XmlModel;
+import nephele.scenes.fixed.SceneFiles;
+import nephele.scenes.xml.XmlModel;
 
 /** Generated meshes in which the sides of cones have the normals of the scene-engine report. */
 record ReportCones(SceneFiles files) implements SceneFiles {

@@ -9,9 +9,9 @@ import nephele.engine.math.Vec3;
 import nephele.engine.model.BoundingSphere;
 import nephele.engine.model.Mesh;
 import nephele.engine.scene.View;
-import nephele.engine.xmlscene.XmlGroup;
-import nephele.engine.xmlscene.XmlGroup.Step;
-import nephele.engine.xmlscene.XmlScene;
+import nephele.scenes.xml.XmlGroup;
+import nephele.scenes.xml.XmlGroup.Step;
+import nephele.scenes.xml.XmlScene;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 

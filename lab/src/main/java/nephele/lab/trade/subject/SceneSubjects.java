@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
-import nephele.engine.render.fixed.Shading;
-import nephele.engine.xmlscene.XmlScene;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.XmlPictureExperiment.Way;
+import nephele.scenes.fixed.Shading;
+import nephele.scenes.xml.XmlScene;
 
 /** Parameters of XML scenes: where lighting is evaluated, how finely surfaces are tessellated, the normals of cones. */
 public final class SceneSubjects {

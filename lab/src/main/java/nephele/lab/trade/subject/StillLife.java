@@ -7,10 +7,10 @@ import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.shape.GeneratedName;
-import nephele.engine.render.fixed.SceneFiles;
-import nephele.engine.xmlscene.XmlModel;
-import nephele.engine.xmlscene.XmlScene;
-import nephele.engine.xmlscene.XmlSceneFile;
+import nephele.scenes.fixed.SceneFiles;
+import nephele.scenes.xml.XmlModel;
+import nephele.scenes.xml.XmlScene;
+import nephele.scenes.xml.XmlSceneFile;
 
 /**
  * A teapot and three primitives on a floor under two lights, the scene in which shading and tessellation are judged.

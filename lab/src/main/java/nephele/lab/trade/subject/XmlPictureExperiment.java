@@ -6,18 +6,18 @@ import java.util.List;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.render.fixed.FixedSceneDrawing;
-import nephele.engine.render.fixed.SceneAppearance;
-import nephele.engine.render.fixed.SceneFiles;
-import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.engine.xmlscene.XmlScene;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
+import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.SceneAppearance;
+import nephele.scenes.fixed.SceneFiles;
+import nephele.scenes.fixed.Shading;
+import nephele.scenes.xml.XmlScene;
 import org.joml.Matrix4d;
 
 /** A scene drawn in several ways, compared with an exact drawing at 16 samples a pixel. */

@@ -34,8 +34,10 @@ import org.junit.jupiter.api.TestInstance.Lifecycle;
  */
 @TestInstance(Lifecycle.PER_CLASS)
 class ShaderConstantsTest {
-    private static final Path SHADERS = Path.of("engine/src/main/resources/nephele/engine/render");
-    private static final Path SOURCES = Path.of("engine/src/main/java");
+    private static final List<Path> SHADERS = List.of(
+            Path.of("engine/src/main/resources/nephele/engine/render"),
+            Path.of("scenes/src/main/resources/nephele/scenes"));
+    private static final List<Path> SOURCES = List.of(Path.of("engine/src/main/java"), Path.of("scenes/src/main/java"));
 
     private static final Pattern CONSTANT =
             Pattern.compile("(?m)^[ \\t]*const \\w+ ([A-Z][A-Z_0-9]*)(?:\\[\\w*\\])? = ([^;]*);[^\\n]*$");
@@ -92,9 +94,18 @@ class ShaderConstantsTest {
 
     @BeforeAll
     void read() throws IOException {
-        try (Stream<Path> files = Files.walk(SHADERS)) {
+        for (Path folder : SHADERS) {
+            readShaders(folder);
+        }
+        for (Path folder : SOURCES) {
+            readClasses(folder);
+        }
+    }
+
+    private void readShaders(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
-                String text = resource(SHADERS.relativize(file).toString().replace('\\', '/'));
+                String text = resource(file.toString().replace('\\', '/').replaceFirst(".*/resources/", "/"));
                 assertFalse(DEFINED.matcher(text).find(), file + " defines a number; write it as a const");
                 Matcher found = CONSTANT.matcher(text);
                 Map<String, Constant> before = new HashMap<>();
@@ -107,9 +118,12 @@ class ShaderConstantsTest {
                 }
             }
         }
-        try (Stream<Path> files = Files.walk(SOURCES)) {
+    }
+
+    private void readClasses(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
             files.filter(file -> file.toString().endsWith(".java")).forEach(file -> {
-                String path = SOURCES.relativize(file).toString().replaceAll("[/\\\\]", ".");
+                String path = folder.relativize(file).toString().replaceAll("[/\\\\]", ".");
                 classes.put(file.getFileName().toString().replace(".java", ""), path.replaceAll("\\.java$", ""));
             });
         }
@@ -117,7 +131,7 @@ class ShaderConstantsTest {
 
     /** Returns a shader as programs find it: on the class path, which may have another one first. */
     private static String resource(String path) throws IOException {
-        try (InputStream in = ShaderSource.class.getResourceAsStream("/nephele/engine/render/" + path)) {
+        try (InputStream in = ShaderSource.class.getResourceAsStream(path)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
     }

@@ -27,7 +27,7 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
-import nephele.lab.art.bench.BenchTerrain;
+import nephele.workshop.art.bench.BenchTerrain;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -45,7 +45,7 @@ final class AssembledShader {
         for (int i = 0; i < lines.length; i++) {
             Matcher include = INCLUDE.matcher(lines[i]);
             if (include.matches()) {
-                appendOnce(INCLUDE_FOLDER + include.group(1), path);
+                appendOnce(include.group(1), path);
                 text.append("#line ").append(i + 2).append(' ').append(index).append('\n');
             } else {
                 text.append(lines[i]).append('\n');
@@ -57,11 +57,13 @@ final class AssembledShader {
      * Appends an include behind a guard: only the compiler can decide which of several inclusions counts, because the
      * first one may be in a branch that is not taken.
      */
-    private void appendOnce(String path, String includedFrom) {
+    private void appendOnce(String name, String includedFrom) {
+        boolean isAbsolute = name.startsWith("/");
+        String path = isAbsolute ? name : INCLUDE_FOLDER + name;
         if (open.contains(path)) {
             throw new GlException(includedFrom + " includes " + path + ", which includes it in turn");
         }
-        String guard = "INCLUDED_" + path.substring(INCLUDE_FOLDER.length()).replaceAll("\\W", "_");
+        String guard = "INCLUDED_" + name.substring(isAbsolute ? 1 : 0).replaceAll("\\W", "_");
         text.append("#ifndef ").append(guard).append("\n#define ").append(guard).append('\n');
         open.add(path);
         append(path);

@@ -1,2 +1,0 @@
-/** XML scenes that a user names: opened with their files, or imported as levels. */
-package nephele.app.scenes;

@@ -1,6 +1,0 @@
-/**
- * XML scenes as fixed-function OpenGL drew them: values as they are stored, without linear light, tone curve or dither.
- * {@link nephele.engine.render.fixed.FixedSceneDrawing} is the entry point; no pass of a level's frame is in this
- * package.
- */
-package nephele.engine.render.fixed;

@@ -1,2 +1,0 @@
-/** Generators of the benchmark levels and of their camera paths. */
-package nephele.lab.art.bench;

@@ -1,2 +1,0 @@
-/** The textures of the game's materials, each a recipe that paints colour and normals. */
-package nephele.lab.art.material;

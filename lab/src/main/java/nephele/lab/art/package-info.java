@@ -1,2 +1,0 @@
-/** Generators of the game's art: textures, skies, meshes and benchmark levels. */
-package nephele.lab.art;

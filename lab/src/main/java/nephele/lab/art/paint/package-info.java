@@ -1,2 +1,0 @@
-/** The painters' tools: colours, ramps, noise that tiles, surfaces with height, letters and shapes. */
-package nephele.lab.art.paint;

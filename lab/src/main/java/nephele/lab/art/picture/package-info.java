@@ -1,2 +1,0 @@
-/** Pictures beside the materials: skies, signs, globes and the pictures of the XML scenes. */
-package nephele.lab.art.picture;

@@ -1,2 +1,0 @@
-/** Painters of billboards: plants with alpha, and atlases of mist, smoke and fire. */
-package nephele.lab.art.sprite;

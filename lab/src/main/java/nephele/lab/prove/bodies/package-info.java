@@ -1,2 +1,0 @@
-/** Proofs for rigid bodies: piles, towers, falls, mass ratios and the balance of energy. */
-package nephele.lab.prove.bodies;

@@ -1,5 +1,0 @@
-/**
- * Proofs that {@code engine.cloud} computes radiative transfer without bias, against tables of slabs and pictures of
- * another renderer. The tables and pictures are resources of this package.
- */
-package nephele.lab.prove.cloud;

@@ -1,2 +1,0 @@
-/** The proof that data derived from an edited level equal those of the freshly loaded level, and its town. */
-package nephele.lab.prove.edits;

@@ -1,5 +1,0 @@
-/**
- * Proofs for geometric queries against brute force and exact arithmetic: rays, height fields, rotations, separations,
- * skin distances.
- */
-package nephele.lab.prove.geometry;

@@ -1,5 +1,0 @@
-/**
- * Proofs that compare drawn pictures with reference pictures or with exact geometry: portal views, mirrors, shadows,
- * culling.
- */
-package nephele.lab.prove.picture;

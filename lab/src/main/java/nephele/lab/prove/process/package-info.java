@@ -1,4 +1,0 @@
-/**
- * Proofs that run whole processes: replays in several virtual machines, saving under kill, soak tests, planted faults.
- */
-package nephele.lab.prove.process;

@@ -1,2 +1,0 @@
-/** Scripted solutions of the game's levels; their replays are kept beside the levels. */
-package nephele.lab.solve;

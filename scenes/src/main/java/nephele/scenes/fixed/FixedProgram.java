@@ -1,0 +1,70 @@
+package nephele.scenes.fixed;
+
+import java.util.Map;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Matrix4;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.gl.shader.Uniforms.Whole;
+
+/** The program of one kind of shading. */
+final class FixedProgram {
+    static final String FOLDER = "/nephele/scenes/fixed/";
+
+    private final GlProgram<Inputs> program;
+
+    /** @param light {@code null} without lighting */
+    record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
+        static Inputs of(Uniforms uniforms, Shading shading) {
+            uniforms.sampler("visibleModels", TextureUnit.SCENE_VISIBLE);
+            uniforms.sampler("places", TextureUnit.SCENE_PLACES);
+            return new Inputs(
+                    uniforms.whole("firstVisible"),
+                    uniforms.whole("firstPlace"),
+                    uniforms.vector3("eye"),
+                    uniforms.matrix4("clipFromRelative"),
+                    shading == Shading.WIREFRAME ? null : LightInputs.of(uniforms));
+        }
+    }
+
+    record LightInputs(Vector3 towardsViewer, Vector4 lightTerms) {
+        static LightInputs of(Uniforms uniforms) {
+            uniforms.sampler("looks", TextureUnit.SCENE_LOOKS);
+            uniforms.sampler("fixedLights", TextureUnit.SCENE_LIGHTS);
+            uniforms.sampler("picture", TextureUnit.SCENE_PICTURE);
+            return new LightInputs(uniforms.vector3("towardsViewer"), uniforms.vector4("lightTerms"));
+        }
+    }
+
+    FixedProgram(GlContext gl, Shading shading) {
+        Map<String, String> defines = Map.of(shading.name(), "1");
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "fixed.vert", defines),
+                ShaderSource.load(FOLDER + "fixed.frag", defines),
+                uniforms -> Inputs.of(uniforms, shading));
+    }
+
+    /** Sets the uniforms that all models of a frame share. */
+    Inputs use(EyeNumbers eye, SceneAppearance look) {
+        Inputs inputs = program.uniforms();
+        program.use();
+        inputs.eye().set(eye.x(), eye.y(), eye.z());
+        inputs.clipFromRelative().set(eye.clipFromRelative());
+        if (inputs.light() != null) {
+            inputs.light().towardsViewer().set(eye.backX(), eye.backY(), eye.backZ());
+            inputs.light()
+                    .lightTerms()
+                    .set(
+                            look.term(LightTerm.AMBIENT),
+                            look.term(LightTerm.DIFFUSE),
+                            look.term(LightTerm.SPECULAR),
+                            look.term(LightTerm.EMISSIVE));
+        }
+        return inputs;
+    }
+}

@@ -1,0 +1,91 @@
+package nephele.scenes.fixed;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.asset.Picture;
+import nephele.engine.model.Mesh;
+import nephele.scenes.xml.PosedScene;
+import nephele.scenes.xml.XmlModel;
+
+/**
+ * The drawable models of a scene in a new order: static models before moving ones, and models of one draw call next to
+ * each other.
+ */
+final class ModelOrder {
+    private final List<Integer> posedNumbers = new ArrayList<>();
+    private final List<Run> runs = new ArrayList<>();
+    private int staying;
+
+    /** Static models are placed once. */
+    enum Motion {
+        STAYS,
+        MOVES
+    }
+
+    /** A mirroring transform reverses the winding. */
+    enum Handedness {
+        KEPT,
+        MIRRORED
+    }
+
+    /** The common properties of one draw call. @param picture {@code null} for none */
+    record Kind(Motion motion, Mesh mesh, Picture picture, Handedness handedness) {}
+
+    /** The models of a kind, numbered from {@code first} to before {@code end}. */
+    record Run(Kind kind, int first, int end) {}
+
+    private ModelOrder() {}
+
+    /** @param least the least motion of all models: MOVES for a movable entity */
+    static ModelOrder of(PosedScene posed, SceneFiles files, Motion least) {
+        Map<Kind, List<Integer>> byKind = new LinkedHashMap<>();
+        for (int number = 0; number < posed.modelCount(); number++) {
+            Mesh mesh = files.mesh(posed.model(number));
+            if (mesh != null) {
+                Motion motion = posed.moves(number) ? Motion.MOVES : least;
+                byKind.computeIfAbsent(kind(posed, number, mesh, files, motion), added -> new ArrayList<>())
+                        .add(number);
+            }
+        }
+        ModelOrder order = new ModelOrder();
+        byKind.entrySet().stream()
+                .sorted(Comparator.comparing(entry -> entry.getKey().motion()))
+                .forEach(entry -> order.add(entry.getKey(), entry.getValue()));
+        return order;
+    }
+
+    private static Kind kind(PosedScene posed, int number, Mesh mesh, SceneFiles files, Motion motion) {
+        XmlModel model = posed.model(number);
+        Picture picture = model.texture() == null ? null : files.picture(model);
+        boolean mirrored = posed.worldFromModel(number).determinant3x3() < 0;
+        return new Kind(motion, mesh, picture, mirrored ? Handedness.MIRRORED : Handedness.KEPT);
+    }
+
+    private void add(Kind kind, List<Integer> numbers) {
+        int first = posedNumbers.size();
+        posedNumbers.addAll(numbers);
+        runs.add(new Run(kind, first, posedNumbers.size()));
+        staying = kind.motion() == Motion.STAYS ? posedNumbers.size() : staying;
+    }
+
+    int count() {
+        return posedNumbers.size();
+    }
+
+    /** Returns the number of a model in the posed scene. */
+    int posedNumber(int number) {
+        return posedNumbers.get(number);
+    }
+
+    List<Run> runs() {
+        return runs;
+    }
+
+    /** Returns the number of static models, which is the index of the first moving one. */
+    int staying() {
+        return staying;
+    }
+}

@@ -1,0 +1,48 @@
+package nephele.workshop.prove.cloud;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Parts of three levels with a cloud look as in Mitsuba's pictures, with 64 samples a pixel. */
+class CloudReferenceProofTest {
+    /** Tiles are numbered from the lower left, ten in a row. */
+    @ParameterizedTest
+    @CsvSource({
+        "sphere, 54",
+        "sphere, 32",
+        "sphere, 44",
+        "puff, 34",
+        "puff, 21",
+        "puff, 45",
+        "cumulus, 34",
+        "cumulus, 33"
+    })
+    void aTileIsThatOfTheReference(String name, int tile) {
+        ReferenceCase scene = ReferenceCase.named(name);
+        var comparison = new AreaComparison(TracedArea.tile(scene, tile, 64, 1));
+        assertTrue(comparison.cloudy() > 60, "cloudy pixels: " + comparison.cloudy());
+        assertTrue(comparison.differing() <= 1, "differing pixels: " + comparison.differing());
+        assertTrue(comparison.spread() < 1.3, "spread: " + comparison.spread());
+        for (int channel = 0; channel < 3; channel++) {
+            AreaComparison.Bias bias = comparison.bias(channel);
+            assertTrue(Math.abs(bias.sigmas()) <= 4, bias.toString());
+            assertTrue(Math.abs(bias.share()) <= 0.1, bias.toString());
+        }
+    }
+
+    /** A camera that looks along +z has +x on its left; rows count from below. */
+    @ParameterizedTest
+    @CsvSource({"sphere", "puff"})
+    void thePictureIsOrientedAsDescribed(String name) {
+        ReferenceCase scene = ReferenceCase.named(name);
+        Vector3d ahead = scene.eye().basis().back().toVector().negate();
+        assertTrue(ahead.z > 0);
+        assertTrue(
+                scene.eye().basis().right().x() < 0 && scene.eye().basis().up().y() > 0);
+        assertEquals(20, Math.toDegrees(Math.atan(scene.eye().halfWidth())), 1e-9);
+    }
+}

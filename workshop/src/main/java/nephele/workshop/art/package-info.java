@@ -1,0 +1,2 @@
+/** Generators of the game's art: textures, skies, meshes and benchmark levels. */
+package nephele.workshop.art;

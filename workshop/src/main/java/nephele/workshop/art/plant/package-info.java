@@ -1,0 +1,2 @@
+/** The files of plants and rocks that ship. */
+package nephele.workshop.art.plant;

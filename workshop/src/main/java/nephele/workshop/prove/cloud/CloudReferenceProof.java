@@ -1,0 +1,72 @@
+package nephele.workshop.prove.cloud;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.workshop.prove.proof.Claim;
+import nephele.workshop.prove.proof.Figure;
+import nephele.workshop.prove.proof.Proof;
+import nephele.workshop.prove.proof.ProofResult;
+
+/** Traces levels of the clouds of the reference pictures and compares each pixel. */
+public final class CloudReferenceProof implements Proof {
+    private static final List<String> CASES = ReferenceCase.OF_MITSUBA;
+    private static final int SAMPLES = 512;
+    private static final double MOST_BIAS = 0.007;
+    private static final double MOST_BIAS_SIGMAS = 4;
+    private static final double LEAST_AGREEING = 0.9975;
+
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "cloud-reference",
+                "Three clouds traced with 512 samples a pixel have the mean radiance of Mitsuba's pictures"
+                        + " within 4 standard errors and 0.7 %, and 99.75 % of the pixels that see the cloud are within"
+                        + " 5.",
+                "pictures",
+                CASES.size(),
+                1);
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        ProofResult result = ProofResult.NOTHING;
+        for (long unit = from; unit < from + count; unit++) {
+            ReferenceCase scene = ReferenceCase.named(CASES.get((int) unit));
+            TracedArea whole = TracedArea.whole(scene, SAMPLES, unit, share -> {});
+            result = result.and(judged(scene.name(), new AreaComparison(whole)));
+            progress.unitsDone(unit + 1 - from);
+        }
+        return result;
+    }
+
+    static ProofResult judged(String name, AreaComparison comparison) {
+        List<String> failures = new ArrayList<>();
+        double bias = 0;
+        double sigmas = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            var off = comparison.bias(channel);
+            bias = Math.max(bias, Math.abs(off.share()));
+            sigmas = Math.max(sigmas, Math.abs(off.sigmas()));
+        }
+        double agreeing = 1 - comparison.differing() / (double) comparison.cloudy();
+        if (!(bias <= MOST_BIAS) || !(sigmas <= MOST_BIAS_SIGMAS) || !(agreeing >= LEAST_AGREEING)) {
+            failures.add(String.format(
+                    Locale.ROOT,
+                    "%s: mean off by %.3f %% or %.1f standard errors, %.3f %% of %d pixels agree",
+                    name,
+                    100 * bias,
+                    sigmas,
+                    100 * agreeing,
+                    comparison.cloudy()));
+        }
+        return ProofResult.of(
+                1,
+                failures,
+                Figure.greatest(name + ", mean off", 100 * bias, "%"),
+                Figure.greatest(name + ", mean off in its error", sigmas, "standard errors"),
+                Figure.sum(name + ", pixels that see the cloud", comparison.cloudy(), ""),
+                Figure.sum(name + ", pixels that differ", comparison.differing(), ""),
+                Figure.greatest(name + ", spread of differences", comparison.spread(), "standard errors"));
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.workshop.prove.editor;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import nephele.editor.action.Desk;
+import nephele.editor.start.EditorSurroundings;
+import nephele.editor.text.Words;
+import nephele.editor.window.dialog.DialogOpener;
+
+/** The desk of an editor without a window: its user agrees to everything, and cancels every choice of a place to save. */
+final class StageDesk implements Desk {
+    private final Map<String, Runnable> parts = new LinkedHashMap<>();
+    private final DialogOpener dialogues;
+    private final Supplier<Optional<Path>> toOpen;
+    private String copied = "";
+
+    /** @param toOpen chooses the next file to open; empty if the user cancels */
+    StageDesk(DialogOpener dialogues, Supplier<Optional<Path>> toOpen) {
+        this.dialogues = dialogues;
+        this.toOpen = toOpen;
+    }
+
+    /** Returns what connects an editor with this desk. */
+    EditorSurroundings surroundings() {
+        return new EditorSurroundings(this, parts::put, owner -> dialogues);
+    }
+
+    @Override
+    public Optional<Path> fileToOpen() {
+        return toOpen.get();
+    }
+
+    @Override
+    public Optional<Path> fileToSave() {
+        return Optional.empty();
+    }
+
+    @Override
+    public boolean isAgreed(Words question) {
+        return true;
+    }
+
+    @Override
+    public BufferedImage picture() {
+        return new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+    }
+
+    @Override
+    public void copy(String text) {
+        copied = text;
+    }
+
+    @Override
+    public String pasted() {
+        return copied;
+    }
+
+    @Override
+    public void show(String part) {
+        Optional.ofNullable(parts.get(part)).ifPresent(Runnable::run);
+    }
+
+    @Override
+    public boolean asks(String action) {
+        boolean isAsked = parts.containsKey(action);
+        show(action);
+        return isAsked;
+    }
+
+    @Override
+    public void quit() {
+        // The session goes on.
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * Proofs for geometric queries against brute force and exact arithmetic: rays, height fields, rotations, separations,
+ * skin distances.
+ */
+package nephele.workshop.prove.geometry;

@@ -1,0 +1,108 @@
+package nephele.workshop.prove.picture;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.named.LevelName;
+import nephele.engine.render.Capture;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.RenderSettings.Deepest;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.PortalTechnique;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.View;
+import nephele.workshop.prove.proof.Claim;
+import nephele.workshop.prove.proof.Proof;
+import nephele.workshop.prove.proof.ProofResult;
+
+/**
+ * Compares identity colours of every level and sample, from seeded cameras, drawn by both portal techniques and traced.
+ */
+public final class PortalIdsProof implements Proof {
+    private static final int WIDTH = 320;
+    private static final int HEIGHT = 180;
+    private static final Map<Way, RenderSettings> WAYS = ways();
+
+    private final ComparedCameras cameras;
+
+    private record Way(PortalTechnique technique, int budget) {}
+
+    /** Uses the levels of the checkout in the working directory. */
+    public PortalIdsProof() {
+        this(SeenLevels.all());
+    }
+
+    /** @param files levels by path */
+    public PortalIdsProof(List<String> files) {
+        // Five successive cameras cover every kind of view.
+        cameras = new ComparedCameras(files, 5);
+    }
+
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "portal-ids",
+                "With either portal technique, no pixel shows another surface than the exact twin, except"
+                        + " within one pixel of the edge of a surface or an opening.",
+                "cameras",
+                cameras::all,
+                (long) cameras.atOnce() * cameras.files().size());
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        var tally = new IdTally();
+        var visits = cameras.visits(from, count);
+        long done = 0;
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
+            for (var visit : visits) {
+                compare(visit, gl, picture, tally);
+                done += visit.count();
+                progress.unitsDone(done);
+            }
+        }
+        return tally.result(count);
+    }
+
+    private static void compare(ComparedCameras.Visit visit, GlContext gl, RenderTarget picture, IdTally tally) {
+        var opened = new LevelName(visit.file()).open();
+        var ids = IdLevel.of(SeenLevels.compared(opened.level()));
+        try (var level = new ComparedLevel<>(gl, ids, opened.assets(), ColourDecoding.AS_STORED, WAYS)) {
+            for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
+                View view = level.view(camera);
+                var sight = new SightPicture(level.traced(), view, WIDTH, HEIGHT);
+                String again = ComparedCameras.again(visit.file(), camera, view);
+                level.draw(view, picture, (way, renderer) -> {
+                    var views = way.budget() == ComparedLevel.UNLIMITED ? IdTally.Views.ALL : IdTally.Views.BUDGETED;
+                    String what = way.technique() + ", budget " + way.budget() + ", " + again;
+                    tally.compare(Capture.image(picture), sight, views, what);
+                });
+            }
+        }
+    }
+
+    private static Map<Way, RenderSettings> ways() {
+        var ways = new LinkedHashMap<Way, RenderSettings>();
+        for (PortalTechnique technique : ComparedLevel.TECHNIQUES) {
+            for (int budget : new int[] {ComparedLevel.UNLIMITED, Quality.HIGH.viewBudget()}) {
+                Quality quality = Quality.HIGH
+                        .with("samples", 1)
+                        .with("portalTechnique", technique)
+                        .with("viewBudget", budget)
+                        .with("portalResolution", 1);
+                RenderSettings settings = RenderSettings.of(Output.PLAIN, quality)
+                        .with(Decoration.OFF)
+                        .with(Deepest.MARK);
+                ways.put(new Way(technique, budget), settings);
+            }
+        }
+        return ways;
+    }
+}

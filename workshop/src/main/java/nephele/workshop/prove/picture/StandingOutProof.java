@@ -1,0 +1,278 @@
+package nephele.workshop.prove.picture;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import nephele.engine.draw.Outputs;
+import nephele.engine.math.Vec3;
+import nephele.engine.measure.ColourVision;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
+import nephele.engine.playthrough.Playthrough;
+import nephele.engine.playthrough.ReplayInput;
+import nephele.engine.render.Capture;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.scene.light.BakedSky;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.workshop.prove.picture.LevelSigns.Sight;
+import nephele.workshop.prove.picture.LevelSigns.Sign;
+import nephele.workshop.prove.proof.Claim;
+import nephele.workshop.prove.proof.Figure;
+import nephele.workshop.prove.proof.Proof;
+import nephele.workshop.prove.proof.ProofResult;
+
+/**
+ * Looks at the exits and portals of every level, from 20 m or as far as there is room, with the cameras of both persons,
+ * in pixels as large as those of a picture of 1280 × 720 with the usual field of view.
+ */
+public final class StandingOutProof implements Proof {
+    private static final int WIDTH = 320;
+    private static final int HEIGHT = 180;
+    /** The middle 4 × 4th of a picture of 1280 × 720. */
+    private static final double TAN_HALF_HEIGHT = 0.25 * 9 / 16;
+
+    private static final double PIXELS_PER_UNIT = HEIGHT / 2.0 / TAN_HALF_HEIGHT;
+    private static final double AROUND_PIXELS = PIXELS_PER_UNIT * Math.tan(Math.toRadians(2));
+    private static final double LEAST_CONTRAST = 20;
+    private static final int SIGHTS_OF_LEVEL = 6;
+    private static final int TICKS = 60;
+    private static final double MOST_MOVED_METRES = 0.5;
+    /** The glow around a sign, and its way on the picture of the camera behind the player. */
+    private static final double BESIDE_METRES = 0.3;
+
+    private final List<String> files;
+    private final Path pictures;
+
+    /** Uses the levels of the checkout in the working directory. */
+    public StandingOutProof() {
+        this(
+                List.of(
+                        "levels/01-courtyard.json",
+                        "levels/02-first-shot.json",
+                        "levels/03-momentum.json",
+                        "levels/04-cube.json",
+                        "levels/05-above-the-clouds.json",
+                        "levels/06-standing-stones.json",
+                        "levels/samples/exits.json"),
+                null);
+    }
+
+    /**
+     * @param files levels by path
+     * @param pictures a folder for what is seen; {@code null} for none
+     */
+    public StandingOutProof(List<String> files, Path pictures) {
+        this.files = files;
+        this.pictures = pictures;
+    }
+
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "standing-out",
+                "Every exit, every portal and every shot's rim, seen from 20 m or as far as there is room by the"
+                        + " cameras of both persons, differs over a quarter of its pixels by 20 of L* or more from the"
+                        + " median of the two degrees around it, for normal colour vision and in simulated protanopia,"
+                        + " deuteranopia and tritanopia (Machado et al. 2009).",
+                "sights",
+                (long) files.size() * SIGHTS_OF_LEVEL,
+                SIGHTS_OF_LEVEL);
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) throws Exception {
+        Tally tally = new Tally();
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
+            for (long unit = from; unit < from + count; ) {
+                int file = (int) (unit / SIGHTS_OF_LEVEL);
+                long end = Math.min(from + count, (file + 1L) * SIGHTS_OF_LEVEL);
+                int first = (int) (unit % SIGHTS_OF_LEVEL);
+                look(files.get(file), first, first + (int) (end - unit), gl, picture, tally);
+                unit = end;
+                progress.unitsDone(unit - from);
+            }
+        }
+        return tally.result(count);
+    }
+
+    private void look(String file, int first, int end, GlContext gl, RenderTarget picture, Tally tally)
+            throws Exception {
+        OpenedLevel opened = new LevelName(file).open();
+        var sky = BakedSky.of(opened.placed(), done -> {});
+        var scene = Scene.of(opened.placed(), sky);
+        var settings = RenderSettings.of(Outputs.defaultFor(opened.level()), Quality.MEDIUM)
+                .with(CharacterPresence.POSSIBLE);
+        LevelSigns signs = new LevelSigns(opened.placed());
+        var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);
+        try (var with = Renderer.load(gl, scene, settings);
+                var without = Renderer.load(gl, bare, settings.with(Decoration.OFF))) {
+            var drawn = new Drawing(file, opened, signs, with, without, picture, tally);
+            for (Sign sign : signs.signs()) {
+                List<Sight> sights = signs.sights(sign);
+                for (int i = first; i < Math.min(end, sights.size()); i++) {
+                    drawn.look(sights.get(i), i, false);
+                    drawn.look(sights.get(i), i, true);
+                }
+            }
+        }
+    }
+
+    /** A level that is looked at, with and without its signs. */
+    private final class Drawing {
+        private final String file;
+        private final OpenedLevel opened;
+        private final LevelSigns signs;
+        private final Renderer with;
+        private final Renderer without;
+        private final RenderTarget picture;
+        private final Tally tally;
+        private final SimLevel world;
+        private final SignContrast contrast = new SignContrast(WIDTH, HEIGHT, AROUND_PIXELS);
+
+        Drawing(
+                String file,
+                OpenedLevel opened,
+                LevelSigns signs,
+                Renderer with,
+                Renderer without,
+                RenderTarget picture,
+                Tally tally) {
+            this.file = file;
+            this.opened = opened;
+            this.signs = signs;
+            this.with = with;
+            this.without = without;
+            this.picture = picture;
+            this.tally = tally;
+            world = SimLevel.of(opened.placed());
+        }
+
+        void look(Sight sight, int number, boolean fromBehind) throws Exception {
+            var beginning = new Playthrough.Beginning("seen.json", SimSettings.DEFAULT, sight.stand());
+            var walk = new Playthrough(
+                    opened.level(), world, beginning, new ReplayInput(Replay.standing("seen.json", TICKS)));
+            walk.verticalFovDegrees(2 * Math.toDegrees(Math.atan(TAN_HALF_HEIGHT)));
+            if (fromBehind) {
+                walk.changePerson();
+            }
+            for (int i = 0; i < TICKS; i++) {
+                walk.tick();
+            }
+            Vec3 moved = walk.state().player().feet().minus(sight.stand().feet());
+            if (moved.length() > MOST_MOVED_METRES) {
+                return; // nobody can stand there
+            }
+            View view = walk.view((double) WIDTH / HEIGHT);
+            FrameState state = walk.frameState();
+            shoot(state);
+            Vec3 way = sight.sign().centre().minus(view.eye());
+            double depth = -view.alongBack(way.x(), way.y(), way.z());
+            double scale = PIXELS_PER_UNIT / depth;
+            BufferedImage shown = draw(with, view, state);
+            double[] contrasts = contrast.of(
+                    shown,
+                    draw(without, view, state),
+                    WIDTH / 2.0 + view.alongRight(way.x(), way.y(), way.z()) * scale,
+                    HEIGHT / 2.0 - view.alongUp(way.x(), way.y(), way.z()) * scale,
+                    (sight.sign().halfMetres() + BESIDE_METRES) * scale);
+            String what = String.format(
+                    Locale.ROOT,
+                    "%s, %s, sight %d, %s person",
+                    file,
+                    sight.sign().name(),
+                    number,
+                    fromBehind ? "third" : "first");
+            tally.add(what, way.length(), contrasts);
+            if (pictures != null) {
+                Files.createDirectories(pictures);
+                Capture.png(shown, pictures.resolve(what.replaceAll("[^A-Za-z0-9]+", "-") + ".png"));
+            }
+        }
+
+        private void shoot(FrameState state) {
+            state.portals(signs.portals());
+            for (int i = signs.firstShot(); i < state.portals().size(); i++) {
+                state.setPortalLook(i, i - signs.firstShot(), 1);
+            }
+        }
+
+        private BufferedImage draw(Renderer renderer, View view, FrameState state) {
+            renderer.forget();
+            renderer.draw(view, state, picture);
+            return Capture.image(picture);
+        }
+    }
+
+    /** What was seen. */
+    private static final class Tally {
+        private final List<String> failures = new ArrayList<>();
+        private final double[] least = new double[ColourVision.values().length];
+        private final String[] where = new String[least.length];
+        private int seen;
+        private int hidden;
+        private int far;
+
+        Tally() {
+            Arrays.fill(least, Double.POSITIVE_INFINITY);
+        }
+
+        void add(String what, double metres, double[] contrasts) {
+            if (contrasts == null) {
+                hidden++;
+                return;
+            }
+            seen++;
+            far += metres > 18 ? 1 : 0;
+            ColourVision worst = ColourVision.NORMAL;
+            for (ColourVision vision : ColourVision.values()) {
+                int i = vision.ordinal();
+                worst = contrasts[i] < contrasts[worst.ordinal()] ? vision : worst;
+                if (contrasts[i] < least[i]) {
+                    least[i] = contrasts[i];
+                    where[i] = what;
+                }
+            }
+            if (contrasts[worst.ordinal()] < LEAST_CONTRAST) {
+                failures.add(String.format(
+                        Locale.ROOT,
+                        "%s, %.1f m: %.1f of L* (%s)",
+                        what,
+                        metres,
+                        contrasts[worst.ordinal()],
+                        worst.name().toLowerCase(Locale.ROOT)));
+            }
+        }
+
+        ProofResult result(long units) {
+            List<Figure> figures = new ArrayList<>(List.of(
+                    Figure.sum("signs seen", seen, ""),
+                    Figure.sum("of them from 18 m or more", far, ""),
+                    Figure.sum("signs hidden", hidden, "")));
+            for (ColourVision vision : ColourVision.values()) {
+                int i = vision.ordinal();
+                String name = "least contrast, " + vision.name().toLowerCase(Locale.ROOT);
+                if (where[i] != null) {
+                    figures.add(Figure.least(name, least[i], "of L* (" + where[i] + ")"));
+                }
+            }
+            return ProofResult.of(units, failures, figures);
+        }
+    }
+}

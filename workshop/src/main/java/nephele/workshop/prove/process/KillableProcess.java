@@ -1,0 +1,66 @@
+package nephele.workshop.prove.process;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A Java process of this program that a proof kills. */
+public final class KillableProcess implements AutoCloseable {
+    private final Process process;
+
+    private KillableProcess(Process process) {
+        this.process = process;
+    }
+
+    /** The place of what the process writes to its error stream. */
+    public enum Errors {
+        DISCARDED,
+        IN_OUTPUT
+    }
+
+    /** Starts the main method of a class as cheaply as possible, with the class path of this process. */
+    public static KillableProcess start(Errors errors, Class<?> main, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-Xshare:auto",
+                "-Xmx128m",
+                "-cp",
+                System.getProperty("java.class.path"),
+                main.getName()));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command);
+        switch (errors) {
+            case DISCARDED -> builder.redirectError(ProcessBuilder.Redirect.DISCARD);
+            case IN_OUTPUT -> builder.redirectErrorStream(true);
+        }
+        return new KillableProcess(builder.start());
+    }
+
+    /** Returns what the process writes; what it wrote before a kill can be read after it. */
+    public InputStream output() {
+        return process.getInputStream();
+    }
+
+    /** Waits for the end of the process and returns its exit code. */
+    public int waitFor() throws InterruptedException {
+        return process.waitFor();
+    }
+
+    /** Kills the process and waits for its end. */
+    public void kill() throws InterruptedException {
+        // After Process.destroyForcibly the rest of the output can no longer be read; the handle leaves it readable.
+        process.toHandle().destroyForcibly();
+        process.waitFor();
+    }
+
+    /** Kills the process if it still runs, and closes its output. */
+    @Override
+    public void close() throws IOException {
+        process.toHandle().destroyForcibly();
+        process.getInputStream().close();
+    }
+}

@@ -1,0 +1,2 @@
+/** Proofs about terrains. */
+package nephele.workshop.prove.terrain;
