@@ -16,6 +16,7 @@ import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.level.appearance.LuminanceHistogram;
+import nephele.engine.render.frame.QualityField;
 import nephele.engine.render.frame.ToneMapping;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -191,8 +192,8 @@ class DrawingCommandsGlTest {
     @Test
     void theHelpNamesEverySetting() {
         String help = Captured.run("render", "--help").out().replaceAll("\\s+", " ");
-        for (String key : QualityChoice.keys()) {
-            assertTrue(help.contains(key + ",") || help.contains(key + ";"), key);
+        for (QualityField field : QualityChoice.FIELDS) {
+            assertTrue(help.contains(field.name() + ",") || help.contains(field.name() + ";"), field.name());
         }
     }
 }

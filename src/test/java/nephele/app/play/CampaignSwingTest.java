@@ -141,7 +141,7 @@ class CampaignSwingTest {
     /** Returns the middle of the first entry of the page after a level. */
     private static int firstEntry() {
         var entries = Collections.nCopies(5, new Entry("entry", new Choice.Quit()));
-        var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, null, "");
+        var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, 0, null, "");
         var panel = new MenuPanel(menu, new Area(640, 360));
         int top = 0;
         while (panel.rowAt(320, top) != 0) {
@@ -214,6 +214,7 @@ class CampaignSwingTest {
         second.expect("exit 02-first-shot.json");
         hand("up W");
         second.expect("menu ended");
+        untilTheEndHears();
         hand("picture " + PICTURES.resolve("3-practice.png"));
         hand("key UP");
         hand("key ENTER");
@@ -230,6 +231,7 @@ class CampaignSwingTest {
         byHand.expect("exit 02-first-shot.json");
         hand("up W");
         byHand.expect("menu ended");
+        untilTheEndHears();
         hand("picture " + PICTURES.resolve("3-end.png"));
         hand("click 320 " + firstEntry());
         byHand.expect("loading 03-momentum.json");
@@ -257,5 +259,10 @@ class CampaignSwingTest {
         hand("key UP");
         hand("key ENTER");
         third.expectEnd();
+    }
+
+    /** Waits until the page of the end takes keys: what is pressed earlier is meant for the game. */
+    private static void untilTheEndHears() throws InterruptedException {
+        TimeUnit.NANOSECONDS.sleep(MenuControl.UNASKED_NANOS + 300_000_000);
     }
 }

@@ -21,6 +21,7 @@ import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.BeforeEach;
@@ -34,8 +35,10 @@ class MenuControlTest {
 
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final Input input = new Input();
-    private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT), input::device);
-    private final MenuControl control = new MenuControl(input);
+    private long nanos = 1;
+    private final GameMenus menus =
+            new GameMenus(files, List.of(COURTYARD, SHOT), LevelCatalogue.titles(), input::device);
+    private final MenuControl control = new MenuControl(input, () -> nanos);
 
     @BeforeEach
     void open() {
@@ -92,6 +95,19 @@ class MenuControlTest {
         assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
     }
 
+    /** Title, pause, list and end call a level by its title in the player's language. */
+    @Test
+    void everyPageNamesALevelInThePlayersLanguage() {
+        files.keep(files.settings().with(Settings.LANGUAGE, Language.PT_PT));
+        files.keep(files.progress().withFinished("01-courtyard.json", 3467, 0, 0));
+        assertEquals("Primeiro disparo", menus.title().entries().get(0).value());
+        assertEquals("Pátio", menus.pause(COURTYARD, null).lines().get(0));
+        assertEquals("Pátio", menus.page(Menu.Page.LEVELS).entries().get(0).label());
+        Menu ended = menus.ended(request(null), new FinishedRun(1790, 2, 0), Progress.NONE, Optional.of(COURTYARD));
+        assertEquals("Primeiro disparo – Concluído", ended.title());
+        assertEquals("Pátio", ended.entries().get(0).value());
+    }
+
     @Test
     void theEndTellsTimePortalsAndBest() {
         Menu first = menus.ended(request(null), new FinishedRun(1790, 2, 0), Progress.NONE, Optional.empty());
@@ -116,6 +132,22 @@ class MenuControlTest {
     private PlayRequest request(PlayerStart from) {
         var player = new PlayRequest.Player(files, null);
         return new PlayRequest(SHOT, from, null, null, null, null, null, null, player);
+    }
+
+    /** After a level that cannot be loaded the player is where it was chosen, not in another level's pause. */
+    @Test
+    void pagesOpenAgainAsTheyWere() {
+        control.choiceOf(Control.BACK);
+        control.choiceOf(Control.BACK);
+        control.turnTo(menus.page(Menu.Page.LEVELS));
+        control.choiceOf(Control.BACK);
+        control.close();
+        assertNull(control.page());
+        control.reopen();
+        assertEquals("levels", control.page().name());
+        assertEquals(new Choice.Play(SHOT), control.choiceOf(Control.CONFIRM));
+        control.back();
+        assertEquals(2, control.page().selected());
     }
 
     /** The first page of a question leads back to the game, not to a page that was never open. */
@@ -196,6 +228,32 @@ class MenuControlTest {
         assertInstanceOf(Choice.Quit.class, control.choiceOf(AREA, 1));
     }
 
+    /** Whoever jumps and shoots up to the exit still sees what the run has counted, with the next level selected. */
+    @Test
+    void whatWasMeantForTheGameChoosesNothingAtTheEnd() {
+        control.openUnasked(menus.pause(COURTYARD, "Find the way."));
+        nanos += MenuControl.UNASKED_NANOS - 1;
+        assertNull(control.choiceOf(Control.JUMP));
+        assertNull(control.choiceOf(Control.BACK));
+        input.point(640, row(5) - 1);
+        input.point(640, row(5));
+        input.click();
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals(0, control.page().selected());
+        nanos++;
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals(0, control.page().selected());
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.JUMP));
+    }
+
+    /** A page that the player opens obeys at once, also after one that has opened by itself. */
+    @Test
+    void aPageThatWasAskedForObeysAtOnce() {
+        control.openUnasked(menus.page(Menu.Page.LEVELS));
+        control.open(menus.pause(COURTYARD, "Find the way."));
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.CONFIRM));
+    }
+
     /** In a slow frame the pointer may move after a click; the click counts where the button went down. */
     @Test
     void aClickMeansTheRowWhereTheButtonWentDown() {
@@ -203,6 +261,54 @@ class MenuControlTest {
         input.click();
         input.point(640, row(5));
         assertInstanceOf(Choice.Resume.class, control.choiceOf(AREA, 1));
+    }
+
+    /** In a list that is longer than the window the pointer chooses what it was over before it selected it. */
+    @Test
+    void theListStaysUnderThePointerAndFollowsTheWheel() {
+        Area low = new Area(640, 360);
+        control.open(menus.page(Menu.Page.KEYS));
+        int first = new MenuPanel(control.page(), low).rowAt(320, 100);
+        for (int y = 100; y < 260; y++) {
+            int row = new MenuPanel(control.page(), low).rowAt(320, y);
+            input.point(320, y);
+            assertNull(control.choiceOf(low, 1));
+            assertEquals(row, control.page().selected(), "y " + y);
+        }
+        assertEquals(first, new MenuPanel(control.page(), low).rowAt(320, 100));
+        input.scroll(-0.75);
+        input.scroll(-1.5);
+        assertNull(control.choiceOf(low, 1));
+        assertEquals(first + 2, new MenuPanel(control.page(), low).rowAt(320, 100));
+        input.scroll(-99);
+        control.choiceOf(low, 1);
+        int last = control.page().entries().size() - 1;
+        int lastSeen = 0;
+        for (int y = 100; y < 360; y++) {
+            lastSeen = Math.max(lastSeen, new MenuPanel(control.page(), low).rowAt(320, y));
+        }
+        assertEquals(last, lastSeen);
+    }
+
+    /** With the mouse alone a number can be lowered as well as raised. */
+    @Test
+    void aClickOnTheLeftOfAValueStepsBack() {
+        control.open(menus.settings(GameSetting.Group.VIEW));
+        var panel = new MenuPanel(control.page(), AREA);
+        int y = 0;
+        while (panel.rowAt(640, y) != 0) {
+            y++;
+        }
+        double right = 640 + 220 - 32;
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, 1), clicked(right - 4, y + 20));
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, -1), clicked(right - 55, y + 20));
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, 1), clicked(640, y + 20));
+    }
+
+    private Choice clicked(double x, double y) {
+        input.point(x, y);
+        input.click();
+        return control.choiceOf(AREA, 1);
     }
 
     /** Returns the middle of a row of the pause menu, counted from 0. */

@@ -33,8 +33,13 @@ import nephele.engine.userfile.UserFolders;
  * begins with a word, into a folder, in all windows or one: {@code FOLDER [WORD [WINDOW]]}.
  */
 final class MenuPages {
-    /** The windows in which every page is legible: width and height in pixels. */
-    static final int[][] WINDOWS = {{640, 360}, {1280, 720}, {1920, 1080}, {2560, 1080}, {3840, 2160}};
+    /**
+     * The windows in which every page is whole: width and height in pixels. The first one has the least points; smaller
+     * ones, in which letters are small too, and a high one follow at the end.
+     */
+    static final int[][] WINDOWS = {
+        {640, 360}, {1280, 720}, {1920, 1080}, {2560, 1080}, {3840, 2160}, {400, 240}, {720, 1280}
+    };
 
     private final PlayerFiles files;
     private final GameMenus menus;
@@ -57,7 +62,7 @@ final class MenuPages {
                  "description": "%s", "par": {"seconds": 3600.5, "portals": 100}}"""
                         .formatted("A room with a view of rooms with views. ".repeat(40)));
         LevelFile.save(own.resolve("another.json"), level("levels/samples/exits.json"));
-        menus = new GameMenus(files, LevelCatalogue.campaign(), () -> Input.Device.KEYBOARD);
+        menus = new GameMenus(files, LevelCatalogue.campaign(), LevelCatalogue.titles(), () -> Input.Device.KEYBOARD);
         files.keep(Progress.NONE
                 .withFinished("01-courtyard.json", 3467, 0, 0)
                 .withFinished("02-first-shot.json", 71_790, 12, 0));
@@ -103,12 +108,11 @@ final class MenuPages {
 
     /** Returns what a window of this size shows, in points. */
     static Area area(int[] window) {
-        double scale = scale(window);
-        return new Area(window[0] / scale, window[1] / scale);
+        return Area.of(window[0], window[1], 1);
     }
 
     static double scale(int[] window) {
-        return Math.max(1, window[1] / Display.HIGHEST_POINTS);
+        return Area.pixelsPerPoint(window[0], window[1], 1);
     }
 
     public static void main(String[] arguments) throws IOException {
@@ -130,7 +134,7 @@ final class MenuPages {
                             for (int row = 0; row < page.entries().size() - 1; row += 2) {
                                 target.bind();
                                 target.clear(0.3f, 0.4f, 0.5f);
-                                HudContent content = pages.content(page.pointedAt(row), language);
+                                HudContent content = pages.content(page.moved(row), language);
                                 overlay.draw(hud.canvas(content, area(window), scale(window)), target);
                                 Capture.png(
                                         target,

@@ -57,7 +57,7 @@ class MenuPagesTest {
                     Area area = MenuPages.area(window);
                     int rows = window == MenuPages.WINDOWS[0] ? page.entries().size() : 1;
                     for (int row = 0; row < rows; row++) {
-                        var content = pages.content(page.pointedAt(row), language);
+                        var content = pages.content(page.moved(row), language);
                         DrawnBounds bounds = DrawnBounds.of(hud.canvas(content, area, 1));
                         String what = page.name() + " " + row + " " + language + " in " + area + ": " + bounds;
                         assertTrue(bounds.left() >= -LETTER_BORDER && bounds.top() >= -LETTER_BORDER, what);

@@ -1,10 +1,14 @@
 package nephele.app.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import nephele.app.play.SlowAdvice.Cause;
 import nephele.app.play.SlowAdvice.PictureNow;
 import nephele.app.play.SlowAdvice.QualityNow;
 import nephele.app.settings.GameSettings;
@@ -21,6 +25,8 @@ import org.junit.jupiter.api.Test;
 
 /** Advice about slow frames names what helps, and never what is so already. */
 class SlowAdviceTest {
+    private static final long SECOND = 1_000_000_000L;
+
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null, null));
     private final AutoQuality auto = new AutoQuality(files, "llvmpipe", true, null);
 
@@ -30,7 +36,7 @@ class SlowAdviceTest {
     }
 
     private static String advice(QualityNow quality, PictureNow picture) {
-        return SlowAdvice.text(quality, picture, Language.EN);
+        return SlowAdvice.text(new SlowAdvice.Cause(quality, picture), Language.EN);
     }
 
     @Test
@@ -79,5 +85,33 @@ class SlowAdviceTest {
         assertTrue(advice(QualityNow.LOWEST, PictureNow.CAN_BE_SMALLER).contains("smaller resolution"));
         assertEquals(Phrase.SLOW.in(Language.EN), advice(QualityNow.LOWEST, PictureNow.SMALLEST));
         assertNotEquals(Phrase.SLOW.in(Language.EN), advice(QualityNow.LOWEST, PictureNow.COVERS_SCREEN));
+    }
+
+    /** Ten minutes of slow frames while the quality sinks to its end: a line for each cause, none while a hint is shown. */
+    @Test
+    void eachCauseIsToldOnceAndNotOverAHint() {
+        SlowAdvice advice = new SlowAdvice();
+        Cause adapts = new Cause(QualityNow.ADAPTS, PictureNow.CAN_BE_SMALLER);
+        Cause lowest = new Cause(QualityNow.LOWEST, PictureNow.CAN_BE_SMALLER);
+        List<String> told = new ArrayList<>();
+        for (long second = 0; second < 600; second += 2) {
+            Cause cause = second < 20 || second % 60 == 0 ? adapts : lowest;
+            boolean isHintShown = second < 6 || second >= 20 && second < 30;
+            if (advice.isNews(cause, second * SECOND, isHintShown)) {
+                told.add(second + " " + cause.quality());
+            }
+        }
+        assertEquals(List.of("6 ADAPTS", "30 LOWEST"), told);
+    }
+
+    @Test
+    void aCauseThatWasAwayForLongIsToldAgain() {
+        SlowAdvice advice = new SlowAdvice();
+        Cause cause = new Cause(QualityNow.LOWEST, PictureNow.SMALLEST);
+        assertTrue(advice.isNews(cause, 0, false));
+        assertFalse(advice.isNews(cause, 100 * SECOND, false));
+        assertFalse(advice.isNews(cause, 250 * SECOND, false), "it was away for 150 s");
+        assertFalse(advice.isNews(cause, 431 * SECOND, true), "a hint is read");
+        assertTrue(advice.isNews(cause, 433 * SECOND, false));
     }
 }

@@ -194,7 +194,7 @@ class QualityControllerTest {
         assertEquals(
                 "ultra", run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 5).last.name());
         assertEquals(
-                "resolution 0.3",
+                "resolution 0.25",
                 run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 900).last.name());
         assertEquals(
                 "ultra",

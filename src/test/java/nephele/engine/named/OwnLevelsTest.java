@@ -39,4 +39,21 @@ class OwnLevelsTest {
         }
         assertEquals(List.of(), OwnLevels.in(folder.resolve("none")));
     }
+
+    /** A level is broken for the list, too, if a file that it names is missing: it could not be played. */
+    @Test
+    void aLevelWithoutItsTextureIsBroken() throws IOException {
+        Path level = folder.resolve("room.json");
+        Files.writeString(
+                level,
+                """
+                {"format": "nephele-level", "version": 1, "player": {"feet": [0, 0, 0]},
+                 "materials": [{"id": "wall", "texture": "textures/none.png"}],
+                 "solids": [{"id": "floor", "kind": "box", "material": "wall", "centre": [0, -1, 0], "size": [9, 2, 9]}]}
+                """);
+        assertEquals(
+                List.of("materials[0].texture: textures/none.png: there is no such file; "
+                        + "put it into the level's folder or into assets/ (names are case-sensitive)"),
+                LevelSummary.checked(new LevelName(level.toString())).problems());
+    }
 }

@@ -13,6 +13,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.GunInHand;
+import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.View;
@@ -106,6 +107,9 @@ class GunMotionTest {
             again.hold(input).ticks(1);
             assertEquals(gun(once), gun(again));
             assertEquals(
+                    once.walk().frameState().muzzleLight(),
+                    again.walk().frameState().muzzleLight());
+            assertEquals(
                     once.walk().frameState().shotEffects(),
                     again.walk().frameState().shotEffects());
         }
@@ -129,6 +133,26 @@ class GunMotionTest {
         assertEquals(ShotEffect.Kind.BOLT, bolt.kind());
         assertEquals(-8, bolt.to().z(), 1e-6, "on the wall");
         assertTrue(room.ticks(60).walk().frameState().shotEffects().isEmpty());
+    }
+
+    /** Both persons' shots light the surroundings from the muzzle, and for a moment only. */
+    @Test
+    void aShotLightsItsSurroundingsForAMoment() {
+        for (boolean isThird : new boolean[] {false, true}) {
+            HandWalk room = inHall();
+            if (isThird) {
+                room.walk().changePerson();
+                room.ticks(120);
+            }
+            assertNull(room.walk().frameState().muzzleLight(), "before");
+            room.hold(FIRST).ticks(1).hold(PlayerInput.NONE);
+            MuzzleLight light = room.walk().frameState().muzzleLight();
+            assertEquals(1, light.strength());
+            assertEquals(0, light.colour());
+            Vec3 fromBody = light.place().minus(room.walk().state().player().centre());
+            assertTrue(fromBody.length() < 1.6 && fromBody.z() < -0.3, "before the player: " + fromBody);
+            assertNull(room.ticks(17).walk().frameState().muzzleLight(), "after");
+        }
     }
 
     @Test

@@ -59,18 +59,34 @@ class HintClockTest {
     void noneIsGivenBeforeItsTime() {
         wait(0.9, Vec3.ZERO);
         assertNull(clock.offered());
-        assertNull(clock.give());
+        assertNull(clock.give(0));
         assertEquals(0, clock.given());
+    }
+
+    @Test
+    void theTimeToTheNextOneIsThatOfPlayHere() {
+        clock.tick(Vec3.ZERO);
+        assertEquals(1 - 1 / 120.0, clock.secondsToNext(), 1e-9);
+        wait(0.9, Vec3.ZERO);
+        assertNull(clock.give(0.05));
+        assertEquals(SOON, clock.give(0.1), "it is given shortly before its time");
+        assertEquals(2 - 109 / 120.0, clock.secondsToNext(), 1e-9);
+        wait(0.1, THERE);
+        assertEquals(0.4, clock.secondsToNext(), 1e-9, "there the hint of the place comes first");
+        clock.give(1);
+        clock.give(9);
+        assertEquals(3, clock.given());
+        assertEquals(Double.POSITIVE_INFINITY, clock.secondsToNext());
     }
 
     @Test
     void theyAreGivenInTheLevelsOrderAndTheLastOneAgain() {
         wait(2.1, Vec3.ZERO);
-        assertEquals(SOON, clock.give());
+        assertEquals(SOON, clock.give(0));
         assertEquals(LATER, clock.offered());
-        assertEquals(LATER, clock.give());
+        assertEquals(LATER, clock.give(0));
         assertNull(clock.offered());
-        assertEquals(LATER, clock.give(), "a hint that was missed can be read again");
+        assertEquals(LATER, clock.give(0), "a hint that was missed can be read again");
         assertEquals(2, clock.given());
     }
 
@@ -82,6 +98,6 @@ class HintClockTest {
         wait(0.3, THERE.plus(new Vec3(0, 0, 1.9)));
         assertEquals(NEAR, clock.offered());
         wait(0.3, THERE.plus(new Vec3(0, 0, 2.1)));
-        assertEquals(SOON, clock.give(), "who has gone on is not helped with what is behind");
+        assertEquals(SOON, clock.give(0), "who has gone on is not helped with what is behind");
     }
 }

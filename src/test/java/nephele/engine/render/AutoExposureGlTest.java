@@ -72,7 +72,7 @@ class AutoExposureGlTest {
     @ParameterizedTest
     @CsvSource({"STENCIL, 1", "TEXTURE, 1", "COPY, 1", "STENCIL, 4"})
     void thePictureIsMeteredAsByTheTwin(PortalTechnique technique, int samples) {
-        Quality quality = Quality.HIGH.withPortalTechnique(technique).withSamples(samples);
+        Quality quality = Quality.HIGH.with("portalTechnique", technique).with("samples", samples);
         RenderSettings settings = RenderSettings.of(Output.HDR, quality).with(Decoration.OFF);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer = Renderer.load(offscreen.gl, withPortal().level(), TestAssets.NONE, settings)) {

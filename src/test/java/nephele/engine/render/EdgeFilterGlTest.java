@@ -44,7 +44,7 @@ class EdgeFilterGlTest {
     }
 
     private static RenderSettings settings(EdgeFilter filter) {
-        return RenderSettings.of(Output.PLAIN, Quality.HIGH.withEdgeFilter(filter));
+        return RenderSettings.of(Output.PLAIN, Quality.HIGH.with("edgeFilter", filter));
     }
 
     private static double linear(int pixel) {

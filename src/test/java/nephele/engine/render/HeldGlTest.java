@@ -148,7 +148,7 @@ class HeldGlTest {
                 assertSeenThrough(draw(offscreen, heldAcross(plane), Quality.HIGH, BEFORE_THE_EYE));
             }
             for (PortalTechnique technique : PortalTechnique.values()) {
-                Quality quality = Quality.HIGH.withPortalTechnique(technique);
+                Quality quality = Quality.HIGH.with("portalTechnique", technique);
                 assertSeenThrough(draw(offscreen, heldAcross(-0.8), quality, BEFORE_THE_EYE));
             }
         }

@@ -40,10 +40,10 @@ class LightPartsGlTest {
     void partsSumUpToAll(double x, double y, double z) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(new Vec3(x, y, z), Vec3.ZERO);
-            Quality quality = Quality.HIGH.withImpostorPixels(32);
+            Quality quality = Quality.HIGH.with("impostorPixels", 32);
             List<float[]> parts = Stream.of(LightParts.ALL, LightParts.AMBIENT, LightParts.DIFFUSE, LightParts.SPECULAR)
                     .map(shown -> offscreen
-                            .radiance(level(), new TestAssets(), List.of(view), quality.withLightParts(shown))
+                            .radiance(level(), new TestAssets(), List.of(view), quality.with("lightParts", shown))
                             .get(0))
                     .toList();
             double[] sums = new double[4];

@@ -65,9 +65,9 @@ class MirrorFogGlTest {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
             for (PortalTechnique technique : List.of(PortalTechnique.STENCIL, PortalTechnique.TEXTURE)) {
                 Quality quality = Quality.HIGH
-                        .withPortalTechnique(technique)
-                        .withPortalResolution(1)
-                        .withViewBudget(2);
+                        .with("portalTechnique", technique)
+                        .with("portalResolution", 1)
+                        .with("viewBudget", 2);
                 RenderSettings settings = RenderSettings.of(Output.HDR, quality);
                 try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                     renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1)), offscreen.picture);

@@ -57,8 +57,10 @@ class MirrorGlTest {
     }
 
     private static RenderSettings by(PortalTechnique technique) {
-        Quality quality =
-                Quality.HIGH.withSamples(1).withPortalTechnique(technique).withPortalResolution(1);
+        Quality quality = Quality.HIGH
+                .with("samples", 1)
+                .with("portalTechnique", technique)
+                .with("portalResolution", 1);
         return RenderSettings.of(Output.PLAIN, quality);
     }
 

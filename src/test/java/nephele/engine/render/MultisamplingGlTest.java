@@ -48,7 +48,7 @@ class MultisamplingGlTest {
     }
 
     private static RenderSettings settings(Output output, int samples) {
-        return RenderSettings.of(output, Quality.HIGH.withSamples(samples));
+        return RenderSettings.of(output, Quality.HIGH.with("samples", samples));
     }
 
     private static int[] drawn(Offscreen offscreen, Output output, int samples) {
@@ -185,7 +185,7 @@ class MultisamplingGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             for (PortalTechnique technique : PortalTechnique.values()) {
                 for (int samples : new int[] {1, 4}) {
-                    Quality quality = Quality.HIGH.withSamples(samples).withPortalTechnique(technique);
+                    Quality quality = Quality.HIGH.with("samples", samples).with("portalTechnique", technique);
                     RenderSettings settings =
                             RenderSettings.of(Output.PLAIN, quality).with(RenderSettings.Decoration.OFF);
                     int[] pixels = offscreen.pixels(level, TestAssets.NONE, slanted(), settings);

@@ -100,7 +100,7 @@ class PortalEdgeGlTest {
             View view = offscreen.view(new Vec3(0, 0, 0), new Vec3(0, 0, -9));
             long before = -1;
             for (int budget : new int[] {0, 4, 12, 64}) {
-                RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.HIGH.withViewBudget(budget))
+                RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.HIGH.with("viewBudget", budget))
                         .with(Decoration.OFF);
                 try (Renderer renderer = Renderer.load(offscreen.gl, ring.level(), TestAssets.NONE, settings)) {
                     for (int frame = 0; frame < 3; frame++) {

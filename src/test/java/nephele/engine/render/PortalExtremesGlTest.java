@@ -88,7 +88,7 @@ class PortalExtremesGlTest {
 
     private static void assertFilled(Offscreen offscreen, Level level, View view, int budget) {
         for (PortalTechnique technique : PortalTechnique.values()) {
-            Quality quality = Quality.HIGH.withViewBudget(budget).withPortalTechnique(technique);
+            Quality quality = Quality.HIGH.with("viewBudget", budget).with("portalTechnique", technique);
             RenderSettings settings = RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF);
             try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                 for (int frame = 0; frame < 3; frame++) {

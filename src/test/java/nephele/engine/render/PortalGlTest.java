@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Views through portals are the same with every technique and setting, and the same as through a hole. */
 class PortalGlTest {
     private static final Vec3 SHADOW_SUN = new Vec3(1, 1, 0.5);
-    private static final Quality QUALITY = Quality.HIGH.withViewBudget(40);
+    private static final Quality QUALITY = Quality.HIGH.with("viewBudget", 40);
 
     private static RenderSettings settings(Output output) {
         return RenderSettings.of(output, QUALITY).with(Decoration.OFF);
@@ -100,7 +100,7 @@ class PortalGlTest {
         try (Offscreen offscreen = new Offscreen(96, 54)) {
             Scene scene = Scene.of(facing(), TestAssets.NONE);
             RenderSettings stencil = settings(output);
-            RenderSettings texture = stencil.with(QUALITY.withPortalTechnique(PortalTechnique.TEXTURE));
+            RenderSettings texture = stencil.with(QUALITY.with("portalTechnique", PortalTechnique.TEXTURE));
             assertArrayEquals(drawAll(offscreen, scene, stencil), drawAll(offscreen, scene, texture));
         }
     }
@@ -115,7 +115,7 @@ class PortalGlTest {
             int[] unshaded =
                     draw(offscreen, shadowBehindAPortal().sun(SHADOW_SUN, 2).level(), view, settings(Output.PLAIN));
             assertTrue(differing(shaded, unshaded) > 50, "a shadow is seen: " + differing(shaded, unshaded));
-            RenderSettings other = settings(Output.PLAIN).with(QUALITY.withPortalTechnique(technique));
+            RenderSettings other = settings(Output.PLAIN).with(QUALITY.with("portalTechnique", technique));
             assertArrayEquals(shaded, draw(offscreen, shadowBehindAPortal().level(), view, other));
         }
     }
@@ -150,7 +150,8 @@ class PortalGlTest {
     void lessResolutionOnlyBlurs() {
         try (Offscreen offscreen = new Offscreen(160, 90)) {
             View view = views(offscreen)[0];
-            Quality half = QUALITY.withPortalTechnique(PortalTechnique.TEXTURE).withPortalResolution(0.5);
+            Quality half =
+                    QUALITY.with("portalTechnique", PortalTechnique.TEXTURE).with("portalResolution", 0.5);
             int[] whole = draw(offscreen, facing(), view, settings(Output.PLAIN));
             int[] blurred =
                     draw(offscreen, facing(), view, settings(Output.PLAIN).with(half));
@@ -169,7 +170,7 @@ class PortalGlTest {
         try (Offscreen offscreen = new Offscreen(160, 90)) {
             View view = views(offscreen)[0];
             int[] one = draw(offscreen, facing(), view, settings(Output.PLAIN));
-            int[] four = draw(offscreen, facing(), view, settings(Output.PLAIN).with(QUALITY.withSamples(4)));
+            int[] four = draw(offscreen, facing(), view, settings(Output.PLAIN).with(QUALITY.with("samples", 4)));
             double sum = 0;
             for (int i = 0; i < one.length; i++) {
                 sum += Math.abs(Offscreen.green(one[i]) - Offscreen.green(four[i]));
@@ -265,7 +266,7 @@ class PortalGlTest {
                     .level();
             View view = offscreen.view(new Vec3(0, 0, 1), new Vec3(0, 0, -1));
             for (PortalTechnique technique : PortalTechnique.values()) {
-                RenderSettings plain = settings(Output.PLAIN).with(QUALITY.withPortalTechnique(technique));
+                RenderSettings plain = settings(Output.PLAIN).with(QUALITY.with("portalTechnique", technique));
                 int[] pixels = draw(offscreen, level, view, plain);
                 assertTrue(Arrays.stream(pixels).allMatch(pixel -> pixel == 0x3366cc));
             }

@@ -66,7 +66,7 @@ class PortalTerminalGlTest {
     }
 
     private static RenderSettings budget(int views) {
-        return RenderSettings.of(Output.PLAIN, Quality.HIGH.withViewBudget(views))
+        return RenderSettings.of(Output.PLAIN, Quality.HIGH.with("viewBudget", views))
                 .with(Decoration.OFF);
     }
 
@@ -96,7 +96,7 @@ class PortalTerminalGlTest {
             int[] marked = frames(offscreen, budget(3).with(Deepest.MARK), 1);
             for (PortalTechnique technique : PortalTechnique.values()) {
                 RenderSettings few = budget(3);
-                int[] first = frames(offscreen, few.with(few.quality().withPortalTechnique(technique)), 1);
+                int[] first = frames(offscreen, few.with(few.quality().with("portalTechnique", technique)), 1);
                 int differing = 0;
                 for (int i = 0; i < whole.length; i++) {
                     assertTrue(first[i] != 0 && first[i] != MAGENTA);
@@ -122,7 +122,7 @@ class PortalTerminalGlTest {
             int[] marked = frames(offscreen, underSky(0.2, 0.8), budget(0).with(Deepest.MARK), 1);
             for (PortalTechnique technique : PortalTechnique.values()) {
                 RenderSettings none = budget(0);
-                RenderSettings settings = none.with(none.quality().withPortalTechnique(technique));
+                RenderSettings settings = none.with(none.quality().with("portalTechnique", technique));
                 int[] one = frames(offscreen, underSky(0.2, 0.8), settings, 1);
                 int[] other = frames(offscreen, underSky(0.6, 0.8), settings, 1);
                 int inside = 0;

@@ -76,18 +76,18 @@ class StageGlTest {
     }
 
     private static Quality technique(PortalTechnique technique) {
-        return Quality.HIGH.withViewBudget(6).withPortalTechnique(technique);
+        return Quality.HIGH.with("viewBudget", 6).with("portalTechnique", technique);
     }
 
     @Test
     void aPassReadsTheViewThatItIsDrawnIn() {
         List<RenderSettings> all = new ArrayList<>();
         for (PortalTechnique technique : PortalTechnique.values()) {
-            all.add(settings(technique(technique).withSamples(4)));
+            all.add(settings(technique(technique).with("samples", 4)));
         }
-        all.add(settings(technique(PortalTechnique.TEXTURE).withPortalResolution(0.5)));
-        all.add(settings(Quality.HIGH.withViewBudget(6)));
-        all.add(settings(Quality.HIGH.withViewBudget(6)).with(Narrowing.OFF));
+        all.add(settings(technique(PortalTechnique.TEXTURE).with("portalResolution", 0.5)));
+        all.add(settings(Quality.HIGH.with("viewBudget", 6)));
+        all.add(settings(Quality.HIGH.with("viewBudget", 6)).with(Narrowing.OFF));
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             for (RenderSettings each : all) {
                 try (Renderer renderer = trial(offscreen, threeWalls(), each)) {
@@ -123,7 +123,7 @@ class StageGlTest {
                         threeWalls(),
                         RenderSettings.of(
                                         Output.HDR,
-                                        Quality.HIGH.withViewBudget(6).withSamples(4))
+                                        Quality.HIGH.with("viewBudget", 6).with("samples", 4))
                                 .with(Decoration.OFF))) {
             renderer.draw(view(offscreen), offscreen.picture);
             float[] radiance = renderer.readRadiance();
@@ -150,7 +150,7 @@ class StageGlTest {
     @Test
     void onlyWhatIsReadIsCopied() {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
-        RenderSettings played = settings(Quality.HIGH.withViewBudget(6)).with(CharacterPresence.POSSIBLE);
+        RenderSettings played = settings(Quality.HIGH.with("viewBudget", 6)).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
                 var loaded = offscreen.gl.live().counts();
@@ -184,7 +184,7 @@ class StageGlTest {
     @Test
     void theBareTwinReadsItsViewsToo() {
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE);
-                Renderer renderer = trial(offscreen, threeWalls(), settings(Quality.HIGH.withViewBudget(6)));
+                Renderer renderer = trial(offscreen, threeWalls(), settings(Quality.HIGH.with("viewBudget", 6)));
                 BareTwin twin = new BareTwin(offscreen.gl, renderer, List.of(view(offscreen)), offscreen.picture)) {
             offscreen.picture.clear(1, 0, 1);
             twin.draw(0);

@@ -95,7 +95,7 @@ class UnmeteredValuesGlTest {
                 .box("white", new Vec3(0, 0, 26), new Vec3(60, 60, 2))
                 .portal("c", null, new Vec3(0, 0, 25), new Vec3(0, 0, -1), 12, 12)
                 .level();
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withPortalTechnique(technique));
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("portalTechnique", technique));
         float[] even = {(float) light, (float) light, (float) light};
         double expected = AutoExposure.stops(LuminanceHistogram.of(even, 1), AutoExposure.MOST_STOPS);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

@@ -38,7 +38,7 @@ class UpscaleGlTest {
 
     private static RenderSettings settings(Output output, double resolution, Upscale filter) {
         return RenderSettings.of(
-                output, Quality.HIGH.withPictureResolution(resolution).withUpscale(filter));
+                output, Quality.HIGH.with("pictureResolution", resolution).with("upscale", filter));
     }
 
     @ParameterizedTest
@@ -120,7 +120,7 @@ class UpscaleGlTest {
     /** A level whose picture is one colour is drawn by a clear alone; nothing is scaled or filtered. */
     @Test
     void theEmptyLevelIsOneClearAtEveryQuality() {
-        var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.withEdgeFilter(EdgeFilter.MORPHOLOGICAL));
+        var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.with("edgeFilter", EdgeFilter.MORPHOLOGICAL));
         try (var offscreen = new Offscreen(8, 8);
                 var renderer = Renderer.load(offscreen.gl, new TestLevel().level(), TestAssets.NONE, settings)) {
             assertEquals(List.of("clear"), renderer.stepNames());

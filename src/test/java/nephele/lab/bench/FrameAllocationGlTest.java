@@ -129,18 +129,18 @@ class FrameAllocationGlTest {
 
     @Test
     void throughFewPortals() {
-        assertLittle("bench/boxes-1000-portals.json", Output.PLAIN, Quality.HIGH.withViewBudget(12));
+        assertLittle("bench/boxes-1000-portals.json", Output.PLAIN, Quality.HIGH.with("viewBudget", 12));
     }
 
     @Test
     void throughManyPortals() {
-        assertLittle("bench/portals-64.json", Output.DIRECT, Quality.HIGH.withViewBudget(24));
+        assertLittle("bench/portals-64.json", Output.DIRECT, Quality.HIGH.with("viewBudget", 24));
     }
 
     @Test
     void withPicturesOfTheirOwn() {
         Quality quality =
-                Quality.HIGH.withPortalTechnique(PortalTechnique.TEXTURE).withViewBudget(8);
+                Quality.HIGH.with("portalTechnique", PortalTechnique.TEXTURE).with("viewBudget", 8);
         assertLittle("bench/boxes-1000-portals.json", Output.HDR, quality);
     }
 

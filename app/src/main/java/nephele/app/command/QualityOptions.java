@@ -1,8 +1,10 @@
 package nephele.app.command;
 
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import nephele.engine.draw.QualityChoice;
+import nephele.engine.render.frame.QualityField;
 import picocli.CommandLine.Option;
 
 /** The quality options that all drawing commands share. */
@@ -21,14 +23,17 @@ final class QualityOptions {
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
             description =
-                    "Change single settings: pictureResolution, upscale, anisotropy, normalMaps, brdf, shadowTexels,"
-                            + " shadowFilter, lightShadows, samples, edgeFilter, portalTechnique, viewBudget,"
-                            + " portalResolution, cloudResolution, cloudHistory, cloudStep, cloudLightCell,"
-                            + " cloudScattering, billboardFacing, particleLight, impostors, impostorErrorPixels,"
-                            + " skyplaneShape, proceduralNoise, cloudSkyboxTexels, terrainDetail, terrainErrorPixels,"
-                            + " terrainLayers, lightParts, impostorPixels, spriteCoverage, culling, narrowing, rims;"
-                            + " debug=ids draws every solid in its own colour.")
+                    "Change single settings: ${COMPLETION-CANDIDATES}; debug=ids draws every solid in its own colour.",
+            completionCandidates = Names.class)
     private Map<String, String> settings = new LinkedHashMap<>();
+
+    /** The names of all settings, for the help. */
+    static final class Names implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return QualityChoice.FIELDS.stream().map(QualityField::name).iterator();
+        }
+    }
 
     QualityChoice choice() {
         var choice = new QualityChoice(quality, settings);

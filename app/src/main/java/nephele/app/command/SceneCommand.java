@@ -5,10 +5,13 @@ import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
 import nephele.app.view.SceneViewer;
 import nephele.app.window.GameWindow;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Language;
 import nephele.engine.render.Capture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -16,6 +19,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
+import nephele.engine.userfile.UserFolders;
 import nephele.scenes.file.OpenedScene;
 import nephele.scenes.file.SceneName;
 import nephele.scenes.fixed.FixedSceneDrawing;
@@ -93,7 +97,9 @@ final class SceneCommand implements Command {
             savePicture(start, pixels);
         } else if (SystemDisplay.isPresent()) {
             terminal.shown().run();
-            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()));
+            Language language =
+                    new PlayerFiles(UserFolders.ofThisUser()).settings().get(Settings.LANGUAGE);
+            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()), language);
         } else {
             new OffscreenTour(start, terminal.out()).save(PICTURES, name.stem(), pixels.width(), pixels.height());
         }

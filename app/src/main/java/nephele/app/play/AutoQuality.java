@@ -10,8 +10,10 @@ import nephele.app.settings.GameSetting;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.QualityMemory;
 import nephele.app.settings.Settings;
+import nephele.app.text.Phrase;
 import nephele.engine.draw.QualityController;
 import nephele.engine.draw.QualityFront;
+import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GpuLimits;
 
@@ -22,6 +24,8 @@ final class AutoQuality {
 
     /** What the frames of a walk usually cost at most, relative to the cheapest of its first view. */
     private static final double WALK_BY_START = 1.4;
+
+    private static final String RESOLUTION = "resolution ";
 
     private final PlayerFiles files;
     private final boolean software;
@@ -166,20 +170,40 @@ final class AutoQuality {
     }
 
     /** Returns the lines of the panel of figures about the choice. */
-    List<Figure> figures(PlayRequest request) {
+    List<Figure> figures(PlayRequest request, Language language) {
         if (!request.isQualityAutomatic()) {
-            return List.of(new Figure("quality", request.chosenQuality().preset()));
+            String preset = name(request.chosenQuality().preset(), language);
+            return List.of(new Figure(Phrase.FIGURE_QUALITY.in(language), preset));
         }
         var reason = controller.reason();
         List<Figure> lines = new ArrayList<>();
-        lines.add(new Figure("quality, auto", controller.point().name()));
         lines.add(new Figure(
-                "  slowest",
-                String.format(Locale.ROOT, "%.0f of %.0f ms", reason.slowestMillis(), reason.budgetMillis())));
+                Phrase.FIGURE_QUALITY_AUTO.in(language), name(controller.point().name(), language)));
+        String slowest = String.format(Locale.ROOT, "%.0f", reason.slowestMillis());
+        String budget = String.format(Locale.ROOT, "%.0f", reason.budgetMillis());
+        lines.add(new Figure(
+                "  " + Phrase.FIGURE_SLOWEST.in(language), Phrase.FIGURE_OF_BUDGET.in(language, slowest, budget)));
         if (reason.next() != null) {
             lines.add(new Figure(
-                    "  " + reason.next().name(), String.format(Locale.ROOT, "%.0f ms", reason.nextMillis())));
+                    "  " + name(reason.next().name(), language),
+                    String.format(Locale.ROOT, "%.0f ms", reason.nextMillis())));
         }
         return lines;
+    }
+
+    /**
+     * Returns a point of the front, or a preset, in the player's words.
+     *
+     * @param point {@code high}, or {@code resolution 0.6}
+     */
+    static String name(String point, Language language) {
+        for (Settings.QualityPreset preset : Settings.QualityPreset.values()) {
+            if (GameSetting.word(preset).equalsIgnoreCase(point)) {
+                return Phrase.ofWord(preset).in(language);
+            }
+        }
+        return point.startsWith(RESOLUTION)
+                ? Phrase.RESOLUTION_SHARE.in(language, point.substring(RESOLUTION.length()))
+                : point;
     }
 }

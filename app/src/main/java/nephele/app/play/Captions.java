@@ -4,13 +4,19 @@ import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.text.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelTitles;
 
 /** The banner in the upper part of the picture: what is being loaded, or the aim of a level that has just begun. */
 final class Captions {
     private static final long AIM_NANOS = 6_000_000_000L;
 
+    private final LevelTitles titles;
     private Session begun;
     private long begunNanos;
+
+    Captions(LevelTitles titles) {
+        this.titles = titles;
+    }
 
     /** Shows the aim of a level from now on; of none if it is null. */
     void begin(Session session) {
@@ -19,14 +25,17 @@ final class Captions {
     }
 
     /** Returns the banner of a level that is being loaded. */
-    static Banner of(Loading loading, Language language) {
-        return new Banner(
-                Phrase.LOADING.in(language) + " " + loading.request().level().title(), loading.progress(language));
+    Banner of(Loading loading, Language language) {
+        return loading(loading.request().level(), loading.progress(language), language);
     }
 
     /** Returns the banner of a level that is loaded and whose first frame is drawn. */
-    static Banner preparing(LevelName level, Language language) {
-        return new Banner(Phrase.LOADING.in(language) + " " + level.title(), Phrase.PREPARING.in(language));
+    Banner preparing(LevelName level, Language language) {
+        return loading(level, Phrase.PREPARING.in(language), language);
+    }
+
+    private Banner loading(LevelName level, String progress, Language language) {
+        return new Banner(Phrase.LOADING.in(language) + " " + titles.of(level, language), progress);
     }
 
     /** Returns the aim of the running level for its first seconds; null if there is none to show. */
@@ -34,6 +43,11 @@ final class Captions {
         if (begun == null || System.nanoTime() - begunNanos > AIM_NANOS) {
             return null;
         }
-        return GoalSight.text(begun.level(), language) == null ? null : GoalSight.banner(begun, language);
+        return GoalSight.text(begun.level(), language) == null ? null : goal(begun, language);
+    }
+
+    /** Returns the goal of a level below its title. */
+    Banner goal(Session session, Language language) {
+        return GoalSight.banner(session, titles.of(session.request().level(), language), language);
     }
 }

@@ -6,6 +6,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
 import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
@@ -118,11 +119,11 @@ final class CurrentLevel implements AutoCloseable {
     }
 
     /** Returns the lines of the panel of figures; empty if it is closed. */
-    List<HudContent.Figure> figureLines() {
+    List<HudContent.Figure> figureLines(Language language) {
         if (figures.lines().isEmpty()) {
             return List.of();
         }
-        return Stream.concat(auto.figures(session.request()).stream(), figures.lines().stream())
+        return Stream.concat(auto.figures(session.request(), language).stream(), figures.lines().stream())
                 .toList();
     }
 

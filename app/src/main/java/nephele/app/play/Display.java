@@ -37,9 +37,6 @@ final class Display implements AutoCloseable {
 
     private static final OverlayColour BLACK = OverlayColour.opaque(0);
 
-    /** The greatest height of the overlay in points; the overlay of a higher picture is scaled up. */
-    static final double HIGHEST_POINTS = 1080;
-
     /** Frames of the first view that only compile programs. */
     private static final int FIRST_VIEW_WARM_UP = 2;
 
@@ -168,7 +165,7 @@ final class Display implements AutoCloseable {
         try {
             message.say(Phrase.SAVED, screenshots.take(picture));
         } catch (IOException failure) {
-            message.say(failure.getMessage());
+            message.say(Phrase.NOT_SAVED, failure.getMessage());
         }
     }
 
@@ -187,9 +184,9 @@ final class Display implements AutoCloseable {
         return (double) window.width() / window.height();
     }
 
-    /** Returns the overlay's scale: the screen's own, but more where the picture is high, so that text stays legible. */
+    /** Returns the overlay's scale. */
     double pixelsPerPoint() {
-        return Math.max(window.scale(), window.height() / HIGHEST_POINTS);
+        return Area.pixelsPerPoint(window.width(), window.height(), window.scale());
     }
 
     /** Returns the window's size in points. */

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.play.hud.HudContent.Figure;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.render.Renderer;
@@ -34,11 +36,11 @@ final class FrameStatistics implements AutoCloseable {
     }
 
     /** Returns the panel's lines; called after each frame. */
-    List<Figure> afterFrame(Playthrough playthrough) {
+    List<Figure> afterFrame(Playthrough playthrough, Language language) {
         frames++;
         long now = System.nanoTime();
         if (now - intervalStart >= INTERVAL_NANOS) {
-            figures = read(now, playthrough);
+            figures = read(now, playthrough, language);
             timer.reset();
             frames = 0;
             allocatedAtStart = stopwatch.allocatedBytes();
@@ -47,19 +49,21 @@ final class FrameStatistics implements AutoCloseable {
         return figures;
     }
 
-    private List<Figure> read(long now, Playthrough playthrough) {
+    private List<Figure> read(long now, Playthrough playthrough, Language language) {
         double frameMs = (now - intervalStart) / 1e6 / frames;
         long allocated = (stopwatch.allocatedBytes() - allocatedAtStart) / frames;
         var lines = new ArrayList<Figure>();
-        lines.add(new Figure("frames a second", String.format(Locale.ROOT, "%.1f", 1000 / frameMs)));
-        lines.add(new Figure("frame", ms(frameMs)));
+        lines.add(new Figure(Phrase.FIGURE_FRAMES.in(language), String.format(Locale.ROOT, "%.1f", 1000 / frameMs)));
+        lines.add(new Figure(Phrase.FIGURE_FRAME.in(language), ms(frameMs)));
         for (int step = 0; step < stepNames.size(); step++) {
-            lines.add(new Figure("  " + stepNames.get(step), ms(timer.meanMs(step))));
+            lines.add(new Figure("  " + Phrase.ofStep(stepNames.get(step)).in(language), ms(timer.meanMs(step))));
         }
-        lines.add(new Figure("draws", Long.toString(renderer.draws())));
-        lines.add(new Figure("triangles", Long.toString(renderer.triangles())));
-        lines.add(new Figure("allocated a frame", allocated + " B"));
-        lines.add(new Figure("tick", Long.toString(playthrough.state().tick())));
+        lines.add(new Figure(Phrase.FIGURE_DRAWS.in(language), Long.toString(renderer.draws())));
+        lines.add(new Figure(Phrase.FIGURE_TRIANGLES.in(language), Long.toString(renderer.triangles())));
+        lines.add(new Figure(Phrase.FIGURE_ALLOCATED.in(language), allocated + " B"));
+        lines.add(new Figure(
+                Phrase.FIGURE_TICK.in(language),
+                Long.toString(playthrough.state().tick())));
         return List.copyOf(lines);
     }
 

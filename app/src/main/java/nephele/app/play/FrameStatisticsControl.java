@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import java.util.List;
 import nephele.app.play.hud.HudContent;
+import nephele.engine.level.Language;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
@@ -47,9 +48,10 @@ final class FrameStatisticsControl implements AutoCloseable {
         return figures.timer();
     }
 
-    void frameEnds(Playthrough playthrough) {
+    /** @param language of the lines */
+    void frameEnds(Playthrough playthrough, Language language) {
         if (figures != null) {
-            lines = figures.afterFrame(playthrough);
+            lines = figures.afterFrame(playthrough, language);
         }
     }
 

@@ -20,6 +20,7 @@ import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
 
@@ -48,10 +49,14 @@ public final class GameLoop implements AutoCloseable {
     private final GamePicture picture;
     private final SettingsControl settings;
     private final RunCounter counter = new RunCounter();
-    private final TimeLoss timeLoss = new TimeLoss();
+    private final SlowAdvice slow = new SlowAdvice();
     private final FrameCap frameCap = new FrameCap();
     private final PlayRequest first;
+    private final LevelTitles titles = LevelCatalogue.titles();
     private Loading loading;
+
+    /** The stage whose menu has started the level that is being loaded; null if the command line has. */
+    private GameStage startedFrom;
 
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
@@ -65,14 +70,14 @@ public final class GameLoop implements AutoCloseable {
         this.input = input;
         files = request.player().files();
         log = new StageLog(request.player().log());
-        menus = new GameMenus(files, LevelCatalogue.campaign(), input::device);
+        menus = new GameMenus(files, LevelCatalogue.campaign(), titles, input::device);
         gamepad = new Gamepad(input);
-        menu = new MenuControl(input);
+        menu = new MenuControl(input, System::nanoTime);
         auto = new AutoQuality(files, gl.limits(), request.player().log());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         settings = new SettingsControl(window, input, menus, menu, current, message);
-        picture = new GamePicture(display, current, menu, message, files, input);
+        picture = new GamePicture(display, current, menu, message, files, input, titles);
         settings.applyVerticalSync();
         if (window.mode() == WindowMode.WINDOWED && files.settings().get(Settings.WINDOW_MODE) != WindowMode.WINDOWED) {
             settings.applyMode();
@@ -271,6 +276,7 @@ public final class GameLoop implements AutoCloseable {
 
     /** Starts a level; one that is loaded or being loaded already is used. */
     private void play(PlayRequest next) {
+        startedFrom = stages.current();
         boolean isLoaded = current.session() != null
                 && current.session().request().isPlayedFromStart()
                 && current.session().request().shows(next);
@@ -288,11 +294,11 @@ public final class GameLoop implements AutoCloseable {
     private void visit(String scene) {
         try {
             var screen = new PlayRequest.SceneViewing.Screen(window, input, gl, language());
-            first.player().scenes().show(scene, screen, message::say);
+            first.player().scenes().show(scene, titles.of(scene, language(), scene), screen, message::say);
         } catch (CommandFailure problem) {
-            message.say(problem.getMessage());
+            message.say(Phrase.SCENE_NOT_SHOWN, problem.getMessage());
         } catch (RuntimeException problem) {
-            message.say(LoadProblem.line(problem).orElseThrow(() -> problem));
+            message.say(Phrase.SCENE_NOT_SHOWN, LoadProblem.line(problem).orElseThrow(() -> problem));
         }
         window.title(TITLE);
         lastNanos = System.nanoTime();
@@ -349,7 +355,8 @@ public final class GameLoop implements AutoCloseable {
     }
 
     /**
-     * Replaces the level. The old one is kept until the new one is complete: after a level that fails the menu opens.
+     * Replaces the level. The old one is kept until the new one is complete: after a level that fails the menu that
+     * started it is there again.
      */
     private void load() {
         try {
@@ -358,18 +365,13 @@ public final class GameLoop implements AutoCloseable {
             begin();
         } catch (RuntimeException problem) {
             var told = LoadProblem.line(problem);
-            boolean mayGoOn = current.session() != null || first.level() == null;
-            if (!mayGoOn || told.isEmpty()) {
+            if (startedFrom == null || told.isEmpty()) {
                 throw problem;
             }
             loading = null;
             message.say(Phrase.NOT_LOADED, told.get());
-            if (current.session() == null) {
-                openTitle();
-                loading = null;
-            } else {
-                openPause();
-            }
+            menu.reopen();
+            stages.change(startedFrom);
         }
     }
 
@@ -385,7 +387,7 @@ public final class GameLoop implements AutoCloseable {
         current.isPlayed(display::firstViewMillis);
         lastNanos = System.nanoTime();
         counter.restart();
-        timeLoss.restart();
+        slow.restart();
         input.forgetPresses();
         picture.levelBegins();
         stages.change(GameStage.RUNNING);
@@ -408,9 +410,11 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            var slow = SlowAdvice.picture(window, files.settings());
-            message.say(SlowAdvice.text(current.quality(), slow, language()));
+        if (slow.isTimeLost(now, walk.lostNanos())) {
+            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
+            if (slow.isNews(cause, now, message.showsHint())) {
+                message.sayAside(SlowAdvice.text(cause, language()));
+            }
         }
         if (finished.isPresent()) {
             end(session, finished.get());
@@ -434,7 +438,7 @@ public final class GameLoop implements AutoCloseable {
             files.keep(before.withFinished(level.key(), run.ticks(), run.portals(), run.hints()));
         }
         page = Page.NONE;
-        menu.open(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));
+        menu.openUnasked(menus.ended(session.request(), run, before, LevelCatalogue.after(level)));
         stages.change(GameStage.ENDED);
     }
 

@@ -14,6 +14,7 @@ import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.terminal.ProgramVersion;
 
 /** Makes the pages of the menu from the player's settings and progress, in the player's language. */
@@ -25,12 +26,12 @@ final class GameMenus {
     private final LevelPages levels;
 
     /** @param device the one whose keys the pages name */
-    GameMenus(PlayerFiles files, List<LevelName> campaign, Supplier<Input.Device> device) {
+    GameMenus(PlayerFiles files, List<LevelName> campaign, LevelTitles titles, Supplier<Input.Device> device) {
         this.files = files;
         this.campaign = campaign;
         writer = new PageWriter(files, device);
         settings = new SettingsPages(writer);
-        levels = new LevelPages(writer, campaign);
+        levels = new LevelPages(writer, campaign, titles);
     }
 
     /** Returns the first level of the campaign that is not finished, else the first; empty without a campaign. */
@@ -47,7 +48,7 @@ final class GameMenus {
         nextToPlay()
                 .ifPresent(level -> entries.add(new Entry(
                         text(hasBegun ? Phrase.CONTINUE : Phrase.BEGIN),
-                        hasBegun ? level.title() : "",
+                        hasBegun ? levels.title(level) : "",
                         new Choice.Play(level))));
         entries.add(new Entry(text(Phrase.LEVELS), new Choice.Open(Menu.Page.LEVELS)));
         entries.add(new Entry(text(Phrase.SAMPLES), new Choice.Open(Menu.Page.SAMPLES)));
@@ -103,7 +104,7 @@ final class GameMenus {
         }
         List<Entry> entries = new ArrayList<>();
         if (next.isPresent()) {
-            entries.add(new Entry(text(Phrase.NEXT_LEVEL), next.get().title(), new Choice.Play(next.get())));
+            entries.add(new Entry(text(Phrase.NEXT_LEVEL), levels.title(next.get()), new Choice.Play(next.get())));
         } else if (campaign.stream().anyMatch(each -> each.key().equals(level.key()))) {
             lines.add(text(Phrase.ALL_DONE));
         }

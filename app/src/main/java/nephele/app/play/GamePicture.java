@@ -16,6 +16,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.sim.state.TickEvent;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
@@ -28,7 +29,7 @@ final class GamePicture {
     private final MenuControl menu;
     private final Message message;
     private final PlayerFiles files;
-    private final Captions captions = new Captions();
+    private final Captions captions;
     private final Prompts prompts;
     private final GivenHints hints;
     private final ComparisonTexts comparisonTexts = new ComparisonTexts();
@@ -41,7 +42,14 @@ final class GamePicture {
     private HudContent.Keys keys;
 
     GamePicture(
-            Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files, Input input) {
+            Display display,
+            CurrentLevel current,
+            MenuControl menu,
+            Message message,
+            PlayerFiles files,
+            Input input,
+            LevelTitles titles) {
+        captions = new Captions(titles);
         this.display = display;
         this.current = current;
         this.menu = menu;
@@ -89,7 +97,7 @@ final class GamePicture {
     /** Draws what the window waits for until the level's first frame, which computes tables of its sky. */
     void announce() {
         Language language = files.settings().get(Settings.LANGUAGE);
-        Banner banner = Captions.preparing(current.session().request().level(), language);
+        Banner banner = captions.preparing(current.session().request().level(), language);
         display.drawEmpty(
                 new HudContent(null, Page.NONE, List.of(), message.texts(), banner, null, null, keys(), null),
                 Display.Shot.NONE);
@@ -125,13 +133,13 @@ final class GamePicture {
         var content = new HudContent(
                 menu.page(),
                 page,
-                current.figureLines(),
+                current.figureLines(keys().language()),
                 message.texts(),
                 banner(stage, loading),
                 isPlaying && session.walk().observer() == null ? sight(session, area) : null,
                 comparison(session),
                 keys(),
-                page == Page.HELP && stage != GameStage.TITLE ? GoalSight.banner(session, keys().language()) : null);
+                page == Page.HELP && stage != GameStage.TITLE ? captions.goal(session, keys().language()) : null);
         var listener = current.figures().frameBegins();
         boolean isKept = stage == GameStage.TITLE && display.keepsTitle();
         if (isKept) {
@@ -141,7 +149,7 @@ final class GamePicture {
         } else {
             display.draw(session, content, listener, shot);
         }
-        current.figures().frameEnds(session.walk());
+        current.figures().frameEnds(session.walk(), keys().language());
         if (shot == Display.Shot.NONE && !isKept) { // a frame with a screenshot waits for a file
             current.frameCost(display.costMillis(), display.pixels());
         }
@@ -204,7 +212,7 @@ final class GamePicture {
     private Banner running(Language language) {
         if (showsGoal()) {
             prompts.goalShown();
-            return GoalSight.banner(current.session(), language);
+            return captions.goal(current.session(), language);
         }
         Banner aim = captions.aim(language);
         return aim != null ? aim : ObserverTexts.banner(current.session().walk(), keys());
@@ -213,7 +221,7 @@ final class GamePicture {
     private Banner banner(GameStage stage, Loading loading) {
         Language language = files.settings().get(Settings.LANGUAGE);
         return switch (stage) {
-            case STARTING -> loading == null ? null : Captions.of(loading, language);
+            case STARTING -> loading == null ? null : captions.of(loading, language);
             case RUNNING -> running(language);
             default -> null;
         };

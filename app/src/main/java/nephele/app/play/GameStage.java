@@ -28,7 +28,7 @@ public enum GameStage {
             case INITIALISING -> EnumSet.of(TITLE, MENU, STARTING, LEAVING);
             case TITLE -> EnumSet.of(STARTING, RESTARTING, LEAVING);
             case MENU -> EnumSet.of(TITLE, STARTING, RUNNING, RESTARTING, LEAVING);
-            case STARTING -> EnumSet.of(RUNNING, TITLE, MENU, LEAVING);
+            case STARTING -> EnumSet.of(RUNNING, TITLE, MENU, ENDED, LEAVING);
             case RUNNING -> EnumSet.of(MENU, ENDED, RESTARTING, LEAVING);
             case ENDED -> EnumSet.of(TITLE, STARTING, RESTARTING, LEAVING);
             case RESTARTING -> EnumSet.of(RUNNING, LEAVING);

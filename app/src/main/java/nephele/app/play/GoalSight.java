@@ -16,10 +16,14 @@ import nephele.engine.scene.View;
 final class GoalSight {
     private GoalSight() {}
 
-    /** Returns the goal in words; of a level that says none a line that says so. */
-    static Banner banner(Session session, Language language) {
+    /**
+     * Returns the goal in words; of a level that says none a line that says so.
+     *
+     * @param title of the level
+     */
+    static Banner banner(Session session, String title, Language language) {
         String goal = text(session.level(), language);
-        return new Banner(session.request().level().title(), goal == null ? Phrase.NO_GOAL.in(language) : goal);
+        return new Banner(title, goal == null ? Phrase.NO_GOAL.in(language) : goal);
     }
 
     /** Returns the goal in a language, or in English; {@code null} if the level says none. */

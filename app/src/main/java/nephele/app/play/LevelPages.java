@@ -13,12 +13,12 @@ import nephele.app.play.hud.Menu.Fact;
 import nephele.app.settings.Progress;
 import nephele.app.text.Phrase;
 import nephele.engine.compare.TechniquePair;
+import nephele.engine.level.Language;
 import nephele.engine.level.Level;
-import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.LevelSummary;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.named.OwnLevels;
-import nephele.engine.named.SampleCatalogue;
 import nephele.engine.named.SampleCatalogue.Group;
 import nephele.engine.named.SampleCatalogue.Sample;
 
@@ -31,38 +31,30 @@ final class LevelPages {
 
     private final PageWriter writer;
     private final List<LevelName> campaign;
+    private final LevelTitles titles;
     private LevelReader campaignReader;
     private LevelReader ownReader;
-    private SampleCatalogue samples;
     private int shownCampaign;
     private int shownOwn;
 
-    LevelPages(PageWriter writer, List<LevelName> campaign) {
+    LevelPages(PageWriter writer, List<LevelName> campaign, LevelTitles titles) {
         this.writer = writer;
+        this.titles = titles;
         this.campaign = campaign;
     }
 
     /** Returns the list in which a level stands. */
     Menu.Page listOf(LevelName level) {
-        if (sample(level).isPresent()) {
+        if (titles.sample(level.typed()).isPresent()) {
             return Menu.Page.SAMPLES;
         }
         Path folder = writer.files().levels();
         return folder != null && OwnLevels.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
     }
 
-    /** Returns the title of a level: of a sample that in the list. */
+    /** Returns the title of a level. */
     String title(LevelName level) {
-        return sample(level)
-                .map(sample -> sample.title().get(writer.language()))
-                .orElseGet(level::title);
-    }
-
-    private Optional<Sample> sample(LevelName level) {
-        return samples().groups().stream()
-                .flatMap(group -> group.samples().stream())
-                .filter(sample -> sample.file().equals(level.typed()))
-                .findFirst();
+        return titles.of(level, writer.language());
     }
 
     /** Returns an open page with what has been read since it was written; empty if that is nothing. */
@@ -89,7 +81,7 @@ final class LevelPages {
         List<Entry> entries = new ArrayList<>();
         for (LevelName level : campaign) {
             Optional<Read> read = campaignReader.of(level);
-            entries.add(new Entry(level.title(), best(level), new Choice.Play(level)).with(card(level, read)));
+            entries.add(new Entry(title(level), best(level), new Choice.Play(level)).with(card(level, read)));
         }
         entries.add(writer.back());
         return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, new Choice.Back());
@@ -108,7 +100,7 @@ final class LevelPages {
     }
 
     private String about(LevelSummary summary) {
-        String aim = summary.aim().get(writer.language());
+        String aim = summary.aim().getOrDefault(writer.language(), summary.aim().get(Language.EN));
         return shortened(aim == null ? summary.description() : aim, LONGEST_TEXT);
     }
 
@@ -134,17 +126,10 @@ final class LevelPages {
         return PageWriter.time(Math.round(seconds * TICKS_PER_SECOND)).replaceFirst("\\.00$", "");
     }
 
-    private SampleCatalogue samples() {
-        if (samples == null) {
-            samples = LevelCatalogue.samples();
-        }
-        return samples;
-    }
-
     Menu sampleGroups() {
         List<Entry> entries = new ArrayList<>();
-        for (int i = 0; i < samples().groups().size(); i++) {
-            Group group = samples().groups().get(i);
+        for (int i = 0; i < titles.samples().groups().size(); i++) {
+            Group group = titles.samples().groups().get(i);
             entries.add(new Entry(
                             group.title().get(writer.language()),
                             Integer.toString(group.samples().size()),
@@ -157,7 +142,7 @@ final class LevelPages {
 
     /** @param number of the group in the catalogue */
     Menu samples(int number) {
-        Group group = samples().groups().get(number);
+        Group group = titles.samples().groups().get(number);
         List<Entry> entries = new ArrayList<>();
         for (Sample sample : group.samples()) {
             String title = sample.title().get(writer.language());

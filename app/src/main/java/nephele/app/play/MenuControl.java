@@ -2,6 +2,8 @@ package nephele.app.play;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
+import java.util.function.LongSupplier;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.MenuPanel;
@@ -10,17 +12,45 @@ import nephele.app.window.Input;
 
 /** Maps keys and pointer to choices in the menu; keeps the pages below the open one with their selections. */
 final class MenuControl {
-    private final Input input;
-    private final Deque<Menu> pages = new ArrayDeque<>();
+    /**
+     * Time for which a page that opened by itself takes no input: a player who jumps and shoots up to the exit goes on
+     * with it for about half a second after the page is there.
+     */
+    static final long UNASKED_NANOS = 700_000_000;
 
-    MenuControl(Input input) {
+    private final Input input;
+    private final LongSupplier nanos;
+    private final Deque<Menu> pages = new ArrayDeque<>();
+    private List<Menu> closed = List.of();
+    private long openedUnasked;
+    private boolean isUnasked;
+
+    /** @param nanos the clock, as {@link System#nanoTime} */
+    MenuControl(Input input, LongSupplier nanos) {
         this.input = input;
+        this.nanos = nanos;
     }
 
     /** Opens a page with no other below it. */
     void open(Menu page) {
         pages.clear();
+        isUnasked = false;
         turnTo(page);
+    }
+
+    /**
+     * Opens a page that the player did not ask for, with no other below it: what is pressed and clicked for the next
+     * {@link #UNASKED_NANOS} was meant for the game and chooses nothing.
+     */
+    void openUnasked(Menu page) {
+        open(page);
+        isUnasked = true;
+        openedUnasked = nanos.getAsLong();
+    }
+
+    private boolean isDeaf() {
+        isUnasked &= nanos.getAsLong() - openedUnasked < UNASKED_NANOS;
+        return isUnasked;
     }
 
     /** Opens a page above the current one. The pointer is reset, as it is now over another entry than before. */
@@ -42,17 +72,26 @@ final class MenuControl {
     /** Replaces the current page by one with other labels; the selection stays. */
     void rewrite(Menu page) {
         Menu before = pages.pop();
-        pages.push(page.pointedAt(before.selected()));
+        pages.push(page.like(before));
     }
 
     /** Replaces the first page, below all others, by one with other labels. */
     void rewriteFirst(Menu page) {
         Menu before = pages.removeLast();
-        pages.addLast(page.pointedAt(before.selected()));
+        pages.addLast(page.like(before));
     }
 
+    /** Closes all pages; {@link #reopen} finds them as they were. */
     void close() {
+        closed = List.copyOf(pages);
         pages.clear();
+    }
+
+    /** Opens the pages that were last closed, with their selections. */
+    void reopen() {
+        pages.clear();
+        pages.addAll(closed);
+        input.forgetMouse();
     }
 
     /** Returns the open page, or null. */
@@ -62,6 +101,9 @@ final class MenuControl {
 
     /** Returns the choice made with this key, or null. */
     Menu.Choice choiceOf(Control key) {
+        if (isDeaf()) {
+            return null;
+        }
         return switch (key) {
             case FORWARD -> moved(-1);
             case BACK -> moved(1);
@@ -88,8 +130,17 @@ final class MenuControl {
      * @param pixelsPerPoint the overlay's scale
      */
     Menu.Choice choiceOf(Area area, double pixelsPerPoint) {
+        if (isDeaf()) {
+            input.forgetMouse();
+            return null;
+        }
         var panel = new MenuPanel(page(), area);
-        if (input.takePointerMoved()) {
+        int rows = input.takeScrolledRows();
+        if (rows != 0) {
+            pages.push(pages.pop().centredAt(panel.scrolled(rows)));
+            panel = new MenuPanel(page(), area);
+        }
+        if (input.takePointerMoved() || rows != 0) {
             pointAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
         }
         var click = input.takeClick();
@@ -98,6 +149,7 @@ final class MenuControl {
             return null;
         }
         pointAt(row);
-        return page().chosen();
+        var step = page().stepped(panel.stepAt(row, click.x() / pixelsPerPoint));
+        return step == null ? page().chosen() : step;
     }
 }

@@ -2,11 +2,15 @@ package nephele.app.play;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import nephele.app.text.Phrase;
 import nephele.engine.level.Language;
 
-/** The latest lines for the player; each disappears when there has been time to read it. */
+/**
+ * The latest lines for the player; each disappears when there has been time to read it. A hint stays below the others,
+ * where it is seen in the smallest window too, and takes asides away.
+ */
 final class Message {
     private static final int MOST_LINES = 3;
     private static final long LEAST_NANOS = 4_000_000_000L;
@@ -16,25 +20,35 @@ final class Message {
     private static final long NANOS_PER_LETTER = 60_000_000L;
 
     private final Supplier<Language> language;
+    private final LongSupplier clock;
     private final List<Line> lines = new ArrayList<>();
     private List<String> texts = List.of();
 
-    private record Line(String text, long untilNanos) {}
+    /** The kinds of lines. */
+    private enum Kind {
+        /** Says something that can wait. */
+        ASIDE,
+        USUAL,
+        /** Is what the player asked for; there is one at most. */
+        HINT
+    }
+
+    private record Line(String text, long untilNanos, Kind kind) {}
 
     /** @param language of the phrases that follow */
     Message(Supplier<Language> language) {
+        this(language, System::nanoTime);
+    }
+
+    /** @param clock in nanoseconds */
+    Message(Supplier<Language> language, LongSupplier clock) {
         this.language = language;
+        this.clock = clock;
     }
 
     /** Shows a line; one that is shown already starts anew. */
     void say(String text) {
-        lines.removeIf(line -> line.text.equals(text));
-        if (lines.size() == MOST_LINES) {
-            lines.remove(0);
-        }
-        long nanos = Math.max(LEAST_NANOS, NOTICE_NANOS + text.length() * NANOS_PER_LETTER);
-        lines.add(new Line(text, System.nanoTime() + nanos));
-        changed();
+        say(text, Kind.USUAL);
     }
 
     void say(Phrase phrase) {
@@ -45,9 +59,36 @@ final class Message {
         say(phrase.in(language.get(), value));
     }
 
-    /** Returns the lines to show, the latest last. Allocates nothing while they stay the same. */
+    /** Shows a line that is taken away when a hint comes. */
+    void sayAside(String text) {
+        say(text, Kind.ASIDE);
+    }
+
+    /** Shows a hint, or a line about hints, in the place of the one before. */
+    void sayHint(String text) {
+        lines.removeIf(line -> line.kind != Kind.USUAL);
+        say(text, Kind.HINT);
+    }
+
+    private void say(String text, Kind kind) {
+        lines.removeIf(line -> line.text.equals(text));
+        if (lines.size() == MOST_LINES) {
+            lines.remove(0);
+        }
+        long nanos = Math.max(LEAST_NANOS, NOTICE_NANOS + text.length() * NANOS_PER_LETTER);
+        int end = showsHint() ? lines.size() - 1 : lines.size();
+        lines.add(end, new Line(text, clock.getAsLong() + nanos, kind));
+        changed();
+    }
+
+    /** Returns true while a hint, or a line about hints, can be read. */
+    boolean showsHint() {
+        return !lines.isEmpty() && lines.get(lines.size() - 1).kind == Kind.HINT;
+    }
+
+    /** Returns the lines to show, the latest last, but below it a hint. Allocates nothing while they stay the same. */
     List<String> texts() {
-        if (!lines.isEmpty() && lines.removeIf(line -> System.nanoTime() - line.untilNanos > 0)) {
+        if (!lines.isEmpty() && lines.removeIf(line -> clock.getAsLong() - line.untilNanos > 0)) {
             changed();
         }
         return texts;

@@ -146,8 +146,8 @@ public final class OffscreenWalk {
                 measured.rightMillis(),
                 texts.difference()));
         var lettering = new Lettering();
-        double pixelsPerPoint = Math.max(1, target.height() / Display.HIGHEST_POINTS);
-        var area = new Area(target.width() / pixelsPerPoint, target.height() / pixelsPerPoint);
+        double pixelsPerPoint = Area.pixelsPerPoint(target.width(), target.height(), 1);
+        var area = Area.of(target.width(), target.height(), 1);
         var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null, null);
         try (var overlay = new OverlayPass(gl, lettering)) {
             overlay.draw(new Hud(lettering).canvas(content, area, pixelsPerPoint), target);

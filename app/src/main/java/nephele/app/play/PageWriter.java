@@ -29,7 +29,7 @@ record PageWriter(PlayerFiles files, Supplier<Input.Device> device) {
         } else if (escape instanceof Choice.Back) {
             foot += "     " + back + "  " + text(Phrase.FOOT_BACK);
         }
-        return new Menu(name, title, lines, entries, 0, escape, foot);
+        return new Menu(name, title, lines, entries, 0, 0, escape, foot);
     }
 
     /** Returns the entry that leads back to the page before. */

@@ -63,7 +63,7 @@ public record PlayRequest(
     public record Player(PlayerFiles files, PrintStream log, SceneViewing scenes) {
         /** Creates the player of a game whose menu shows no scenes. */
         public Player(PlayerFiles files, PrintStream log) {
-            this(files, log, (file, screen, complaints) -> {});
+            this(files, log, (file, title, screen, complaints) -> {});
         }
     }
 
@@ -73,9 +73,10 @@ public record PlayRequest(
         /**
          * Shows a scene until the player leaves it. Afterwards the window has the game's input, and the scene's title.
          *
+         * @param title of the window meanwhile
          * @param complaints receives what is wrong with the scene, a line each
          */
-        void show(String file, Screen screen, Consumer<String> complaints);
+        void show(String file, String title, Screen screen, Consumer<String> complaints);
 
         /**
          * The game's window as the viewer borrows it.

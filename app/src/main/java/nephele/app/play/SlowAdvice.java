@@ -1,5 +1,7 @@
 package nephele.app.play;
 
+import java.util.HashMap;
+import java.util.Map;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
@@ -8,8 +10,18 @@ import nephele.app.window.WindowMode;
 import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 
-/** The line for a player whose frames take too long: it names the setting that helps, never one that is at its end. */
+/**
+ * The line for a player whose frames take too long: it names the setting that helps, never one that is at its end. Each
+ * cause is told once, and again only after it was away for some minutes; never while a hint is read.
+ */
 final class SlowAdvice {
+    /** The time after which a cause that was away is news. */
+    static final long AWAY_NANOS = 180_000_000_000L;
+
+    private final TimeLoss loss = new TimeLoss();
+    /** When each cause that was told was last there. */
+    private final Map<Cause, Long> lastNanos = new HashMap<>();
+
     /** What the player can do about the quality. */
     enum QualityNow {
         CAN_BE_LOWERED,
@@ -28,7 +40,33 @@ final class SlowAdvice {
         SMALLEST
     }
 
-    private SlowAdvice() {}
+    /** What the player can do. */
+    record Cause(QualityNow quality, PictureNow picture) {}
+
+    /** Begins with a level: forgets the time in which it was loaded, but not what was told. */
+    void restart() {
+        loss.restart();
+    }
+
+    /**
+     * Returns true if lost time shall be noticed now; see {@link TimeLoss}.
+     *
+     * @param lostNanos of simulated time in the level
+     */
+    boolean isTimeLost(long nowNanos, long lostNanos) {
+        return loss.isNoticed(nowNanos, lostNanos);
+    }
+
+    /** Returns true if a cause of lost time shall be told now. What a hint keeps back is told at the next notice. */
+    boolean isNews(Cause cause, long nowNanos, boolean isHintShown) {
+        Long last = lastNanos.get(cause);
+        boolean isNews = last == null || nowNanos - last > AWAY_NANOS;
+        if (isNews && isHintShown) {
+            return false;
+        }
+        lastNanos.put(cause, nowNanos);
+        return isNews;
+    }
 
     static PictureNow picture(GameWindow window, GameSettings settings) {
         return picture(window.mode(), new WindowSize(window.width(), window.height()), settings);
@@ -48,14 +86,14 @@ final class SlowAdvice {
         return isLeast ? PictureNow.SMALLEST : PictureNow.CAN_BE_SMALLER;
     }
 
-    static String text(QualityNow quality, PictureNow picture, Language language) {
+    static String text(Cause cause, Language language) {
         Phrase advice =
-                switch (quality) {
+                switch (cause.quality) {
                     case CAN_BE_LOWERED -> Phrase.ADVICE_QUALITY;
                     case FIXED_AT_START -> Phrase.ADVICE_QUALITY_AT_START;
                     case ADAPTS -> Phrase.QUALITY_ADAPTS;
                     case LOWEST ->
-                        switch (picture) {
+                        switch (cause.picture) {
                             case CAN_BE_SMALLER -> Phrase.ADVICE_RESOLUTION;
                             case COVERS_SCREEN -> Phrase.ADVICE_OTHER_WINDOW;
                             case SMALLEST -> null;

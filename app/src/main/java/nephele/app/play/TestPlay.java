@@ -30,7 +30,7 @@ final class TestPlay {
     private final Message message;
     private final Reports reports;
     private final RunCounter counter = new RunCounter();
-    private final TimeLoss timeLoss = new TimeLoss();
+    private final SlowAdvice slow = new SlowAdvice();
     private final FrameCap frameCap = new FrameCap();
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
@@ -133,7 +133,7 @@ final class TestPlay {
     private void restart() {
         current.restart();
         counter.restart();
-        timeLoss.restart();
+        slow.restart();
         picture.levelBegins();
         finished = Optional.empty();
     }
@@ -154,9 +154,11 @@ final class TestPlay {
             events.forEach(event -> EventText.of(event, language).ifPresent(message::say));
             picture.after(events);
         }
-        if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            var slow = SlowAdvice.picture(window, files().settings());
-            message.say(SlowAdvice.text(current.quality(), slow, language));
+        if (slow.isTimeLost(now, walk.lostNanos())) {
+            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files().settings()));
+            if (slow.isNews(cause, now, message.showsHint())) {
+                message.sayAside(SlowAdvice.text(cause, language));
+            }
         }
         counter.after(events, walk).ifPresent(run -> finish(run, language));
     }

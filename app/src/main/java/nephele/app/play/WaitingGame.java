@@ -22,6 +22,7 @@ import nephele.engine.draw.Preparation;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelTitles;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.light.bake.SkyVisibility;
@@ -69,7 +70,14 @@ public final class WaitingGame {
         message = parts.message;
         auto = new AutoQuality(files, gl.limits(), usual.player().log());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
-        picture = new GamePicture(parts.display, current, new MenuControl(input), message, files, input);
+        picture = new GamePicture(
+                parts.display,
+                current,
+                new MenuControl(input, System::nanoTime),
+                message,
+                files,
+                input,
+                LevelTitles.OF_FILES);
         input.bind(Settings.bindings(files.settings()));
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }

@@ -121,10 +121,13 @@ public enum Phrase {
             "Caiu longe: voltou ao seu lugar",
             "Caiu longe: voltou ao seu lugar"),
     SAVED("Saved %s", "Salvo em %s", "Guardado em %s"),
+    NOT_SAVED("Not saved: %s", "Não foi salvo: %s", "Não foi guardado: %s"),
     RECORDED("Recorded %s", "Gravado em %s", "Gravado em %s"),
     NOT_LOADED(
             "The level cannot be loaded: %s",
             "A fase não pode ser carregada: %s", "O nível não pode ser carregado: %s"),
+    SCENE_NOT_SHOWN(
+            "The scene cannot be shown: %s", "A cena não pode ser mostrada: %s", "A cena não pode ser mostrada: %s"),
     SETTING_LANGUAGE("Language", "Idioma", "Idioma"),
     SETTING_HORIZONTAL_FOV_DEGREES("Field of view", "Campo de visão", "Campo de visão"),
     SETTING_MOUSE_SPEED("Mouse speed", "Velocidade do mouse", "Velocidade do rato"),
@@ -272,6 +275,57 @@ public enum Phrase {
             "%s differs from %s by FLIP %s, mean light %s %%",
             "%s difere de %s por FLIP %s, luz média %s %%", "%s difere de %s por FLIP %s, luz média %s %%"),
     NO_DIFFERENCE("The two pictures do not differ", "As duas imagens não diferem", "As duas imagens não diferem"),
+    TECHNIQUE_AUTO("auto", "automática", "automática"),
+    TECHNIQUE_SKYBOX("skybox", "caixa de céu", "caixa de céu"),
+    TECHNIQUE_SKYPLANE("skyplane", "plano de céu", "plano de céu"),
+    TECHNIQUE_PROCEDURAL("procedural", "procedural", "procedural"),
+    TECHNIQUE_BILLBOARD("billboard", "placas", "placas"),
+    TECHNIQUE_PARTICLES("particles", "partículas", "partículas"),
+    TECHNIQUE_VOLUME("volume", "volume", "volume"),
+    FIGURE_FRAMES("frames a second", "quadros por segundo", "imagens por segundo"),
+    FIGURE_FRAME("frame", "quadro", "imagem"),
+    FIGURE_DRAWS("draws", "chamadas de desenho", "chamadas de desenho"),
+    FIGURE_TRIANGLES("triangles", "triângulos", "triângulos"),
+    FIGURE_ALLOCATED("allocated a frame", "memória por quadro", "memória por imagem"),
+    FIGURE_TICK("tick", "passo", "passo"),
+    FIGURE_QUALITY("quality", "qualidade", "qualidade"),
+    FIGURE_QUALITY_AUTO("quality, auto", "qualidade automática", "qualidade automática"),
+    FIGURE_SLOWEST("slowest", "mais lento", "mais lenta"),
+    FIGURE_OF_BUDGET("%s of %s ms", "%s de %s ms", "%s de %s ms"),
+    RESOLUTION_SHARE("resolution %s", "resolução %s", "resolução %s"),
+    STEP_BILLBOARD("billboard", "placas", "placas"),
+    STEP_BILLBOARD_BLENDED("billboard.blended", "placas translúcidas", "placas translúcidas"),
+    STEP_CLEAR("clear", "limpeza", "limpeza"),
+    STEP_CLOUD_SHADE("cloud.shade", "sombra das nuvens", "sombra das nuvens"),
+    STEP_CLOUD_SHAFTS("cloud.shafts", "raios entre nuvens", "raios entre nuvens"),
+    STEP_CLOUDS("clouds", "nuvens", "nuvens"),
+    STEP_DYNAMIC("dynamic", "corpos", "corpos"),
+    STEP_DYNAMIC_HELD("dynamic.held", "corpo na mão", "corpo na mão"),
+    STEP_EDGE_FILTER("edge-filter", "suavização de bordas", "suavização de arestas"),
+    STEP_EXIT("exit", "saída", "saída"),
+    STEP_EXIT_VEIL("exit.veil", "véu da saída", "véu da saída"),
+    STEP_EXPOSURE("exposure", "exposição", "exposição"),
+    STEP_GUN("gun", "pistola", "pistola"),
+    STEP_GUN_OPENING("gun.opening", "pistola no portal", "pistola no portal"),
+    STEP_IMPOSTOR("impostor", "impostores", "impostores"),
+    STEP_LIGHTNING("lightning", "relâmpagos", "relâmpagos"),
+    STEP_PARTICLE("particle", "partículas", "partículas"),
+    STEP_PORTAL("portal", "portais", "portais"),
+    STEP_PORTAL_DEPTH("portal.depth", "fundo dos portais", "fundo dos portais"),
+    STEP_PORTAL_RIM("portal.rim", "bordas dos portais", "aros dos portais"),
+    STEP_PORTAL_UNFILLED("portal.unfilled", "portais sem par", "portais sem par"),
+    STEP_SHADOW_DYNAMIC("shadow.dynamic", "sombra dos corpos", "sombra dos corpos"),
+    STEP_SHADOW_LIGHTS("shadow.lights", "sombra das luzes", "sombra das luzes"),
+    STEP_SHADOW_SUN("shadow.sun", "sombra do sol", "sombra do sol"),
+    STEP_SHOT("shot", "disparo", "disparo"),
+    STEP_SKY_VISIBILITY("sky-visibility", "visibilidade do céu", "visibilidade do céu"),
+    STEP_SKY_ATMOSPHERE("sky.atmosphere", "atmosfera", "atmosfera"),
+    STEP_SKY_GRADIENT("sky.gradient", "céu em degradê", "céu em gradiente"),
+    STEP_SKY_SKYBOX("sky.skybox", "caixa de céu", "caixa de céu"),
+    STEP_SOLID("solid", "sólidos", "sólidos"),
+    STEP_TERRAIN("terrain", "terreno", "terreno"),
+    STEP_TONEMAP("tonemap", "mapa de tons", "mapa de tons"),
+    STEP_UPSCALE("upscale", "ampliação", "ampliação"),
     MOVE_WIPE("move the wipe (%s: finely)", "mover a divisória (%s: devagar)", "mover a divisória (%s: devagar)"),
     WHOLE_SIDE("only the right, the left picture", "só a imagem direita, esquerda", "só a imagem direita, esquerda"),
     KEYS("Keys", "Teclas", "Teclas"),
@@ -315,10 +369,12 @@ public enum Phrase {
     NO_GOAL("This level names no goal.", "Esta fase não indica um objetivo.", "Este nível não indica um objetivo."),
     HINT_OFFERED("%s: a hint, if you are stuck", "%s: uma dica, se você travou", "%s: uma pista, se não avanças"),
     HINT_GIVEN("Hint %s of %s: %s", "Dica %s de %s: %s", "Pista %s de %s: %s"),
-    NO_HINT_YET(
-            "No hint yet: try for a while",
-            "Ainda sem dica: tente mais um pouco",
-            "Ainda sem pista: tenta mais um pouco"),
+    HINT_COMES("A hint comes in %s", "Uma dica vem em %s", "Uma pista chega dentro de %s"),
+    HINT_NEXT("(the next one in %s)", "(a próxima em %s)", "(a próxima dentro de %s)"),
+    NO_HINT_HERE(
+            "No hint for this place: look around",
+            "Sem dica para este lugar: olhe em volta",
+            "Sem pista para este lugar: olha em volta"),
     NO_HINTS("This level has no hints", "Esta fase não tem dicas", "Este nível não tem pistas"),
     HINTS("Hints", "Dicas", "Pistas"),
     KEY_SPACE("Space", "Espaço", "Espaço"),
@@ -449,6 +505,16 @@ public enum Phrase {
     /** Returns the reason for which a portal was refused. */
     public static Phrase ofRefusal(Enum<?> refusal) {
         return valueOf("REFUSED_" + refusal.name());
+    }
+
+    /** Returns what a step of a frame does, by its name in {@code explain}: {@code sky.skybox} is STEP_SKY_SKYBOX. */
+    public static Phrase ofStep(String name) {
+        return valueOf("STEP_" + name.toUpperCase(Locale.ROOT).replace('.', '_').replace('-', '_'));
+    }
+
+    /** Returns the name of a technique of clouds. */
+    public static Phrase ofTechnique(Enum<?> technique) {
+        return valueOf("TECHNIQUE_" + technique.name());
     }
 
     /** Returns the name of a word of a setting. */

@@ -62,11 +62,18 @@ final class KeyHints {
         });
     }
 
-    /** Draws a message in the upper left corner. */
-    void say(String message) {
-        double width = canvas.width(EM, message) + 2 * PADDING;
+    /**
+     * Draws a message in the upper left corner; one that is wider than the picture is smaller.
+     *
+     * @param room the picture's width
+     */
+    void say(double room, String message) {
+        double most = room - 4 * PADDING;
+        double whole = canvas.width(EM, message);
+        double em = EM * Math.min(1, most / whole);
+        double width = Math.min(whole, most) + 2 * PADDING;
         canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, HudPalette.VEIL.withAlpha(0.55));
-        canvas.text(2 * PADDING, PADDING + LINE, EM, HudPalette.INK, message);
+        canvas.text(2 * PADDING, PADDING + LINE, em, HudPalette.INK, message);
     }
 
     private interface Placing {

@@ -51,13 +51,17 @@ public final class SceneViewer implements AutoCloseable {
         overlay = new ViewerOverlay(gl, language);
     }
 
-    /** Shows a scene until the user leaves. */
-    public static void show(SceneStart start, GameWindow.Request request) {
+    /**
+     * Shows a scene until the user leaves.
+     *
+     * @param language of the hints
+     */
+    public static void show(SceneStart start, GameWindow.Request request, Language language) {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var input = new ViewerInput();
         try (var window = GameWindow.open(request, input);
                 var gl = GlContext.ofCurrent();
-                var viewer = new SceneViewer(start, window, input, gl, Language.EN)) {
+                var viewer = new SceneViewer(start, window, input, gl, language)) {
             while (!viewer.isLeaving()) {
                 viewer.frame();
             }
@@ -65,11 +69,11 @@ public final class SceneViewer implements AutoCloseable {
     }
 
     /** Shows a scene in the window of the game until the user leaves, by key or by B or Start of a gamepad. */
-    public static void visit(String file, SceneViewing.Screen screen, Consumer<String> complaints) {
+    public static void visit(String file, String title, SceneViewing.Screen screen, Consumer<String> complaints) {
         var name = new SceneName(file);
         var start = new SceneStart(OpenedScene.ofGame(name, complaints), SceneAppearance.USUAL, 0);
         var window = screen.window();
-        window.title(name.title());
+        window.title(title);
         var input = new ViewerInput();
         window.captureMouse(false);
         window.listen(input);
@@ -181,7 +185,7 @@ public final class SceneViewer implements AutoCloseable {
         try {
             overlay.say(Phrase.SAVED.in(language, screenshots.take(target)));
         } catch (IOException failure) {
-            overlay.say(failure.getMessage());
+            overlay.say(Phrase.NOT_SAVED.in(language, failure.getMessage()));
         }
     }
 

@@ -1,5 +1,6 @@
 package nephele.app.view;
 
+import nephele.app.play.hud.Area;
 import nephele.app.window.GameWindow;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
@@ -54,7 +55,8 @@ final class ViewerOverlay implements AutoCloseable {
 
     void draw(GameWindow window, RenderTarget target) {
         int opacity = (int) Math.ceil(FADE_STEPS * Math.min(1, hintSeconds / FADE_SECONDS));
-        var content = new Content(message, opacity, target.width(), target.height(), window.scale());
+        double scale = Area.pixelsPerPoint(target.width(), target.height(), window.scale());
+        var content = new Content(message, opacity, target.width(), target.height(), scale);
         if (!content.equals(drawn)) {
             drawn = content;
             canvas.begin(content.scale);
@@ -68,7 +70,7 @@ final class ViewerOverlay implements AutoCloseable {
         double height = content.height / content.scale;
         hints.draw(width, height, (double) content.opacity / FADE_STEPS);
         if (content.message != null) {
-            hints.say(content.message);
+            hints.say(width, content.message);
         }
     }
 

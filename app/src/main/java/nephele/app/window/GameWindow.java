@@ -16,6 +16,11 @@ import org.lwjgl.system.Configuration;
  * which on a high-DPI screen are more than the window's units.
  */
 public final class GameWindow implements AutoCloseable {
+    /** Nobody makes the window smaller by accident: below, letters shrink with it. It may be opened smaller. */
+    private static final int LEAST_WIDTH = 640;
+
+    private static final int LEAST_HEIGHT = 360;
+
     private final long handle;
     private final WindowEvents events;
     private InputListener input;
@@ -66,6 +71,12 @@ public final class GameWindow implements AutoCloseable {
                     + "; install a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
                     + " libgl1-mesa-dri), or unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
+        glfwSetWindowSizeLimits(
+                handle,
+                Math.min(LEAST_WIDTH, request.width),
+                Math.min(LEAST_HEIGHT, request.height),
+                GLFW_DONT_CARE,
+                GLFW_DONT_CARE);
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
         return new GameWindow(handle, input);

@@ -20,6 +20,7 @@ public final class Input implements InputListener {
     private double lastY = Double.NaN;
     private double pointerX;
     private double pointerY;
+    private double scrolledUp;
     private boolean pointerMoved;
     private boolean pointerShown;
     private Click clicked;
@@ -170,6 +171,19 @@ public final class Input implements InputListener {
         pointerShown = true;
     }
 
+    /** Handles a turn of the wheel; a touch pad gives parts of a notch, which add up. */
+    @Override
+    public void scroll(double up) {
+        scrolledUp += up;
+    }
+
+    /** Returns the rows by which the wheel has moved a list since the last call, downwards. */
+    public int takeScrolledRows() {
+        int up = (int) scrolledUp;
+        scrolledUp -= up;
+        return -up;
+    }
+
     /** Clears all keys, motion and clicks, after a loss of focus. */
     @Override
     public void forget() {
@@ -189,6 +203,7 @@ public final class Input implements InputListener {
         lastX = Double.NaN;
         lastY = Double.NaN;
         clicked = null;
+        scrolledUp = 0;
         pointerMoved = false;
         pointerShown = false;
         held.removeIf(this::isOnMouse);

@@ -26,6 +26,9 @@ public interface InputListener {
     /** Called when the free pointer's left button goes up. */
     default void letGo() {}
 
+    /** Called when the wheel has turned by so many notches, or parts of one, away from the player. */
+    default void scroll(double up) {}
+
     /** Called when the focus is lost or gained: the held keys are unknown from then on. */
     void forget();
 

@@ -37,6 +37,7 @@ final class WindowEvents {
             }
         });
         glfwSetCursorPosCallback(handle, (window, x, y) -> moved(x, y));
+        glfwSetScrollCallback(handle, (window, x, y) -> input.scroll(y));
         glfwSetMouseButtonCallback(handle, (window, button, action, modifiers) -> {
             if (looking) {
                 input.key(InputListener.MOUSE + button, action == GLFW_PRESS);

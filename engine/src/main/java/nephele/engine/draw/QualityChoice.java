@@ -3,34 +3,18 @@ package nephele.engine.draw;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import nephele.engine.cloud.drawn.SkyplaneShape;
-import nephele.engine.cloud.light.BallLight;
-import nephele.engine.cloud.octave.ProceduralNoise;
+import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.RenderSettings.Deepest;
-import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.BillboardFacing;
-import nephele.engine.render.frame.Quality.CloudHistory;
-import nephele.engine.render.frame.Quality.CloudScattering;
 import nephele.engine.render.frame.Quality.EdgeFilter;
-import nephele.engine.render.frame.Quality.ImpostorChoice;
-import nephele.engine.render.frame.Quality.LayerMixing;
-import nephele.engine.render.frame.Quality.LightParts;
-import nephele.engine.render.frame.Quality.NormalMaps;
-import nephele.engine.render.frame.Quality.ReflectionModel;
-import nephele.engine.render.frame.Quality.ShadowSampling;
-import nephele.engine.render.frame.Quality.SpriteCoverage;
-import nephele.engine.render.frame.Quality.TerrainDetail;
-import nephele.engine.render.frame.Quality.Upscale;
+import nephele.engine.render.frame.QualityField;
 import nephele.engine.terminal.CommandFailure;
 
 /**
@@ -40,147 +24,12 @@ import nephele.engine.terminal.CommandFailure;
  * @param settings values by name, not checked yet
  */
 public record QualityChoice(String preset, Map<String, String> settings) {
-    /** Every field of {@link Quality} and of {@link RenderSettings} that {@code --set} can change. */
-    private static final List<SettingKey> KEYS = List.of(
-            SettingKey.share(
-                    "pictureResolution",
-                    0.25,
-                    (all, value) -> all.with(all.quality().withPictureResolution(value))),
-            SettingKey.word(
-                    "upscale",
-                    Upscale.class,
-                    (all, value) -> all.with(all.quality().withUpscale(value))),
-            SettingKey.whole(
-                    "anisotropy", 1, 16, (all, value) -> all.with(all.quality().withAnisotropy(value))),
-            SettingKey.word(
-                    "normalMaps",
-                    NormalMaps.class,
-                    (all, value) -> all.with(all.quality().withNormalMaps(value))),
-            SettingKey.word(
-                    "brdf",
-                    ReflectionModel.class,
-                    (all, value) -> all.with(all.quality().withBrdf(value))),
-            SettingKey.whole(
-                    "shadowTexels",
-                    64,
-                    16384,
-                    (all, value) -> all.with(all.quality().withShadowTexels(value))),
-            SettingKey.word(
-                    "shadowFilter",
-                    ShadowSampling.class,
-                    (all, value) -> all.with(all.quality().withShadowFilter(value))),
-            SettingKey.whole(
-                    "lightShadows",
-                    0,
-                    Quality.ALL_LIGHTS,
-                    (all, value) -> all.with(all.quality().withLightShadows(value))),
-            SettingKey.whole(
-                    "samples", 1, 8, (all, value) -> all.with(all.quality().withSamples(value))),
-            SettingKey.word(
-                    "edgeFilter",
-                    EdgeFilter.class,
-                    (all, value) -> all.with(all.quality().withEdgeFilter(value))),
-            SettingKey.share(
-                    "cloudResolution",
-                    0.125,
-                    (all, value) -> all.with(all.quality().withCloudResolution(value))),
-            SettingKey.word(
-                    "cloudHistory",
-                    CloudHistory.class,
-                    (all, value) -> all.with(all.quality().withCloudHistory(value))),
-            SettingKey.number(
-                    "cloudStep",
-                    0.25,
-                    16,
-                    (all, value) -> all.with(all.quality().withCloudStep(value))),
-            SettingKey.whole(
-                    "cloudLightCell",
-                    1,
-                    8,
-                    (all, value) -> all.with(all.quality().withCloudLightCell(value))),
-            SettingKey.word(
-                    "cloudScattering",
-                    CloudScattering.class,
-                    (all, value) -> all.with(all.quality().withCloudScattering(value))),
-            SettingKey.word(
-                    "billboardFacing",
-                    BillboardFacing.class,
-                    (all, value) -> all.with(all.quality().withBillboardFacing(value))),
-            SettingKey.word(
-                    "particleLight",
-                    BallLight.class,
-                    (all, value) -> all.with(all.quality().withParticleLight(value))),
-            SettingKey.word(
-                    "impostors",
-                    ImpostorChoice.class,
-                    (all, value) -> all.with(all.quality().withImpostors(value))),
-            SettingKey.number(
-                    "impostorErrorPixels",
-                    0.1,
-                    16,
-                    (all, value) -> all.with(all.quality().withImpostorErrorPixels(value))),
-            SettingKey.word(
-                    "skyplaneShape",
-                    SkyplaneShape.class,
-                    (all, value) -> all.with(all.quality().withSkyplaneShape(value))),
-            SettingKey.word(
-                    "proceduralNoise",
-                    ProceduralNoise.class,
-                    (all, value) -> all.with(all.quality().withProceduralNoise(value))),
-            SettingKey.whole(
-                    "cloudSkyboxTexels",
-                    16,
-                    4096,
-                    (all, value) -> all.with(all.quality().withCloudSkyboxTexels(value))),
-            SettingKey.word(
-                    "terrainDetail",
-                    TerrainDetail.class,
-                    (all, value) -> all.with(all.quality().withTerrainDetail(value))),
-            SettingKey.number(
-                    "terrainErrorPixels",
-                    0.1,
-                    64,
-                    (all, value) -> all.with(all.quality().withTerrainErrorPixels(value))),
-            SettingKey.number(
-                    "impostorPixels",
-                    0,
-                    256,
-                    (all, value) -> all.with(all.quality().withImpostorPixels(value))),
-            SettingKey.word(
-                    "terrainLayers",
-                    LayerMixing.class,
-                    (all, value) -> all.with(all.quality().withTerrainLayers(value))),
-            SettingKey.word(
-                    "spriteCoverage",
-                    SpriteCoverage.class,
-                    (all, value) -> all.with(all.quality().withSpriteCoverage(value))),
-            SettingKey.word(
-                    "lightParts",
-                    LightParts.class,
-                    (all, value) -> all.with(all.quality().withLightParts(value))),
-            SettingKey.word(
-                    "portalTechnique",
-                    PortalTechnique.class,
-                    (all, value) -> all.with(all.quality().withPortalTechnique(value))),
-            SettingKey.whole(
-                    "viewBudget",
-                    0,
-                    9999,
-                    (all, value) -> all.with(all.quality().withViewBudget(value))),
-            SettingKey.share(
-                    "portalResolution",
-                    0.1,
-                    (all, value) -> all.with(all.quality().withPortalResolution(value))),
-            SettingKey.word("culling", Culling.class, RenderSettings::with),
-            SettingKey.word("narrowing", Narrowing.class, RenderSettings::with),
-            SettingKey.word("rims", Decoration.class, RenderSettings::with));
+    /** Every setting that {@code --set} can change. */
+    public static final List<QualityField> FIELDS = Stream.concat(
+                    Quality.FIELDS.stream(), RenderSettings.FIELDS.stream())
+            .toList();
 
     private static final String DEBUG = "debug";
-
-    /** Returns the names of the settings that {@code --set} can change. */
-    public static List<String> keys() {
-        return KEYS.stream().map(SettingKey::name).toList();
-    }
 
     /** Throws a usage {@link CommandFailure} unless the preset and all settings are known and in range. */
     public void check() {
@@ -230,9 +79,9 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         }
         return showsIds()
                 ? all.with(all.quality()
-                                .withSamples(1)
-                                .withEdgeFilter(EdgeFilter.NONE)
-                                .withPictureResolution(1))
+                                .with("samples", 1)
+                                .with("edgeFilter", EdgeFilter.NONE)
+                                .with("pictureResolution", 1))
                         .with(Decoration.OFF)
                         .with(Deepest.MARK)
                 : all;
@@ -261,10 +110,14 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     }
 
     private static RenderSettings changed(RenderSettings all, String name, String value) {
-        var key = KEYS.stream().filter(known -> known.name().equals(name)).findFirst();
-        if (key.isEmpty()) {
-            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + String.join(", ", keys()));
+        var field = FIELDS.stream().filter(known -> known.name().equals(name)).findFirst();
+        if (field.isEmpty()) {
+            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + QualityField.names(FIELDS));
         }
-        return key.get().applied(all, value);
+        var parsed = field.get().parsed(value);
+        if (parsed.isEmpty()) {
+            throw CommandFailure.usage("--set " + name + " is " + field.get().allowed() + ", not `" + value + "`");
+        }
+        return all.with(field.get(), parsed.get());
     }
 }

@@ -21,17 +21,18 @@ public record QualityFront(List<Point> points, int start) {
 
     /**
      * On a software renderer pixels are the cost, and their number is the best choice at every cost. All but {@code
-     * ultra} have the same programs, so that a change compiles none.
+     * ultra} have the same programs, so that a change compiles none but that of the filter: below half the pixels along
+     * a side weights along edges keep the picture from showing the squares it is made of (docs/decisions.md).
      */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(
-                    new Point("resolution 0.3", Quality.LOW.withPictureResolution(0.3), 0.2),
-                    new Point("resolution 0.35", Quality.LOW.withPictureResolution(0.35), 0.24),
-                    new Point("resolution 0.4", Quality.LOW.withPictureResolution(0.4), 0.28),
+                    new Point("resolution 0.25", small(0.25), 0.2),
+                    new Point("resolution 0.32", small(0.32), 0.24),
+                    new Point("resolution 0.38", small(0.38), 0.28),
                     new Point("low", Quality.LOW, 0.37),
-                    new Point("resolution 0.6", Quality.LOW.withPictureResolution(0.6), 0.46),
+                    new Point("resolution 0.6", Quality.LOW.with("pictureResolution", 0.6), 0.46),
                     new Point("medium", Quality.MEDIUM, 0.58),
-                    new Point("resolution 0.85", Quality.MEDIUM.withPictureResolution(0.85), 0.78),
+                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.78),
                     new Point("high", Quality.HIGH, 1),
                     new Point("ultra", Quality.ULTRA, 2.5)),
             3);
@@ -47,6 +48,10 @@ public record QualityFront(List<Point> points, int start) {
 
     public QualityFront {
         points = List.copyOf(points);
+    }
+
+    private static Quality small(double resolution) {
+        return Quality.LOW.with("pictureResolution", resolution).with("upscale", Quality.Upscale.EDGE_ADAPTIVE);
     }
 
     /** Returns the point of the first frames. */

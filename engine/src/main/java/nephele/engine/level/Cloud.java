@@ -51,25 +51,22 @@ public record Cloud(
 
     /** Returns the cloud with another extinction. */
     public Cloud withExtinction(double perMetre) {
-        return new Cloud(id, extent, technique, density, perMetre, albedo, phaseG, backLobe, motion, shafts, tolerance);
+        return RecordCopy.with(this, "extinctionPerMetre", perMetre);
     }
 
     /** Returns the cloud with another motion. */
     public Cloud with(Motion other) {
-        return new Cloud(
-                id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, other, shafts, tolerance);
+        return RecordCopy.with(this, "motion", other);
     }
 
     /** Returns the cloud drawn by another technique. */
     public Cloud with(CloudTechnique other) {
-        return new Cloud(
-                id, extent, other, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts, tolerance);
+        return RecordCopy.with(this, "technique", other);
     }
 
     /** Returns the cloud with another error that is allowed. */
     public Cloud with(Tolerance other) {
-        return new Cloud(
-                id, extent, technique, density, extinctionPerMetre, albedo, phaseG, backLobe, motion, shafts, other);
+        return RecordCopy.with(this, "tolerance", other);
     }
 
     /** Creates a cloud that neither drifts nor changes. */

@@ -99,12 +99,11 @@ public record Emitter(
 
     /** Returns this emitter with another start. */
     public Emitter startingAt(double seconds) {
-        return new Emitter(id, kind, centre, size, ratePerSecond, seed, seconds, repeatSeconds, widthMetres, splashes);
+        return RecordCopy.with(this, "startSeconds", seconds);
     }
 
     /** Returns this emitter with another centre. */
     public Emitter at(Vec3 place) {
-        return new Emitter(
-                id, kind, place, size, ratePerSecond, seed, startSeconds, repeatSeconds, widthMetres, splashes);
+        return RecordCopy.with(this, "centre", place);
     }
 }

@@ -133,110 +133,42 @@ public record Environment(
     }
 
     public Environment with(Sun newSun) {
-        return new Environment(
-                newSun,
-                sky,
-                ambient,
-                exposureStops,
-                toneCurve,
-                fog,
-                clouds,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                lightning);
+        return RecordCopy.with(this, "sun", newSun);
     }
 
     public Environment with(Sky newSky) {
-        return new Environment(
-                sun,
-                newSky,
-                ambient,
-                exposureStops,
-                toneCurve,
-                fog,
-                clouds,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                lightning);
+        return RecordCopy.with(this, "sky", newSky);
     }
 
     public Environment with(Exposure exposure) {
-        return new Environment(
-                sun, sky, ambient, exposure, toneCurve, fog, clouds, weather, weatherSeed, weatherKeyframes, lightning);
+        return RecordCopy.with(this, "exposureStops", exposure);
     }
 
     public Environment withClouds(List<Cloud> written) {
-        return new Environment(
-                sun,
-                sky,
-                ambient,
-                exposureStops,
-                toneCurve,
-                fog,
-                written,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                lightning);
+        return RecordCopy.with(this, "clouds", written);
     }
 
     public Environment withAmbient(Vec3 radiance) {
-        return new Environment(
-                sun,
-                sky,
-                radiance,
-                exposureStops,
-                toneCurve,
-                fog,
-                clouds,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                lightning);
+        return RecordCopy.with(this, "ambient", radiance);
     }
 
     public Environment withFog(Fog newFog) {
-        return new Environment(
-                sun,
-                sky,
-                ambient,
-                exposureStops,
-                toneCurve,
-                newFog,
-                clouds,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                lightning);
+        return RecordCopy.with(this, "fog", newFog);
     }
 
     /** Returns this environment with a weather that stays; {@code null} for none. */
     public Environment with(Weather newWeather, long seed) {
-        return new Environment(
-                sun, sky, ambient, exposureStops, toneCurve, fog, clouds, newWeather, seed, List.of(), lightning);
+        return RecordCopy.with(this, "weather", newWeather, "weatherSeed", seed, "weatherKeyframes", List.of());
     }
 
     /** Returns this environment with other lightning; {@code null} for none. */
     public Environment withLightning(Lightning newLightning) {
-        return new Environment(
-                sun,
-                sky,
-                ambient,
-                exposureStops,
-                toneCurve,
-                fog,
-                clouds,
-                weather,
-                weatherSeed,
-                weatherKeyframes,
-                newLightning);
+        return RecordCopy.with(this, "lightning", newLightning);
     }
 
     /** Returns this environment without clouds, those of its weather included. */
     public Environment withoutClouds() {
-        return new Environment(
-                sun, sky, ambient, exposureStops, toneCurve, fog, List.of(), null, 0, List.of(), lightning);
+        return RecordCopy.with(
+                this, "clouds", List.of(), "weather", null, "weatherSeed", 0, "weatherKeyframes", List.of());
     }
 }

@@ -2,7 +2,6 @@ package nephele.engine.level;
 
 import java.util.List;
 import java.util.Map;
-import java.util.function.Consumer;
 import nephele.engine.math.Vec3;
 
 /**
@@ -104,23 +103,17 @@ public record Level(
 
     /** Returns this level with another start of the player and another portal gun; either can be {@code null}. */
     public Level with(PlayerStart otherStart, PortalGun otherGun) {
-        return with(draft -> {
-            draft.player = otherStart;
-            draft.portalGun = otherGun;
-        });
+        return RecordCopy.with(this, "player", otherStart, "portalGun", otherGun);
     }
 
     /** Returns this level with other portals. */
     public Level withPortals(List<PortalSpec> otherPortals) {
-        return with(draft -> draft.portals = otherPortals);
+        return RecordCopy.with(this, "portals", otherPortals);
     }
 
     /** Returns this level with another environment and other lights. */
     public Level with(Environment changed, List<Light> otherLights) {
-        return with(draft -> {
-            draft.environment = changed;
-            draft.lights = otherLights;
-        });
+        return RecordCopy.with(this, "environment", changed, "lights", otherLights);
     }
 
     /** Returns this level with other materials and solids. */
@@ -139,136 +132,47 @@ public record Level(
             List<Solid> otherSolids,
             List<Body> otherBodies,
             List<ModelPlacement> otherModels) {
-        return with(draft -> {
-            draft.materials = otherMaterials;
-            draft.solids = otherSolids;
-            draft.bodies = otherBodies;
-            draft.models = otherModels;
-        });
+        return RecordCopy.with(
+                this, "materials", otherMaterials, "solids", otherSolids, "bodies", otherBodies, "models", otherModels);
     }
 
     /** Returns this level with other exits. */
     public Level withExits(List<Exit> otherExits) {
-        return with(draft -> draft.exits = otherExits);
+        return RecordCopy.with(this, "exits", otherExits);
     }
 
     /** Returns this level with other emitters. */
     public Level withEmitters(List<Emitter> otherEmitters) {
-        return with(draft -> draft.emitters = otherEmitters);
+        return RecordCopy.with(this, "emitters", otherEmitters);
     }
 
     /** Returns this level with other terrains. */
     public Level withTerrains(List<Terrain> otherTerrains) {
-        return with(draft -> draft.terrains = otherTerrains);
+        return RecordCopy.with(this, "terrains", otherTerrains);
     }
 
     /** Returns this level with other billboards. */
     public Level withBillboards(List<Billboards> otherBillboards) {
-        return with(draft -> draft.billboards = otherBillboards);
+        return RecordCopy.with(this, "billboards", otherBillboards);
     }
 
     /** Returns this level with another landmark, which can be {@code null}, and other hints. */
     public Level with(Place otherLandmark, List<Hint> otherHints) {
-        return with(draft -> {
-            draft.landmark = otherLandmark;
-            draft.hints = otherHints;
-        });
+        return RecordCopy.with(this, "landmark", otherLandmark, "hints", otherHints);
     }
 
     /** Returns this level with another observer; {@code null} for none. */
     public Level withObserver(Observer other) {
-        return with(draft -> draft.observer = other);
+        return RecordCopy.with(this, "observer", other);
     }
 
     /** Returns this level with other notes of the editor. */
     public Level with(EditorNotes notes) {
-        return with(draft -> draft.editor = notes);
+        return RecordCopy.with(this, "editor", notes);
     }
 
     /** Returns what is drawn and simulated of this level: without par, landmark, hints and the editor's notes. */
     public Level withoutRemarks() {
-        return with(draft -> {
-            draft.par = null;
-            draft.landmark = null;
-            draft.hints = List.of();
-            draft.editor = EditorNotes.NONE;
-        });
-    }
-
-    private Level with(Consumer<Draft> change) {
-        Draft draft = new Draft(this);
-        change.accept(draft);
-        return draft.level();
-    }
-
-    /** A level on the way from one value to another; what no with-method changes is not in it. */
-    private static final class Draft {
-        private final Level from;
-        private Environment environment;
-        private PlayerStart player;
-        private List<Material> materials;
-        private List<Solid> solids;
-        private List<Light> lights;
-        private List<PortalSpec> portals;
-        private List<ModelPlacement> models;
-        private List<Body> bodies;
-        private PortalGun portalGun;
-        private List<Exit> exits;
-        private List<Emitter> emitters;
-        private List<Terrain> terrains;
-        private List<Billboards> billboards;
-        private Observer observer;
-        private Par par;
-        private Place landmark;
-        private List<Hint> hints;
-        private EditorNotes editor;
-
-        Draft(Level from) {
-            this.from = from;
-            environment = from.environment;
-            player = from.player;
-            materials = from.materials;
-            solids = from.solids;
-            lights = from.lights;
-            portals = from.portals;
-            models = from.models;
-            bodies = from.bodies;
-            portalGun = from.portalGun;
-            exits = from.exits;
-            emitters = from.emitters;
-            terrains = from.terrains;
-            billboards = from.billboards;
-            observer = from.observer;
-            par = from.par;
-            landmark = from.landmark;
-            hints = from.hints;
-            editor = from.editor;
-        }
-
-        Level level() {
-            return new Level(
-                    from.name,
-                    from.description,
-                    environment,
-                    player,
-                    from.cameras,
-                    materials,
-                    solids,
-                    lights,
-                    portals,
-                    models,
-                    bodies,
-                    portalGun,
-                    exits,
-                    emitters,
-                    terrains,
-                    billboards,
-                    observer,
-                    from.aim,
-                    par,
-                    landmark,
-                    hints,
-                    editor);
-        }
+        return RecordCopy.with(this, "par", null, "landmark", null, "hints", List.of(), "editor", EditorNotes.NONE);
     }
 }

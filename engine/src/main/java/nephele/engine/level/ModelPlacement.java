@@ -37,22 +37,22 @@ public record ModelPlacement(
 
     /** Returns this model with another material. */
     public ModelPlacement withMaterial(String other) {
-        return new ModelPlacement(id, file, parent, transform, other, portalable, impostor, field, heightVariation);
+        return RecordCopy.with(this, "material", other);
     }
 
     /** Returns this model with other steps. */
     public ModelPlacement withTransform(List<TransformStep> others) {
-        return new ModelPlacement(id, file, parent, others, material, portalable, impostor, field, heightVariation);
+        return RecordCopy.with(this, "transform", others);
     }
 
     /** Returns this model drawn as impostors. */
     public ModelPlacement asImpostor() {
-        return new ModelPlacement(id, file, parent, transform, material, portalable, true, field, heightVariation);
+        return RecordCopy.with(this, "impostor", true);
     }
 
     /** Returns this model as impostors over a field. */
     public ModelPlacement over(Billboards.Field otherField, double variation) {
-        return new ModelPlacement(id, file, parent, transform, material, portalable, true, otherField, variation);
+        return RecordCopy.with(this, "impostor", true, "field", otherField, "heightVariation", variation);
     }
 
     /** One transform step; steps apply in file order, the first one outermost. */

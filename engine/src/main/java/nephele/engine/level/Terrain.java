@@ -69,21 +69,21 @@ public record Terrain(
 
     /** Returns this terrain with another height map. */
     public Terrain withHeightMap(String file) {
-        return new Terrain(id, file, centre, sizeMetres, heightRangeMetres, layers, layerMap, portalable);
+        return RecordCopy.with(this, "heightMap", file);
     }
 
     /** Returns this terrain with other layers, of which none is painted. */
     public Terrain withLayers(List<Layer> others) {
-        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, others, null, portalable);
+        return RecordCopy.with(this, "layers", others, "layerMap", null);
     }
 
     /** Returns this terrain with another layer map, {@code null} for none. */
     public Terrain withLayerMap(String file) {
-        return new Terrain(id, heightMap, centre, sizeMetres, heightRangeMetres, layers, file, portalable);
+        return RecordCopy.with(this, "layerMap", file);
     }
 
     /** Returns this terrain at another place. */
     public Terrain at(Vec3 place) {
-        return new Terrain(id, heightMap, place, sizeMetres, heightRangeMetres, layers, layerMap, portalable);
+        return RecordCopy.with(this, "centre", place);
     }
 }

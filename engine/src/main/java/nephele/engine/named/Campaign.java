@@ -2,6 +2,8 @@ package nephele.engine.named;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Language;
 import nephele.engine.level.Problem;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
@@ -9,11 +11,14 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.RecordFile;
 
 /**
- * The order of the game's levels: the content of {@code levels/campaign.json}.
+ * The order of the game's levels, and what players call them: the content of {@code levels/campaign.json}.
  *
  * @param levels files beside the campaign's
+ * @param titles of levels, by file and language; a level without one is called after its file
  */
-public record Campaign(@Written(required = true, most = 1000, text = TextKind.ASSET) List<String> levels) {
+public record Campaign(
+        @Written(required = true, most = 1000, text = TextKind.ASSET) List<String> levels,
+        @Written Map<String, Map<Language, String>> titles) {
     private static final RecordFile<Campaign> FILE = RecordFile.of("campaign", 1, Campaign.class);
 
     /**
@@ -24,9 +29,10 @@ public record Campaign(@Written(required = true, most = 1000, text = TextKind.AS
      */
     static Campaign read(String file, byte[] utf8) throws LevelFormatException {
         Campaign campaign = FILE.read(file, utf8);
-        List<Problem> twice = campaign.twice();
-        if (!twice.isEmpty()) {
-            throw new LevelFormatException(file, twice);
+        List<Problem> problems = campaign.twice();
+        problems.addAll(campaign.strayTitles());
+        if (!problems.isEmpty()) {
+            throw new LevelFormatException(file, problems);
         }
         return campaign;
     }
@@ -44,5 +50,14 @@ public record Campaign(@Written(required = true, most = 1000, text = TextKind.AS
             }
         }
         return twice;
+    }
+
+    /** Returns an error for each title of a level that is not in the list: a file that was renamed, most likely. */
+    private List<Problem> strayTitles() {
+        return titles.keySet().stream()
+                .filter(level -> !levels.contains(level))
+                .map(level -> Problem.error(
+                        "titles." + level, "there is no such entry in levels: add it there, or delete this title"))
+                .toList();
     }
 }

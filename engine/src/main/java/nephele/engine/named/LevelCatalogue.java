@@ -3,12 +3,15 @@ package nephele.engine.named;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
+import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.terminal.CommandFailure;
 
@@ -41,11 +44,26 @@ public final class LevelCatalogue {
      * @throws LevelFormatException if the campaign's file is no campaign
      */
     public static List<LevelName> campaign() {
+        return file().levels().stream()
+                .map(level -> new LevelName(FOLDER + level))
+                .toList();
+    }
+
+    /**
+     * Returns what players call the campaign's levels and the samples.
+     *
+     * @throws LevelFormatException if the campaign's file is no campaign
+     */
+    public static LevelTitles titles() {
+        Map<String, Map<Language, String>> byKey = new HashMap<>();
+        file().titles().forEach((level, titles) -> byKey.put(new LevelName(FOLDER + level).key(), titles));
+        return new LevelTitles(byKey, LevelCatalogue::samples);
+    }
+
+    private static Campaign file() {
         return bytes(CAMPAIGN)
-                .map(bytes -> Campaign.read(FOLDER + CAMPAIGN, bytes).levels().stream()
-                        .map(level -> new LevelName(FOLDER + level))
-                        .toList())
-                .orElse(List.of());
+                .map(bytes -> Campaign.read(FOLDER + CAMPAIGN, bytes))
+                .orElse(new Campaign(List.of(), Map.of()));
     }
 
     /**

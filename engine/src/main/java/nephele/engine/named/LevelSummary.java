@@ -1,5 +1,6 @@
 package nephele.engine.named;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
@@ -9,6 +10,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.rule.LevelRules;
 
 /**
  * What a list tells of a level.
@@ -25,9 +27,17 @@ public record LevelSummary(
         problems = List.copyOf(problems);
     }
 
-    /** Reads a level and checks it as {@link LevelName#open} does; never fails. */
+    /** Reads a level and checks it as {@link LevelName#open} does, and the files that it names; never fails. */
     public static LevelSummary checked(LevelName level) {
-        return of(() -> level.open().level());
+        return of(() -> {
+            OpenedLevel opened = level.open();
+            List<Problem> problems = new ArrayList<>(LevelRules.check(opened.level(), opened.assets()));
+            problems.removeIf(problem -> !problem.isError());
+            if (!problems.isEmpty()) {
+                throw new LevelFormatException(opened.file(), problems);
+            }
+            return opened.level();
+        });
     }
 
     /** Reads a level that the game brings, which is known to be good; never fails. */

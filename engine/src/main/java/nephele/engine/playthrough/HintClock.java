@@ -16,7 +16,8 @@ public final class HintClock {
     private final boolean[] isNear;
     private final List<Hint> given = new ArrayList<>();
 
-    HintClock(List<Hint> hints, double secondsPerTick) {
+    /** @param hints of the level, in its order */
+    public HintClock(List<Hint> hints, double secondsPerTick) {
         this.hints = hints;
         this.secondsPerTick = secondsPerTick;
         ticksNear = new long[hints.size()];
@@ -24,7 +25,7 @@ public final class HintClock {
     }
 
     /** Counts a tick. */
-    void tick(Vec3 player) {
+    public void tick(Vec3 player) {
         for (int i = 0; i < ticksNear.length; i++) {
             isNear[i] = hints.get(i).near() == null || hints.get(i).near().contains(player);
             ticksNear[i] += isNear[i] ? 1 : 0;
@@ -33,19 +34,43 @@ public final class HintClock {
 
     /** Returns the first hint that is due here and was not given; {@code null} for none. */
     public Hint offered() {
+        return offered(0);
+    }
+
+    private Hint offered(double earlySeconds) {
         for (int i = 0; i < ticksNear.length; i++) {
-            boolean isDue =
-                    isNear[i] && ticksNear[i] * secondsPerTick >= hints.get(i).afterSeconds();
-            if (isDue && !given.contains(hints.get(i))) {
+            if (isNext(i) && secondsTo(i) <= earlySeconds) {
                 return hints.get(i);
             }
         }
         return null;
     }
 
-    /** Gives the hint that is offered, else the last one again; {@code null} if there is none yet. */
-    public Hint give() {
-        Hint next = offered();
+    /** Returns true if a hint was not given and can be given here. */
+    private boolean isNext(int i) {
+        return isNear[i] && !given.contains(hints.get(i));
+    }
+
+    private double secondsTo(int i) {
+        return hints.get(i).afterSeconds() - ticksNear[i] * secondsPerTick;
+    }
+
+    /** Returns the time of play here until the next hint is due: 0 if one is, infinite if none comes here. */
+    public double secondsToNext() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < ticksNear.length; i++) {
+            least = isNext(i) ? Math.min(least, Math.max(0, secondsTo(i))) : least;
+        }
+        return least;
+    }
+
+    /**
+     * Gives the first hint that is offered or will be soon, else the last one again; {@code null} if there is none yet.
+     *
+     * @param earlySeconds the time before it is due in which it is given too
+     */
+    public Hint give(double earlySeconds) {
+        Hint next = offered(earlySeconds);
         if (next != null) {
             given.add(next);
         }

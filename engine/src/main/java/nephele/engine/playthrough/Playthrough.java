@@ -337,6 +337,9 @@ public final class Playthrough {
         live.world(before, after, share, ages);
         live.frameState().closing(ages.closing(after.tick(), share));
         live.frameState().shotEffects(shots.at(after.tick(), share));
+        live.frameState()
+                .muzzleLight(
+                        shots.muzzleLight(after.tick(), share, live.frameState().flashStyle()));
         live.held(after, heldFromCamera(share), observer == null ? heldClarity : 0);
         if (observer != null) {
             live.frameState().observer(observer.sphere(seen().player().body(), after.player()));

@@ -2,9 +2,11 @@ package nephele.engine.playthrough;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.GunInHand;
+import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.ShotEffect.Kind;
 import nephele.engine.sim.player.PlayerPose;
@@ -13,8 +15,8 @@ import nephele.engine.sim.state.TickEvent;
 import org.joml.Vector3d;
 
 /**
- * The light of the last shots: a bolt from the gun to the first surface, as shots go through no portal, and a shimmer on
- * a surface that took none. Functions of the ticks since the shot.
+ * The light of the last shots: the muzzle's on the surfaces around, a bolt from the gun to the first surface, as shots go
+ * through no portal, and a shimmer on a surface that took none. Functions of the ticks since the shot.
  */
 final class ShotEffects {
     private static final double BOLT_SECONDS = 0.22;
@@ -32,6 +34,9 @@ final class ShotEffects {
 
     /** An effect with the time of its beginning in ticks and its duration. */
     private record Lasting(Kind kind, int colour, double beginTick, double seconds, Vec3 from, Vec3 to) {}
+
+    /** The last shot that still may light surfaces; {@code null} without one. */
+    private Lasting last;
 
     private final CameraBoom boom;
     private final double secondsPerTick;
@@ -72,7 +77,8 @@ final class ShotEffects {
                 .addScaled(share * wide * from.x(), view.right())
                 .addScaled(share * wide * from.y(), view.up())
                 .addScaled(share * from.z(), view.back());
-        lasting.add(new Lasting(Kind.BOLT, colour, tick, BOLT_SECONDS, muzzle, end));
+        last = new Lasting(Kind.BOLT, colour, tick, BOLT_SECONDS, muzzle, end);
+        lasting.add(last);
     }
 
     private void shimmer(PlayerPose pose, long tick, int colour) {
@@ -104,6 +110,17 @@ final class ShotEffects {
     /** Forgets all, after a discontinuity. */
     void cut() {
         lasting.clear();
+        last = null;
+    }
+
+    /** Returns the last shot's light on surfaces at a share of the tick that ends in {@code tick}; {@code null} for none. */
+    MuzzleLight muzzleLight(long tick, double share, FlashStyle flashes) {
+        if (last == null) {
+            return null;
+        }
+        double seconds = (tick - last.beginTick + share) * secondsPerTick;
+        double strength = MuzzleLight.strengthAfter(seconds, flashes);
+        return strength > 0 ? new MuzzleLight(last.from, last.colour, strength) : null;
     }
 
     /** Returns the effects at a share of the tick that ends in {@code tick}. */

@@ -69,9 +69,12 @@ final class PassOrder {
         List<Pass> all = passes(entry ->
                 entry.feature.stage() == Stage.IN_VIEWS || entry.feature.stage() == Stage.IN_VIEWS_AFTER_OPAQUE);
         List<Pass> skies = passes(entry -> entry.feature.role() == Role.SKY);
-        List<Pass> readers = passes(
-                entry -> entry.feature.stage() == Stage.IN_VIEWS_AFTER_OPAQUE && ViewCopies.isRead(entry.pass.reads()));
-        return new ViewPasses(all, skies, begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first, readers);
+        return new ViewPasses(
+                all,
+                skies,
+                begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first,
+                passes(entry -> entry.pass.reads().contains(Target.VIEW_DEPTH)),
+                passes(entry -> entry.pass.reads().contains(Target.VIEW_COLOUR)));
     }
 
     /** Returns the targets that any pass reads. */

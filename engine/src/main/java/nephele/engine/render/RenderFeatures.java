@@ -20,6 +20,7 @@ import nephele.engine.render.pass.exposure.ExposurePass;
 import nephele.engine.render.pass.gun.GunPass;
 import nephele.engine.render.pass.impostor.ImpostorPass;
 import nephele.engine.render.pass.lightning.LightningPass;
+import nephele.engine.render.pass.muzzle.MuzzleLightPass;
 import nephele.engine.render.pass.particle.ParticlePass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
@@ -71,6 +72,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
+            MuzzleLightPass.FEATURE,
             CloudPass.feature(CLOUD_TECHNIQUES),
             LightningPass.FEATURE,
             BillboardPass.BLENDED,

@@ -1,8 +1,12 @@
 package nephele.engine.render;
 
+import java.util.List;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.math.Frustum;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.QualityField;
+import nephele.engine.render.frame.QualitySetting;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
@@ -12,11 +16,30 @@ import nephele.engine.scene.dynamic.CharacterPresence;
 public record RenderSettings(
         Output output,
         Quality quality,
-        Culling culling,
-        Narrowing narrowing,
-        Decoration decoration,
+        @QualitySetting(
+                        high = "hierarchy",
+                        title = "Leaving out what is out of view",
+                        about = "Solids that the view cannot show are not sent to the renderer: none left out, a"
+                                + " sphere around each tested, or boxes around groups of them tested first."
+                                + " Pictures must not differ.")
+                Culling culling,
+        @QualitySetting(
+                        high = "on",
+                        title = "Limits of views through portals",
+                        about = "A view through a portal is limited to the portal's outline. Pictures must not differ.")
+                Narrowing narrowing,
+        @QualitySetting(
+                        name = "rims",
+                        high = "on",
+                        title = "Rims of portals",
+                        about = "Rims of portals and previews of shots: aids for the player, that a picture can go"
+                                + " without.")
+                Decoration decoration,
         Deepest deepest,
         CharacterPresence character) {
+    /** The settings besides those of {@link Quality}, in the order of declaration. */
+    public static final List<QualityField> FIELDS = QualityField.of(RenderSettings.class);
+
     /** The method of culling solids outside a view; pictures do not differ. */
     public enum Culling {
         /** Draws everything. */
@@ -88,30 +111,40 @@ public record RenderSettings(
                 CharacterPresence.NEVER);
     }
 
+    /** Returns these settings with another quality. */
     public RenderSettings with(Quality newQuality) {
-        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest, character);
+        return RecordCopy.with(this, "quality", newQuality);
     }
 
+    /** Returns these settings with another method of culling. */
     public RenderSettings with(Culling newCulling) {
-        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest, character);
+        return RecordCopy.with(this, "culling", newCulling);
     }
 
+    /** Returns these settings with or without limits of views through portals. */
     public RenderSettings with(Narrowing newNarrowing) {
-        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest, character);
+        return RecordCopy.with(this, "narrowing", newNarrowing);
     }
 
     /** Returns these settings with another decoration. */
     public RenderSettings with(Decoration newDecoration) {
-        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest, character);
+        return RecordCopy.with(this, "decoration", newDecoration);
     }
 
     /** Returns these settings with another content of openings beyond the view budget. */
     public RenderSettings with(Deepest newDeepest) {
-        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, character);
+        return RecordCopy.with(this, "deepest", newDeepest);
     }
 
     /** Returns these settings with another presence of the player's character. */
     public RenderSettings with(CharacterPresence newCharacter) {
-        return new RenderSettings(output, quality, culling, narrowing, decoration, deepest, newCharacter);
+        return RecordCopy.with(this, "character", newCharacter);
+    }
+
+    /** Returns these settings with another value of a setting of quality or of {@link #FIELDS}. */
+    public RenderSettings with(QualityField field, Object value) {
+        return FIELDS.contains(field)
+                ? RecordCopy.with(this, field.component(), value)
+                : with(quality.with(field.component(), value));
     }
 }

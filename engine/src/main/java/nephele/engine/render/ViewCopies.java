@@ -17,6 +17,8 @@ final class ViewCopies implements AutoCloseable {
     private final SharedResources shared;
     private final Set<Target> read;
     private RenderTarget copy;
+    /** True from the first view on whose colours were read: before that, there is no memory for them. */
+    private boolean hasColour;
 
     /** @param read targets that passes read; only {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} matter */
     ViewCopies(GlContext gl, SharedResources shared, Set<Target> read) {
@@ -40,38 +42,19 @@ final class ViewCopies implements AutoCloseable {
         return new ViewCopies(gl, shared, read);
     }
 
-    private boolean depth() {
-        return read.contains(Target.VIEW_DEPTH);
-    }
-
-    private boolean colour() {
-        return read.contains(Target.VIEW_COLOUR);
-    }
-
-    /** Copies the content of {@code surface} within the scissor and passes it to the passes. */
-    void take(RenderTarget surface) {
-        if (!areRead()) {
-            return;
-        }
+    /** Copies these planes of {@code surface} within the scissor and passes them to the passes. */
+    void take(RenderTarget surface, CopiedPlanes planes) {
+        hasColour |= planes != CopiedPlanes.DEPTH;
         fit(surface);
-        surface.copyTo(copy, copied());
-        if (depth()) {
-            shared.publish(Target.VIEW_DEPTH, copy.depth());
-        }
-        if (colour()) {
+        surface.copyTo(copy, planes);
+        shared.publish(Target.VIEW_DEPTH, copy.depth());
+        if (hasColour) {
             shared.publish(Target.VIEW_COLOUR, copy.colour());
         }
     }
 
-    private CopiedPlanes copied() {
-        if (depth()) {
-            return colour() ? CopiedPlanes.COLOUR_AND_DEPTH : CopiedPlanes.DEPTH;
-        }
-        return CopiedPlanes.COLOUR;
-    }
-
     private void fit(RenderTarget surface) {
-        PixelFormat format = colour() ? surface.format() : null;
+        PixelFormat format = hasColour ? surface.format() : null;
         if (copy == null
                 || copy.width() != surface.width()
                 || copy.height() != surface.height()

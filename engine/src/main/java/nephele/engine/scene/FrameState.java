@@ -40,6 +40,7 @@ public final class FrameState {
     private List<PortalPreview> previews = List.of();
     private List<ClosingPortal> closing = List.of();
     private List<ShotEffect> shotEffects = List.of();
+    private MuzzleLight muzzleLight;
     private GunInHand gun;
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
@@ -252,6 +253,15 @@ public final class FrameState {
 
     public void shotEffects(List<ShotEffect> now) {
         shotEffects = now;
+    }
+
+    /** Returns the light of the last shot on the surfaces around; {@code null} if there is none. */
+    public MuzzleLight muzzleLight() {
+        return muzzleLight;
+    }
+
+    public void muzzleLight(MuzzleLight now) {
+        muzzleLight = now;
     }
 
     /** Returns the gun in the hand of the player whose eye is the main view's; {@code null} if none is drawn. */

@@ -33,6 +33,11 @@ public record Trade(
         }
     }
 
+    /** Returns the same subject, always measured in a level of the jar. */
+    public Trade in(String otherLevel) {
+        return in(otherLevel, subject, text);
+    }
+
     /** Returns the same parameter measured in another level of the jar, in which it matters more. */
     public Trade in(String otherLevel, String otherSubject, Text otherText) {
         return new Trade(

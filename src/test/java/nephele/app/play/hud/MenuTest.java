@@ -9,6 +9,8 @@ import java.util.List;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.Settings;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
 import org.junit.jupiter.api.Test;
 
 class MenuTest {
@@ -18,7 +20,7 @@ class MenuTest {
             all.add(new Entry("entry " + i, "value", new Choice.Step(Settings.FIELD_OF_VIEW, 1)));
         }
         all.add(new Entry("quit", new Choice.Quit()));
-        return new Menu("m", "Menu", List.of("a line"), all, 0, null, "foot");
+        return new Menu("m", "Menu", List.of("a line"), all, 0, 0, null, "foot");
     }
 
     @Test
@@ -47,7 +49,7 @@ class MenuTest {
         for (double[] size : new double[][] {{640, 360}, {320, 180}, {1280, 720}, {2560, 1080}, {400, 900}}) {
             var area = new Area(size[0], size[1]);
             for (int selected = 0; selected <= 14; selected++) {
-                var panel = new MenuPanel(menu(14).pointedAt(selected), area);
+                var panel = new MenuPanel(menu(14).moved(selected), area);
                 boolean isSeen = false;
                 for (double y = 0; y < area.height(); y++) {
                     isSeen |= panel.rowAt(area.width() / 2, y) == selected;
@@ -56,5 +58,22 @@ class MenuTest {
                 assertTrue(panel.bottom() <= area.height() + 1 || area.height() < 200, area + ": " + panel.bottom());
             }
         }
+    }
+
+    /** A message in the foot is whole, or ends in dots, and stays above the panel's lower edge. */
+    @Test
+    void aLongMessageStaysInsideThePanel() {
+        var canvas = new OverlayCanvas(new Lettering());
+        String path = "/home/somebody/" + "a-folder-with-a-name/".repeat(3) + "room.json";
+        String problem = "materials[1].texture: there is no such file; put it into the level's folder. ";
+        double before = 99;
+        for (int times : new int[] {1, 2, 9}) {
+            var foot = MenuPanel.Foot.of(canvas, path + ": " + problem.repeat(times));
+            assertTrue(foot.firstBaseline() + (foot.lines().size() - 1) * foot.em() * 1.27 < 66, times + ": " + foot);
+            assertTrue(foot.em() <= before && foot.em() >= 10, times + ": " + foot);
+            assertEquals(times == 9, foot.lines().get(foot.lines().size() - 1).endsWith(" …"), times + ": " + foot);
+            before = foot.em();
+        }
+        assertEquals(List.of("Esc back"), MenuPanel.Foot.of(canvas, "Esc back").lines());
     }
 }

@@ -45,6 +45,9 @@ class OverlayLayoutTest {
     @ParameterizedTest
     @CsvSource({
         "640, 360, 1",
+        "640, 360, 2",
+        "320, 180, 1",
+        "300, 500, 1",
         "800, 600, 1",
         "960, 540, 1",
         "1280, 720, 1",
@@ -60,9 +63,8 @@ class OverlayLayoutTest {
         "3840, 2160, 2"
     })
     void noPartCoversAnother(int width, int height, double windowScale) {
-        double pixelsPerPoint = Math.max(windowScale, height / 1080.0);
         seen = 0;
-        Area area = new Area(width / pixelsPerPoint, height / pixelsPerPoint);
+        Area area = Area.of(width, height, windowScale);
         for (Language language : Language.values()) {
             for (List<Figure> figures : List.of(figures(0), figures(9), figures(28))) {
                 for (List<String> messages : messages(language)) {

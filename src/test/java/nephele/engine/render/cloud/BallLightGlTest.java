@@ -74,7 +74,7 @@ class BallLightGlTest {
     }
 
     private float[] drawn(Level level, BallLight light, Quality best) {
-        Quality quality = best.withSamples(1).withParticleLight(light);
+        Quality quality = best.with("samples", 1).with("particleLight", light);
         try (Renderer renderer =
                 Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             renderer.draw(view, offscreen.picture);
@@ -109,7 +109,7 @@ class BallLightGlTest {
     void theLightIsTheIntegralAlongTheRay(BallLight model, double perMetre) {
         var field = new PuffsField(HEAP, CENTRE, perMetre);
         BeamLight light = model.beam(CloudOptics.of(1, 0.5));
-        float[] seen = drawn(level(HEAP, perMetre, 0, SUN), model, Quality.ULTRA.withCloudLightCell(1));
+        float[] seen = drawn(level(HEAP, perMetre, 0, SUN), model, Quality.ULTRA.with("cloudLightCell", 1));
         double wanted = 0;
         double had = 0;
         for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel += 11) {

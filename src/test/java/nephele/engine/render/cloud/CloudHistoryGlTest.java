@@ -79,7 +79,7 @@ class CloudHistoryGlTest {
     }
 
     private Renderer load(Scene scene, CloudHistory history) {
-        Quality quality = Quality.HIGH.withCloudHistory(history);
+        Quality quality = Quality.HIGH.with("cloudHistory", history);
         return Renderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality));
     }
 

@@ -107,9 +107,9 @@ class CloudMarchGlTest {
                 .cloud(cloud)
                 .level();
         Quality full = Quality.HIGH
-                .withCloudResolution(1)
-                .withCloudHistory(Quality.CloudHistory.NONE)
-                .withCloudLightCell(lightDivisor);
+                .with("cloudResolution", 1)
+                .with("cloudHistory", Quality.CloudHistory.NONE)
+                .with("cloudLightCell", lightDivisor);
         try (Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(

@@ -154,7 +154,8 @@ class CloudOrderGlTest {
     private Renderer load(TestLevel level, List<Cloud> clouds) {
         clouds.forEach(level::cloud);
         var settings = RenderSettings.of(
-                Output.HDR, Quality.ULTRA.withSamples(1).withCloudLightCell(8).withCloudSkyboxTexels(32));
+                Output.HDR,
+                Quality.ULTRA.with("samples", 1).with("cloudLightCell", 8).with("cloudSkyboxTexels", 32));
         return Renderer.load(offscreen.gl, level.level(), TestAssets.NONE, settings);
     }
 

@@ -92,7 +92,7 @@ class CloudWindGlTest {
     }
 
     private Film film(Level level, CloudHistory history) {
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withCloudHistory(history));
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("cloudHistory", history));
         Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings);
         return new Film(offscreen, renderer, FrameState.atStart(level));
     }

@@ -40,7 +40,8 @@ class CurvedMeshGlTest {
                         0,
                         0))
                 .level();
-        Quality quality = Quality.ULTRA.withSamples(1).withCloudLightCell(8).withSkyplaneShape(SkyplaneShape.CURVED);
+        Quality quality =
+                Quality.ULTRA.with("samples", 1).with("cloudLightCell", 8).with("skyplaneShape", SkyplaneShape.CURVED);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {

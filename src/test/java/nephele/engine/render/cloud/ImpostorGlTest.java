@@ -38,7 +38,7 @@ class ImpostorGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
     private static final Vec3 CENTRE = new Vec3(0, 10, -140);
-    private static final Quality EXACT = Quality.ULTRA.withSamples(1).withImpostors(ImpostorChoice.AUTO);
+    private static final Quality EXACT = Quality.ULTRA.with("samples", 1).with("impostors", ImpostorChoice.AUTO);
     private static final List<Cloud.Puff> HEAP = heap();
 
     private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
@@ -120,7 +120,7 @@ class ImpostorGlTest {
     void aWhiteFurnaceIsWhite(double perMetre) {
         Level level = under(1, 0, perMetre, 1, CloudTechnique.PARTICLES).level();
         for (float value :
-                lastOf(6, 0.1, level, perMetre == 0.5 ? Quality.LOW.withImpostors(ImpostorChoice.AUTO) : EXACT)) {
+                lastOf(6, 0.1, level, perMetre == 0.5 ? Quality.LOW.with("impostors", ImpostorChoice.AUTO) : EXACT)) {
             assertEquals(1, value, 1 / 255.0);
         }
     }
@@ -144,12 +144,13 @@ class ImpostorGlTest {
                 .box("dark", CENTRE, new Vec3(30, 30, 2))
                 .level();
         assertSameAsDirectly(
-                level, Quality.HIGH.withCloudResolution(resolution).withCloudHistory(Quality.CloudHistory.NONE));
+                level,
+                Quality.HIGH.with("cloudResolution", resolution).with("cloudHistory", Quality.CloudHistory.NONE));
     }
 
     private void assertSameAsDirectly(Level level, Quality quality) {
-        float[] direct = lastOf(5, 0.1, level, quality.withImpostors(ImpostorChoice.OFF));
-        float[] seen = lastOf(5, 0.1, level, quality.withImpostors(ImpostorChoice.AUTO));
+        float[] direct = lastOf(5, 0.1, level, quality.with("impostors", ImpostorChoice.OFF));
+        float[] seen = lastOf(5, 0.1, level, quality.with("impostors", ImpostorChoice.AUTO));
         for (int i = 0; i < direct.length; i++) {
             assertEquals(direct[i], seen[i], 0.03 * Math.max(0.3, direct[i]), "value " + i);
         }
@@ -165,7 +166,7 @@ class ImpostorGlTest {
                 .level();
         assertSameAsDirectly(level, EXACT);
         long fewer = -triangles;
-        lastOf(1, 0, level, EXACT.withImpostors(ImpostorChoice.OFF));
+        lastOf(1, 0, level, EXACT.with("impostors", ImpostorChoice.OFF));
         fewer += triangles;
         assertTrue(exit == -6 ? fewer > 2 * HEAP.size() : fewer > 0, fewer + " triangles fewer");
     }

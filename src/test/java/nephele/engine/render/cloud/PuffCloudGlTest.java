@@ -109,7 +109,7 @@ class PuffCloudGlTest {
     void whatPassesIsTheClosedForm(CloudTechnique technique, double most, double x, double y, double z) {
         Level level = under(1, 0, cloud(HEAP, 0.06, 0, technique));
         View view = offscreen.view(new Vec3(x, y, z), CENTRE);
-        float[] seen = drawn(level, Quality.ULTRA.withSamples(1), view);
+        float[] seen = drawn(level, Quality.ULTRA.with("samples", 1), view);
         var field = new PuffsField(HEAP, CENTRE, 0.06);
         double squares = 0;
         int count = 0;
@@ -177,8 +177,8 @@ class PuffCloudGlTest {
         List<View> views = List.of(Vec3.ZERO, new Vec3(-80, 50, -200), new Vec3(100, -20, -160)).stream()
                 .map(eye -> offscreen.view(eye, CENTRE))
                 .toList();
-        List<float[]> marched = drawn(volume, Quality.ULTRA.withSamples(1), views);
-        List<float[]> blended = drawn(balls, Quality.ULTRA.withSamples(1), views);
+        List<float[]> marched = drawn(volume, Quality.ULTRA.with("samples", 1), views);
+        List<float[]> blended = drawn(balls, Quality.ULTRA.with("samples", 1), views);
         var field = new PuffsField(HEAP, CENTRE, perMetre);
         for (int i = 0; i < views.size(); i++) {
             View view = views.get(i);
@@ -205,9 +205,13 @@ class PuffCloudGlTest {
         List<Cloud.Puff> twice = new ArrayList<>(HEAP);
         twice.addAll(HEAP);
         float[] one = drawn(
-                under(0.3, 4, cloud(HEAP, 0.06, 1, CloudTechnique.PARTICLES)), Quality.ULTRA.withSamples(1), view());
+                under(0.3, 4, cloud(HEAP, 0.06, 1, CloudTechnique.PARTICLES)),
+                Quality.ULTRA.with("samples", 1),
+                view());
         float[] two = drawn(
-                under(0.3, 4, cloud(twice, 0.03, 1, CloudTechnique.PARTICLES)), Quality.ULTRA.withSamples(1), view());
+                under(0.3, 4, cloud(twice, 0.03, 1, CloudTechnique.PARTICLES)),
+                Quality.ULTRA.with("samples", 1),
+                view());
         double sumOne = 0;
         double sumTwo = 0;
         for (int i = 0; i < one.length; i++) {
@@ -252,8 +256,8 @@ class PuffCloudGlTest {
             names = {"PARTICLES", "BILLBOARD"})
     void aMirroredCloudIsAMirroredPicture(CloudTechnique technique) {
         View ahead = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -120));
-        float[] one = drawn(lit(1, technique), Quality.ULTRA.withSamples(1), ahead);
-        float[] other = drawn(lit(-1, technique), Quality.ULTRA.withSamples(1), ahead);
+        float[] one = drawn(lit(1, technique), Quality.ULTRA.with("samples", 1), ahead);
+        float[] other = drawn(lit(-1, technique), Quality.ULTRA.with("samples", 1), ahead);
         double brightest = 0;
         double farthest = 0;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -285,7 +289,9 @@ class PuffCloudGlTest {
     void farFromTheOriginItLooksTheSame() {
         Vec3 far = new Vec3(1 << 20, 0, -(1 << 20));
         float[] here = drawn(
-                under(0.3, 4, cloud(HEAP, 0.06, 1, CloudTechnique.PARTICLES)), Quality.ULTRA.withSamples(1), view());
+                under(0.3, 4, cloud(HEAP, 0.06, 1, CloudTechnique.PARTICLES)),
+                Quality.ULTRA.with("samples", 1),
+                view());
         Cloud moved = new Cloud(
                 "heap",
                 new Cloud.Extent.Volume(CENTRE.plus(far), new Vec3(80, 60, 60)),
@@ -295,7 +301,7 @@ class PuffCloudGlTest {
                 1,
                 0.85);
         float[] there =
-                drawn(under(0.3, 4, moved), Quality.ULTRA.withSamples(1), offscreen.view(far, CENTRE.plus(far)));
+                drawn(under(0.3, 4, moved), Quality.ULTRA.with("samples", 1), offscreen.view(far, CENTRE.plus(far)));
         for (int i = 0; i < here.length; i++) {
             assertEquals(here[i], there[i], 1 / 255.0);
         }
@@ -307,7 +313,7 @@ class PuffCloudGlTest {
     void aBillboardHasNoSingularDirection(BillboardFacing facing) {
         List<Cloud.Puff> one = List.of(new Cloud.Puff(Vec3.ZERO, 20));
         Level level = under(0.3, 4, cloud(one, 0.1, 1, CloudTechnique.BILLBOARD));
-        var quality = Quality.HIGH.withBillboardFacing(facing).withCloudResolution(1);
+        var quality = Quality.HIGH.with("billboardFacing", facing).with("cloudResolution", 1);
         try (var tiny = RenderTarget.picture(offscreen.gl, "tiny", PixelFormat.RGBA8, 3, 3);
                 Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {

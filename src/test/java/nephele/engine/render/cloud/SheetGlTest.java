@@ -47,7 +47,7 @@ class SheetGlTest {
     private static final double MIDDLE = BASE + THICK / 2;
     private static final Cloud.Density EVEN = new Cloud.Density.Ellipsoid();
     private static final Cloud.Density PATCHES = new Cloud.Density.Noise(3, 1500, 0.5);
-    private static final Quality EXACT = Quality.ULTRA.withSamples(1);
+    private static final Quality EXACT = Quality.ULTRA.with("samples", 1);
 
     private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
 
@@ -77,7 +77,7 @@ class SheetGlTest {
     }
 
     private Renderer load(Level level, Quality quality) {
-        Quality coarse = quality.withCloudLightCell(COARSE_LIGHT);
+        Quality coarse = quality.with("cloudLightCell", COARSE_LIGHT);
         return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, coarse));
     }
 
@@ -196,9 +196,9 @@ class SheetGlTest {
     static Stream<Arguments> kinds() {
         return Stream.concat(
                 Stream.of(SkyplaneShape.values())
-                        .map(shape -> Arguments.of(CloudTechnique.SKYPLANE, EXACT.withSkyplaneShape(shape))),
+                        .map(shape -> Arguments.of(CloudTechnique.SKYPLANE, EXACT.with("skyplaneShape", shape))),
                 Stream.of(ProceduralNoise.values())
-                        .map(noise -> Arguments.of(CloudTechnique.PROCEDURAL, EXACT.withProceduralNoise(noise))));
+                        .map(noise -> Arguments.of(CloudTechnique.PROCEDURAL, EXACT.with("proceduralNoise", noise))));
     }
 
     @ParameterizedTest
@@ -266,7 +266,7 @@ class SheetGlTest {
         Level level = sunny().cloud(layer(technique, PATCHES, 3, 1, new Cloud.Motion(new Vec3(9, 0, 4), 400)))
                 .level();
         FrameState state = FrameState.atStart(level);
-        Quality quality = EXACT.withCloudHistory(CloudHistory.NONE);
+        Quality quality = EXACT.with("cloudHistory", CloudHistory.NONE);
         try (Renderer played = load(level, quality);
                 Renderer cold = load(level, quality)) {
             at(played, state, Vec3.ZERO, 2);

@@ -47,7 +47,7 @@ class SkyboxCloudGlTest {
                     new Cloud.Puff(new Vec3(120, 80, 60), 120)),
             null);
     private static final Cloud.Density EVEN = new Cloud.Density.Ellipsoid();
-    private static final Quality EXACT = Quality.ULTRA.withSamples(1);
+    private static final Quality EXACT = Quality.ULTRA.with("samples", 1);
 
     private final Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
 
@@ -83,7 +83,7 @@ class SkyboxCloudGlTest {
                 offscreen.gl,
                 level,
                 TestAssets.NONE,
-                RenderSettings.of(Output.HDR, quality.withCloudLightCell(8).withCloudSkyboxTexels(96)));
+                RenderSettings.of(Output.HDR, quality.with("cloudLightCell", 8).with("cloudSkyboxTexels", 96)));
     }
 
     private View from(Vec3 eye, Vec3 towards) {

@@ -73,7 +73,7 @@ class TechniqueFactsGlTest {
     }
 
     private long draws(CloudTechnique technique) {
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.withImpostors(ImpostorChoice.OFF));
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("impostors", ImpostorChoice.OFF));
         try (Renderer renderer = Renderer.load(offscreen.gl, level(technique), TestAssets.NONE, settings)) {
             renderer.draw(VIEW, offscreen.picture);
             renderer.draw(VIEW, offscreen.picture);

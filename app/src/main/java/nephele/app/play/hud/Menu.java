@@ -15,11 +15,20 @@ import nephele.engine.named.LevelName;
  *
  * @param name the page's name in logs
  * @param lines texts between title and entries
+ * @param centred the row about which a list is shown that is longer than the window: keys take it with the selection,
+ *     while the pointer selects what it is over, and only its wheel moves the list
  * @param escape the choice of the Esc key
  * @param foot the line below the entries that explains the keys
  */
 public record Menu(
-        String name, String title, List<String> lines, List<Entry> entries, int selected, Choice escape, String foot) {
+        String name,
+        String title,
+        List<String> lines,
+        List<Entry> entries,
+        int selected,
+        int centred,
+        Choice escape,
+        String foot) {
     private static final int LETTERS_OF_LINE = 40;
     private static final int MOST_LINES = 3;
 
@@ -167,16 +176,27 @@ public record Menu(
 
     /** Returns the menu with the selection moved, around both ends. */
     public Menu moved(int steps) {
-        return selecting(Math.floorMod(selected + steps, entries.size()));
+        int row = Math.floorMod(selected + steps, entries.size());
+        return showing(row, row);
     }
 
     /** Returns the menu with that row selected; rows outside change nothing. */
     public Menu pointedAt(int row) {
-        return row >= 0 && row < entries.size() ? selecting(row) : this;
+        return row >= 0 && row < entries.size() ? showing(row, centred) : this;
     }
 
-    private Menu selecting(int row) {
-        return new Menu(name, title, lines, entries, row, escape, foot);
+    /** Returns the menu with the list shown about that row. */
+    public Menu centredAt(int row) {
+        return showing(selected, row);
+    }
+
+    /** Returns the menu with the selection of another one, as far as it has as many entries, at the same place. */
+    public Menu like(Menu other) {
+        return centredAt(other.centred).pointedAt(other.selected);
+    }
+
+    private Menu showing(int row, int middle) {
+        return new Menu(name, title, lines, entries, row, middle, escape, foot);
     }
 
     /** Returns the choice of the selected entry; {@code null} if it makes none. */

@@ -1,5 +1,6 @@
 package nephele.app.play.hud;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
@@ -20,12 +21,22 @@ public final class MenuPanel {
     /** The most that a label takes of a row with a value. */
     private static final double LABEL_SHARE = 0.72;
 
+    /** The size of a value in relation to its label's. */
+    private static final double VALUE_SHARE = 0.85;
+    /** A letter's mean width, about. */
+    private static final double LETTER_EMS = 0.5;
+
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
+    private static final double LEAST_FOOT_EM = 10;
+    private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
+    /** What the lines of a message may take: from the entries to the panel's edge, less what hangs below a line. */
+    private static final double FOOT_ROOM = FOOT_HEIGHT + PADDING - 2;
+
     private static final double HELP_HEIGHT = 62;
     private static final double HELP_EM = 17;
     private static final int HELP_LINES = 2;
@@ -47,7 +58,7 @@ public final class MenuPanel {
         scale = Math.max(LEAST_SCALE, Math.min(1, wanted));
         int fitting = (int) Math.floor((area.height() / scale - height(0)) / ROW_HEIGHT);
         visibleRows = Math.max(1, Math.min(rows, fitting));
-        firstVisible = Math.max(0, Math.min(menu.selected() - visibleRows / 2, rows - visibleRows));
+        firstVisible = Math.max(0, Math.min(menu.centred() - visibleRows / 2, rows - visibleRows));
     }
 
     private double height(int rows) {
@@ -69,12 +80,29 @@ public final class MenuPanel {
         return beside || row < 0 || row >= visibleRows ? -1 : firstVisible + row;
     }
 
+    /** Returns the row about which the list is shown after it has moved by so many rows. */
+    public int scrolled(int rows) {
+        int last = menu.entries().size() - visibleRows;
+        return Math.max(0, Math.min(last, firstVisible + rows)) + visibleRows / 2;
+    }
+
+    /** Returns the step of a setting for a click: back (−1) on the left half of its value, forward elsewhere. */
+    public int stepAt(int row, double x) {
+        double width = scale
+                * VALUE_SHARE
+                * ROW_EM
+                * LETTER_EMS
+                * menu.entries().get(row).value().length();
+        double fromRight = left() + scale * (WIDTH - PADDING) - x;
+        return fromRight > width / 2 && fromRight < width + scale * GAP ? -1 : 1;
+    }
+
     /** Draws the menu with its own foot. */
     void draw(OverlayCanvas canvas) {
         draw(canvas, menu.foot(), HudPalette.QUIET_INK);
     }
 
-    /** @param foot the text below the entries; one of more than two lines is smaller */
+    /** @param foot the text below the entries, see {@link Foot} */
     void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
@@ -124,17 +152,51 @@ public final class MenuPanel {
         }
     }
 
-    private void drawFoot(OverlayCanvas canvas, double x, String foot, OverlayColour ink) {
-        double em = FOOT_EM;
-        List<String> lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
-        if (lines.size() > FOOT_LINES) {
-            em = FOOT_EM * FOOT_LINES / (FOOT_LINES + 1);
-            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
+    /**
+     * The lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's lower
+     * edge; the end of one that is too long even for the smallest letters is cut.
+     */
+    record Foot(List<String> lines, double em, double firstBaseline) {
+        static Foot of(OverlayCanvas canvas, String text) {
+            double width = WIDTH - 2 * PADDING;
+            List<String> lines = TextLines.of(canvas, FOOT_EM, width, text);
+            if (lines.size() <= FOOT_LINES) {
+                return new Foot(lines, FOOT_EM, FOOT_HEIGHT);
+            }
+            double em = FOOT_EM;
+            while (em > LEAST_FOOT_EM && lines.size() > mostLines(em)) {
+                em--;
+                lines = TextLines.of(canvas, em, width, text);
+            }
+            return new Foot(cut(canvas, em, width, lines), em, em);
         }
-        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight() + FOOT_HEIGHT);
-        for (String line : lines) {
-            canvas.text(x, baseline, scale * em, ink, line);
-            baseline += scale * em * FOOT_LINE_EMS;
+
+        private static int mostLines(double em) {
+            return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
+        }
+
+        private static List<String> cut(OverlayCanvas canvas, double em, double width, List<String> whole) {
+            int most = mostLines(em);
+            if (whole.size() <= most) {
+                return whole;
+            }
+            List<String> shown = new ArrayList<>(whole.subList(0, most));
+            String last = shown.get(most - 1);
+            while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
+                last = last.substring(0, last.length() - 1);
+            }
+            shown.set(most - 1, last + CUT);
+            return shown;
+        }
+    }
+
+    private void drawFoot(OverlayCanvas canvas, double x, String text, OverlayColour ink) {
+        Foot foot = Foot.of(canvas, text);
+        double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
+        double baseline = rowsEnd + scale * foot.firstBaseline();
+        for (String line : foot.lines()) {
+            canvas.text(x, baseline, scale * foot.em(), ink, line);
+            baseline += scale * foot.em() * FOOT_LINE_EMS;
         }
     }
 
@@ -171,7 +233,7 @@ public final class MenuPanel {
         double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
         double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
-            double valueEm = 0.85 * em;
+            double valueEm = VALUE_SHARE * em;
             double right = left() + scale * (WIDTH - PADDING);
             double room = right - end - scale * GAP;
             double width = canvas.width(valueEm, entry.value());

@@ -31,8 +31,8 @@ public final class ComparisonTexts {
     private HudContent.Comparison texts(TechniquePair techniques, Wipe wipe) {
         return new HudContent.Comparison(
                 wipe,
-                label(TechniquePair.name(techniques.left()), figures.leftMillis()),
-                label(TechniquePair.name(techniques.right()), figures.rightMillis()),
+                label(Phrase.ofTechnique(techniques.left()).in(language), figures.leftMillis()),
+                label(Phrase.ofTechnique(techniques.right()).in(language), figures.rightMillis()),
                 difference(techniques, figures.difference(), language));
     }
 
@@ -53,8 +53,8 @@ public final class ComparisonTexts {
                 ? Phrase.NO_DIFFERENCE.in(language)
                 : Phrase.DIFFERS.in(
                         language,
-                        TechniquePair.name(techniques.tried()),
-                        TechniquePair.name(techniques.reference()),
+                        Phrase.ofTechnique(techniques.tried()).in(language),
+                        Phrase.ofTechnique(techniques.reference()).in(language),
                         String.format(Locale.ROOT, "%.3f", difference.flip()),
                         difference.lightPercent());
     }

@@ -1,123 +1,279 @@
 package nephele.engine.render.frame;
 
-import java.util.function.Consumer;
+import java.util.List;
 import nephele.engine.cloud.drawn.SkyplaneShape;
 import nephele.engine.cloud.light.BallLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
+import nephele.engine.level.RecordCopy;
 
 /**
- * Settings that trade accuracy for speed.
- *
- * @param pictureResolution pixels that are drawn along each side, as a share of the picture's; fewer are scaled up
- * @param upscale filter that scales the picture up; without effect at resolution 1
- * @param anisotropy greatest number of texture samples along the steepest direction
- * @param normalMaps whether normal maps change the light on surfaces
- * @param brdf reflection of punctual, sun and ambient light
- * @param shadowTexels greatest length of the longer side of the sun's shadow map
- * @param shadowFilter texels of depth maps that decide the light of a point
- * @param lightShadows greatest number of punctual lights that cast shadows, the most powerful ones
- * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
- * @param edgeFilter filter of the displayed picture that smooths edges
- * @param cloudResolution rays through clouds along each side, as a share of the drawn pixels
- * @param cloudHistory frames among which the rays of the main view through clouds are divided
- * @param cloudStep length of a step through a cloud, in its cells
- * @param cloudLightCell edge of a cell of the light in clouds, in their cells of density
- * @param cloudScattering model of light that clouds scatter more than once
- * @param particleLight model of sunlight in clouds of technique {@code particles}
- * @param impostors whether clouds of balls that are far away are drawn from pictures of them
- * @param impostorErrorPixels greatest distance at which such a picture has a part of a cloud in a wrong place
- * @param skyplaneShape shape of the sheets of technique {@code skyplane}
- * @param proceduralNoise noise of technique {@code procedural}
- * @param cloudSkyboxTexels texels along a face of 90° of a cloud of technique {@code skybox}
- * @param terrainDetail triangles of which terrains are drawn
- * @param terrainErrorPixels greatest distance, in drawn pixels, at which coarser triangles show a point of a terrain
- * @param terrainLayers where the layers of terrains are mixed
- * @param spriteCoverage what smaller mipmap levels of billboards with edges keep
- * @param lightParts the light of surfaces that is shown
- * @param impostorPixels size of a model, in drawn pixels, below which its impostor is drawn; 0 always draws meshes
- * @param portalTechnique technique of drawing a view through an opening
- * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
- * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
+ * The settings that trade accuracy for speed. Each is declared once, by its {@link QualitySetting}: values, those of the
+ * presets, and what it trades.
  */
 public record Quality(
-        double pictureResolution,
-        Upscale upscale,
-        int anisotropy,
-        NormalMaps normalMaps,
-        ReflectionModel brdf,
-        int shadowTexels,
-        ShadowSampling shadowFilter,
-        int lightShadows,
-        int samples,
-        EdgeFilter edgeFilter,
-        double cloudResolution,
-        CloudHistory cloudHistory,
-        double cloudStep,
-        int cloudLightCell,
-        CloudScattering cloudScattering,
-        BillboardFacing billboardFacing,
-        BallLight particleLight,
-        ImpostorChoice impostors,
-        double impostorErrorPixels,
-        SkyplaneShape skyplaneShape,
-        ProceduralNoise proceduralNoise,
-        int cloudSkyboxTexels,
-        TerrainDetail terrainDetail,
-        double terrainErrorPixels,
-        LayerMixing terrainLayers,
-        SpriteCoverage spriteCoverage,
-        LightParts lightParts,
-        double impostorPixels,
-        PortalTechnique portalTechnique,
-        int viewBudget,
-        double portalResolution) {
+        @QualitySetting(
+                        high = "1",
+                        low = "0.5",
+                        medium = "0.7",
+                        least = 0.25,
+                        title = "Resolution of the picture",
+                        about = "How many pixels are drawn along each side, as a share of the window's; the rest is"
+                                + " interpolated. Menus, figures and prompts stay sharp.")
+                double pictureResolution,
+        @QualitySetting(
+                        high = "sharp_bilinear",
+                        title = "Filter that scales the picture up",
+                        about = "Three filters at four shares of the pixels along a side, in five levels of the game,"
+                                + " whose frames are drawn one after the other: a filter pays if no other point of"
+                                + " the same cost errs less.")
+                Upscale upscale,
+        @QualitySetting(
+                        high = "1",
+                        ultra = "8",
+                        least = 1,
+                        most = 16,
+                        title = "Texture anisotropy",
+                        about = "How many samples a texture takes along the steep direction of a floor or wall that is"
+                                + " seen at a grazing angle. One sample blurs the far end of floors.")
+                int anisotropy,
+        @QualitySetting(
+                        high = "on",
+                        title = "Normal maps",
+                        about = "Relief smaller than a triangle: joints, grain and ripples change the light. Without"
+                                + " it surfaces are as smooth as their geometry.")
+                NormalMaps normalMaps,
+        @QualitySetting(
+                        high = "ggx",
+                        title = "Reflection of surfaces",
+                        about = "GGX gives each roughness its highlight. Lambert reflects all light diffusely: nothing"
+                                + " shines, and metal looks like paint.")
+                ReflectionModel brdf,
+        @QualitySetting(
+                        high = "4096",
+                        low = "2048",
+                        least = 64,
+                        most = 16384,
+                        title = "Sun shadow",
+                        about = "The sun's shadows come from a depth map of this many texels along its longer side,"
+                                + " but of no finer texels than 1 cm. Off means that neither sun nor punctual"
+                                + " lights cast any.")
+                int shadowTexels,
+        @QualitySetting(
+                        high = "bilinear",
+                        title = "Filter of shadow maps",
+                        about = "Whether one texel of a shadow map decides the light of a point, or the four around"
+                                + " it, weighted. One gives shadows with steps.")
+                ShadowSampling shadowFilter,
+        @QualitySetting(
+                        high = "999",
+                        most = Quality.ALL_LIGHTS,
+                        title = "Lamps with shadows",
+                        about = "So many lamps cast shadows at most, the most powerful ones. The light of the others"
+                                + " goes through walls.")
+                int lightShadows,
+        @QualitySetting(
+                        high = "1",
+                        ultra = "4",
+                        least = 1,
+                        most = 8,
+                        title = "Samples a pixel",
+                        about = "Edges of walls, portals and dynamic objects are smoothed by testing coverage at"
+                                + " several points of a pixel (multisampling). One point gives stairs.")
+                int samples,
+        @QualitySetting(
+                        high = "none",
+                        title = "Filter of edges",
+                        about = "Stairs along edges are smoothed in the displayed picture, by the edges' shapes. It"
+                                + " costs a fraction of samples, and sees no detail that is smaller than a pixel.")
+                EdgeFilter edgeFilter,
+        @QualitySetting(
+                        high = "stencil",
+                        title = "How portals are drawn",
+                        about = "What is behind a portal is drawn straight into the picture where a stencil allows it,"
+                                + " or into a texture that then covers the opening. The source also weighed to"
+                                + " draw it into the frame buffer, to copy that out and to draw the rest over it;"
+                                + " copying only the opening's part is the last setting.")
+                PortalTechnique portalTechnique,
+        @QualitySetting(
+                        high = "12",
+                        low = "6",
+                        medium = "9",
+                        ultra = "32",
+                        most = 9999,
+                        title = "Views through portals",
+                        about = "So many views through portals are drawn in a frame at most, the largest ones. In"
+                                + " openings beyond the budget the previous picture is shown, moved to where it"
+                                + " fits; before there is one, the sky there behind the portal's membrane.")
+                int viewBudget,
+        @QualitySetting(
+                        high = "1",
+                        least = 0.1,
+                        title = "Resolution of portal pictures",
+                        about = "Of the texture technique: how many pixels a portal's picture has along each side, as"
+                                + " a share of the whole picture's. Stencil is shown beside it; it has no such"
+                                + " knob.")
+                double portalResolution,
+        @QualitySetting(
+                        high = "0.5",
+                        ultra = "1",
+                        least = 0.125,
+                        title = "Rays through clouds",
+                        about = "How many rays are marched along each side of the picture. Fewer are interpolated;"
+                                + " pixels whose surface is among the clouds are always marched on their own.")
+                double cloudResolution,
+        @QualitySetting(
+                        high = "four_frames",
+                        low = "sixteen_frames",
+                        ultra = "none",
+                        title = "Rays through clouds among frames",
+                        about = "A frame marches one ray of each square of rays; the others show what earlier frames"
+                                + " have seen in their direction. A still view loses nothing, a moving one some"
+                                + " sharpness.")
+                CloudHistory cloudHistory,
+        @QualitySetting(
+                        high = "1",
+                        low = "2",
+                        least = 0.25,
+                        most = 16,
+                        title = "Steps through clouds",
+                        about = "How far apart the samples of a ray through a cloud are, in its cells. Long steps miss"
+                                + " thin parts.")
+                double cloudStep,
+        @QualitySetting(
+                        high = "2",
+                        least = 1,
+                        most = 8,
+                        title = "Map of the light in clouds",
+                        about = "The optical depth towards the sun and the diffuse light are found once for each cell"
+                                + " of a map, whose edge this is, in cells of density. Small cells take longer to"
+                                + " make and more memory, and show shadows of smaller lobes; a frame reads one of"
+                                + " either size as fast.")
+                int cloudLightCell,
+        @QualitySetting(
+                        high = "two_stream",
+                        title = "Light scattered often in clouds",
+                        about = "Most light of a thick cloud has been scattered tens of times. The two-stream model"
+                                + " finds it in closed form from the optical depths around each point, and follows"
+                                + " small angles along the path; octaves repeat single scattering with less"
+                                + " extinction and lose most of it.")
+                CloudScattering cloudScattering,
+        @QualitySetting(
+                        high = "viewer",
+                        title = "Turning of flat clouds",
+                        about = "Clouds of technique billboard are flat pictures of balls. Turned towards the eye they"
+                                + " are the balls as far away; turned as the screen they grow towards the"
+                                + " picture's edges; turned about an upright axis they are thin from above and"
+                                + " below.")
+                BillboardFacing billboardFacing,
+        @QualitySetting(
+                        high = "tail",
+                        title = "Sunlight in clouds of balls",
+                        about = "The tail is the two-stream model, with all light that is scattered often. Dobashi's"
+                                + " model of 2000 has light that is scattered once; Harris' of 2001 also light"
+                                + " that was scattered forwards before, here so that it does not depend on the"
+                                + " number of balls. Both lose what leaves the beam.")
+                BallLight particleLight,
+        @QualitySetting(
+                        high = "auto",
+                        ultra = "off",
+                        title = "Impostors of clouds of balls",
+                        about = "A cloud of soft balls far away is drawn once and shown from that picture until the"
+                                + " eye has moved so far that a part of it would be in a wrong place. Pictures are"
+                                + " made over several frames; clouds that are near are drawn ball by ball.")
+                ImpostorChoice impostors,
+        @QualitySetting(
+                        high = "1",
+                        least = 0.1,
+                        most = 16,
+                        title = "Error of impostors",
+                        about = "How many pixels a part of a cloud may be from its place before its picture is"
+                                + " replaced. A smaller error takes more pictures, or drawing ball by ball if the"
+                                + " eye is fast.")
+                double impostorErrorPixels,
+        @QualitySetting(
+                        high = "shell",
+                        title = "Shape of sheets of cloud",
+                        about = "A layer that is drawn as a sheet bends around the planet as layers do. A plane, a"
+                                + " mesh that sinks too fast and a hemisphere show its clouds in other"
+                                + " directions.")
+                SkyplaneShape skyplaneShape,
+        @QualitySetting(
+                        high = "smooth",
+                        title = "Noise of procedural clouds",
+                        about = "Octaves of gradient noise have no period and change smoothly. Three pictures of white"
+                                + " noise that are enlarged and cross-faded repeat, and pulse while they fade. The"
+                                + " skies are other ones of the same cover: the error says how different they are,"
+                                + " not which one is wrong.")
+                ProceduralNoise proceduralNoise,
+        @QualitySetting(
+                        high = "512",
+                        least = 16,
+                        most = 4096,
+                        title = "Texels of clouds as skyboxes",
+                        about = "A cloud of technique skybox is drawn into pictures around one point when a level is"
+                                + " loaded, and looked up afterwards. Fewer texels along a face of 90° make it"
+                                + " soft; a frame costs the same.")
+                int cloudSkyboxTexels,
+        @QualitySetting(
+                        high = "lod",
+                        title = "Triangles of terrains",
+                        about = "All triangles of the height map, or as many as the picture needs: tiles of coarser"
+                                + " triangles, chosen for each view, whose error stays below terrainErrorPixels."
+                                + " Light is that of all samples.")
+                TerrainDetail terrainDetail,
+        @QualitySetting(
+                        high = "1",
+                        least = 0.1,
+                        most = 64,
+                        title = "Error of terrains",
+                        about = "How many drawn pixels coarser triangles may show a point of the ground from its"
+                                + " place.")
+                double terrainErrorPixels,
+        @QualitySetting(
+                        high = "mixed",
+                        title = "Layers of terrains",
+                        about = "Layers of materials are mixed at each pixel, or once into a picture of the whole"
+                                + " terrain, as a source of 2010 did: then near ground is blurred and cliffs"
+                                + " stretch it.")
+                LayerMixing terrainLayers,
+        @QualitySetting(
+                        high = "all",
+                        title = "Parts of light",
+                        about = "Ambient, diffuse and specular light of surfaces, each alone and all together, as a"
+                                + " source of 2010 showed them.")
+                LightParts lightParts,
+        @QualitySetting(
+                        high = "64",
+                        most = 256,
+                        title = "Impostors of models",
+                        about = "How many pixels a model has where its impostor takes the place of its mesh; 0 draws"
+                                + " meshes alone. An impostor is a rectangle with pictures of the model from three"
+                                + " directions, lit as the mesh is.")
+                double impostorPixels,
+        @QualitySetting(
+                        high = "kept",
+                        title = "Mipmaps of billboards",
+                        about = "Smaller mipmap levels keep the share of the picture that is drawn, or the mean of"
+                                + " alpha, with which crowns and grass become thin far away.")
+                SpriteCoverage spriteCoverage) {
     /** Enough for every light that can have a shadow. */
     public static final int ALL_LIGHTS = 999;
 
-    public static final Quality HIGH = new Quality(
-            1,
-            Upscale.SHARP_BILINEAR,
-            1,
-            NormalMaps.ON,
-            ReflectionModel.GGX,
-            4096,
-            ShadowSampling.BILINEAR,
-            ALL_LIGHTS,
-            1,
-            EdgeFilter.NONE,
-            0.5,
-            CloudHistory.FOUR_FRAMES,
-            1,
-            2,
-            CloudScattering.TWO_STREAM,
-            BillboardFacing.VIEWER,
-            BallLight.TAIL,
-            ImpostorChoice.AUTO,
-            1,
-            SkyplaneShape.SHELL,
-            ProceduralNoise.SMOOTH,
-            512,
-            TerrainDetail.LOD,
-            1,
-            LayerMixing.MIXED,
-            SpriteCoverage.KEPT,
-            LightParts.ALL,
-            64,
-            PortalTechnique.STENCIL,
-            12,
-            1);
-    public static final Quality LOW = HIGH.withPictureResolution(0.5)
-            .withShadowTexels(2048)
-            .withCloudHistory(CloudHistory.SIXTEEN_FRAMES)
-            .withCloudStep(2)
-            .withViewBudget(6);
-    public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
-    public static final Quality ULTRA = HIGH.withAnisotropy(8)
-            .withSamples(4)
-            .withCloudResolution(1)
-            .withCloudHistory(CloudHistory.NONE)
-            .withImpostors(ImpostorChoice.OFF)
-            .withViewBudget(32);
+    /** All settings, in the order of declaration. */
+    public static final List<QualityField> FIELDS = QualityField.of(Quality.class);
+
+    public static final Quality LOW = preset(Preset.LOW);
+    public static final Quality MEDIUM = preset(Preset.MEDIUM);
+    public static final Quality HIGH = preset(Preset.HIGH);
+    public static final Quality ULTRA = preset(Preset.ULTRA);
+
+    /** The presets, the cheapest first. */
+    public enum Preset {
+        LOW,
+        MEDIUM,
+        HIGH,
+        ULTRA
+    }
 
     /** The filter that smooths edges of the displayed picture. */
     public enum EdgeFilter {
@@ -257,136 +413,21 @@ public record Quality(
     }
 
     private Quality onHardware(int itsSamples, int itsAnisotropy) {
-        return withSamples(itsSamples).withAnisotropy(itsAnisotropy).withUpscale(Upscale.EDGE_ADAPTIVE);
+        return with("samples", itsSamples).with("anisotropy", itsAnisotropy).with("upscale", Upscale.EDGE_ADAPTIVE);
     }
 
-    public Quality withPictureResolution(double share) {
-        return with(draft -> draft.pictureResolution = share);
+    private static Quality preset(Preset preset) {
+        return QualityField.record(Quality.class, FIELDS, preset);
     }
 
-    public Quality withUpscale(Upscale filter) {
-        return with(draft -> draft.upscale = filter);
-    }
-
-    public Quality withAnisotropy(int texels) {
-        return with(draft -> draft.anisotropy = texels);
-    }
-
-    public Quality withNormalMaps(NormalMaps maps) {
-        return with(draft -> draft.normalMaps = maps);
-    }
-
-    public Quality withBrdf(ReflectionModel model) {
-        return with(draft -> draft.brdf = model);
-    }
-
-    public Quality withShadowTexels(int texels) {
-        return with(draft -> draft.shadowTexels = texels);
-    }
-
-    public Quality withShadowFilter(ShadowSampling sampling) {
-        return with(draft -> draft.shadowFilter = sampling);
-    }
-
-    public Quality withLightShadows(int lights) {
-        return with(draft -> draft.lightShadows = lights);
-    }
-
-    public Quality withSamples(int perPixel) {
-        return with(draft -> draft.samples = perPixel);
-    }
-
-    public Quality withEdgeFilter(EdgeFilter filter) {
-        return with(draft -> draft.edgeFilter = filter);
-    }
-
-    public Quality withCloudResolution(double share) {
-        return with(draft -> draft.cloudResolution = share);
-    }
-
-    public Quality withCloudHistory(CloudHistory frames) {
-        return with(draft -> draft.cloudHistory = frames);
-    }
-
-    public Quality withCloudStep(double cells) {
-        return with(draft -> draft.cloudStep = cells);
-    }
-
-    public Quality withCloudLightCell(int edge) {
-        return with(draft -> draft.cloudLightCell = edge);
-    }
-
-    public Quality withCloudScattering(CloudScattering model) {
-        return with(draft -> draft.cloudScattering = model);
-    }
-
-    public Quality withBillboardFacing(BillboardFacing facing) {
-        return with(draft -> draft.billboardFacing = facing);
-    }
-
-    public Quality withParticleLight(BallLight model) {
-        return with(draft -> draft.particleLight = model);
-    }
-
-    public Quality withImpostors(ImpostorChoice clouds) {
-        return with(draft -> draft.impostors = clouds);
-    }
-
-    public Quality withImpostorErrorPixels(double pixels) {
-        return with(draft -> draft.impostorErrorPixels = pixels);
-    }
-
-    public Quality withSkyplaneShape(SkyplaneShape shape) {
-        return with(draft -> draft.skyplaneShape = shape);
-    }
-
-    public Quality withProceduralNoise(ProceduralNoise noise) {
-        return with(draft -> draft.proceduralNoise = noise);
-    }
-
-    public Quality withCloudSkyboxTexels(int texels) {
-        return with(draft -> draft.cloudSkyboxTexels = texels);
-    }
-
-    public Quality withTerrainDetail(TerrainDetail triangles) {
-        return with(draft -> draft.terrainDetail = triangles);
-    }
-
-    public Quality withTerrainErrorPixels(double pixels) {
-        return with(draft -> draft.terrainErrorPixels = pixels);
-    }
-
-    public Quality withTerrainLayers(LayerMixing where) {
-        return with(draft -> draft.terrainLayers = where);
-    }
-
-    public Quality withSpriteCoverage(SpriteCoverage coverage) {
-        return with(draft -> draft.spriteCoverage = coverage);
-    }
-
-    public Quality withLightParts(LightParts parts) {
-        return with(draft -> draft.lightParts = parts);
-    }
-
-    public Quality withImpostorPixels(double pixels) {
-        return with(draft -> draft.impostorPixels = pixels);
-    }
-
-    public Quality withPortalTechnique(PortalTechnique technique) {
-        return with(draft -> draft.portalTechnique = technique);
-    }
-
-    public Quality withViewBudget(int views) {
-        return with(draft -> draft.viewBudget = views);
-    }
-
-    public Quality withPortalResolution(double share) {
-        return with(draft -> draft.portalResolution = share);
-    }
-
-    private Quality with(Consumer<QualityDraft> change) {
-        QualityDraft draft = new QualityDraft(this);
-        change.accept(draft);
-        return draft.quality();
+    /**
+     * Returns this quality with another value of one setting.
+     *
+     * @param setting its name
+     * @param value of its type
+     * @throws IllegalArgumentException if there is no such setting, or it is of another type
+     */
+    public Quality with(String setting, Object value) {
+        return RecordCopy.with(this, setting, value);
     }
 }

@@ -3,6 +3,8 @@ package nephele.lab.trade.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.BillboardSubjects;
@@ -23,7 +25,7 @@ import nephele.lab.trade.walk.TraversalSubject;
 
 /** The registry of subjects, in the order of the report. */
 public final class Trades {
-    public static final List<Trade> ALL = List.of(
+    public static final List<Trade> ALL = withOtherSettings(List.of(
             QualitySubjects.PRESETS,
             QualitySubjects.RESOLUTION,
             QualitySubjects.UPSCALE,
@@ -69,12 +71,23 @@ public final class Trades {
             SceneSubjects.TESSELLATION,
             SceneSubjects.CONE_NORMALS,
             CullingSphereSubject.TRADE,
-            CollisionSubject.TRADE);
+            CollisionSubject.TRADE));
 
     /** Name of the group of subjects that compare techniques of clouds. */
     public static final String CLOUDS = "clouds";
 
     private Trades() {}
+
+    /** Returns the subjects, and one for each setting of quality that none of them covers. */
+    private static List<Trade> withOtherSettings(List<Trade> subjects) {
+        return Stream.concat(
+                        subjects.stream(),
+                        Quality.FIELDS.stream()
+                                .filter(field -> subjects.stream().noneMatch(trade -> trade.qualityFields()
+                                        .contains(field.name())))
+                                .map(PictureSubjects::setting))
+                .toList();
+    }
 
     /**
      * Returns the subjects with these names, in the report's order; all of {@link #ALL} if no name is given. {@value #CLOUDS} names

@@ -30,21 +30,9 @@ public final class BillboardSubjects {
                             .toList())
             .in(LEVEL, "spriteFacing", FACING_TEXT);
 
-    private static final Trade.Text COVERAGE_TEXT = new Trade.Text(
-            "Mipmaps of billboards",
-            "Smaller mipmap levels keep the share of the picture that is drawn, or the mean of alpha, with which crowns"
-                    + " and grass become thin far away.",
-            ORACLE);
-
-    public static final Trade COVERAGE = PictureSubjects.of(
-                    "spriteCoverage",
-                    COVERAGE_TEXT,
-                    List.of("spriteCoverage"),
-                    "kept",
-                    List.of(
-                            PictureSetting.of("spriteCoverage", "kept", "all presets"),
-                            PictureSetting.of("spriteCoverage", "mean", "")))
-            .in(LEVEL, "spriteCoverage", COVERAGE_TEXT);
+    public static final Trade COVERAGE = PictureSubjects.setting(
+                    "spriteCoverage", ORACLE, PictureSetting.all("spriteCoverage", "kept", "mean"))
+            .in(LEVEL);
 
     private BillboardSubjects() {}
 

@@ -22,177 +22,85 @@ public final class CloudSubjects {
         + " 0.3 pixels a frame";
 
     public static final Trade SCATTERING = subject(
+            GRID,
             "cloudScattering",
-            "Light scattered often in clouds",
-            "Most light of a thick cloud has been scattered tens of times. The two-stream model finds it in closed"
-                    + " form from the optical depths around each point, and follows small angles along the path;"
-                    + " octaves repeat single scattering with less extinction and lose most of it.",
-            "two_stream",
+            ORACLE,
             List.of(
-                    PictureSetting.of("cloudScattering", "two_stream", "all presets"),
-                    PictureSetting.of("cloudScattering", "octaves", "the usual approximation")));
+                    PictureSetting.of("cloudScattering", "two_stream"),
+                    PictureSetting.of("cloudScattering", "octaves", "the usual approximation")),
+            Judged.STILL);
 
-    public static final Trade STEP = subject(
-            "cloudStep",
-            "Steps through clouds",
-            "How far apart the samples of a ray through a cloud are, in its cells. Long steps miss thin parts.",
-            "1",
-            List.of(
-                    PictureSetting.of("cloudStep", "0.5", ""),
-                    PictureSetting.of("cloudStep", 1, "medium, high and ultra"),
-                    PictureSetting.of("cloudStep", 2, "low"),
-                    PictureSetting.of("cloudStep", 4, "")));
+    public static final Trade STEP =
+            subject(GRID, "cloudStep", ORACLE, PictureSetting.all("cloudStep", "0.5", 1, 2, 4), Judged.STILL);
 
     public static final Trade RESOLUTION = subject(
-            "cloudResolution",
-            "Rays through clouds",
-            "How many rays are marched along each side of the picture. Fewer are interpolated; pixels whose surface is"
-                    + " among the clouds are always marched on their own.",
-            "0.5",
-            List.of(
-                    PictureSetting.of("cloudResolution", "0.25", ""),
-                    PictureSetting.of("cloudResolution", "0.5", "low, medium and high"),
-                    PictureSetting.of("cloudResolution", "1", "ultra")));
+            GRID, "cloudResolution", ORACLE, PictureSetting.all("cloudResolution", "0.25", "0.5", "1"), Judged.STILL);
 
-    public static final Trade LIGHT = subject(
-            "cloudLightCell",
-            "Map of the light in clouds",
-            "The optical depth towards the sun and the diffuse light are found once for each cell of a map, whose edge"
-                + " this is, in cells of density. Small cells take longer to make and more memory, and show shadows of"
-                + " smaller lobes; a frame reads one of either size as fast.",
-            "2",
-            List.of(
-                    PictureSetting.of("cloudLightCell", 1, ""),
-                    PictureSetting.of("cloudLightCell", 2, "all presets"),
-                    PictureSetting.of("cloudLightCell", 4, "")));
+    public static final Trade LIGHT =
+            subject(GRID, "cloudLightCell", ORACLE, PictureSetting.all("cloudLightCell", 1, 2, 4), Judged.STILL);
 
     public static final Trade FACING = subject(
             BILLBOARDS,
             "billboardFacing",
-            new Trade.Text(
-                    "Turning of flat clouds",
-                    "Clouds of technique billboard are flat pictures of balls. Turned towards the eye they are the"
-                            + " balls as far away; turned as the screen they grow towards the picture's edges; turned"
-                            + " about an upright axis they are thin from above and below.",
-                    ORACLE),
-            "viewer",
+            ORACLE,
             List.of(
-                    PictureSetting.of("billboardFacing", "viewer", "all presets"),
-                    PictureSetting.of("billboardFacing", "screen", ""),
-                    PictureSetting.of("billboardFacing", "axial", ""),
+                    PictureSetting.of("billboardFacing", "viewer"),
+                    PictureSetting.of("billboardFacing", "screen"),
+                    PictureSetting.of("billboardFacing", "axial"),
                     PictureSetting.of("billboardFacing", "source", "wrong beside the axes")),
             Judged.STILL);
 
     public static final Trade BALL_LIGHT = subject(
             PARTICLES,
             "particleLight",
-            new Trade.Text(
-                    "Sunlight in clouds of balls",
-                    "The tail is the two-stream model, with all light that is scattered often. Dobashi's model of 2000"
-                            + " has light that is scattered once; Harris' of 2001 also light that was scattered"
-                            + " forwards before, here so that it does not depend on the number of balls. Both lose"
-                            + " what leaves the beam.",
-                    ORACLE),
-            "tail",
-            List.of(
-                    PictureSetting.of("particleLight", "tail", "all presets"),
-                    PictureSetting.of("particleLight", "harris", ""),
-                    PictureSetting.of("particleLight", "dobashi", "")),
+            ORACLE,
+            PictureSetting.all("particleLight", "tail", "harris", "dobashi"),
             Judged.STILL);
 
-    public static final Trade SHEET = sheet(
-            "skyplaneShape",
-            new Trade.Text(
-                    "Shape of sheets of cloud",
-                    "A layer that is drawn as a sheet bends around the planet as layers do. A plane, a mesh that sinks"
-                            + " too fast and a hemisphere show its clouds in other directions.",
-                    "the engine's own sheet around the planet"),
+    public static final Trade SHEET = displayed(
             "levels/samples/clouds-skyplane.json",
+            "skyplaneShape",
+            "the engine's own sheet around the planet",
             List.of(
-                    PictureSetting.of("skyplaneShape", "shell", "all presets"),
-                    PictureSetting.of("skyplaneShape", "flat", ""),
+                    PictureSetting.of("skyplaneShape", "shell"),
+                    PictureSetting.of("skyplaneShape", "flat"),
                     PictureSetting.of("skyplaneShape", "curved", "a mesh of 17 × 17 vertices"),
-                    PictureSetting.of("skyplaneShape", "dome", "")));
+                    PictureSetting.of("skyplaneShape", "dome")));
 
-    public static final Trade NOISE = sheet(
-            "proceduralNoise",
-            new Trade.Text(
-                    "Noise of procedural clouds",
-                    "Octaves of gradient noise have no period and change smoothly. Three pictures of white noise that"
-                        + " are enlarged and cross-faded repeat, and pulse while they fade. The skies are other ones"
-                        + " of the same cover: the error says how different they are, not which one is wrong.",
-                    "the engine's own gradient noise"),
+    public static final Trade NOISE = displayed(
             "levels/samples/clouds-procedural.json",
+            "proceduralNoise",
+            "the engine's own gradient noise",
             List.of(
-                    PictureSetting.of("proceduralNoise", "smooth", "all presets"),
+                    PictureSetting.of("proceduralNoise", "smooth"),
                     PictureSetting.of("proceduralNoise", "source", "weights ½, ¼, ⅛"),
                     PictureSetting.of("proceduralNoise", "source_code", "weights .328, .219, .125")));
 
-    public static final Trade SKYBOX = picture(
-            "cloudSkyboxTexels",
-            new Trade.Text(
-                    "Texels of clouds as skyboxes",
-                    "A cloud of technique skybox is drawn into pictures around one point when a level is loaded, and"
-                            + " looked up afterwards. Fewer texels along a face of 90° make it soft; a frame costs the"
-                            + " same.",
-                    "the engine's own skybox of most texels"),
+    public static final Trade SKYBOX = displayed(
             "levels/samples/clouds-skybox.json",
-            "512",
-            List.of(
-                    PictureSetting.of("cloudSkyboxTexels", 2048, ""),
-                    PictureSetting.of("cloudSkyboxTexels", 1024, ""),
-                    PictureSetting.of("cloudSkyboxTexels", 512, "all presets"),
-                    PictureSetting.of("cloudSkyboxTexels", 256, "")));
+            "cloudSkyboxTexels",
+            "the engine's own skybox of most texels",
+            PictureSetting.all("cloudSkyboxTexels", 2048, 1024, 512, 256));
 
     private static final String FLIGHT =
             "the engine's own frames of all rays without impostors, while the eye moves to the"
                     + " right by 16 m a frame; the worst of eight";
 
-    public static final Trade IMPOSTORS = subject(
-            PARTICLES,
-            "impostors",
-            new Trade.Text(
-                    "Impostors of clouds of balls",
-                    "A cloud of soft balls far away is drawn once and shown from that picture until the eye has moved"
-                            + " so far that a part of it would be in a wrong place. Pictures are made over several"
-                            + " frames; clouds that are near are drawn ball by ball.",
-                    FLIGHT),
-            "auto",
-            List.of(
-                    PictureSetting.of("impostors", "off", "ultra"),
-                    PictureSetting.of("impostors", "auto", "low, medium and high")),
-            Judged.FLYING);
+    public static final Trade IMPOSTORS =
+            subject(PARTICLES, "impostors", FLIGHT, PictureSetting.all("impostors", "off", "auto"), Judged.FLYING);
 
     public static final Trade IMPOSTOR_ERROR = subject(
             PARTICLES,
             "impostorErrorPixels",
-            new Trade.Text(
-                    "Error of impostors",
-                    "How many pixels a part of a cloud may be from its place before its picture is replaced. A smaller"
-                            + " error takes more pictures, or drawing ball by ball if the eye is fast.",
-                    FLIGHT),
-            "1",
-            List.of(
-                    PictureSetting.of("impostorErrorPixels", "0.25", ""),
-                    PictureSetting.of("impostorErrorPixels", "1", "all presets"),
-                    PictureSetting.of("impostorErrorPixels", "4", "")),
+            FLIGHT,
+            PictureSetting.all("impostorErrorPixels", "0.25", "1", "4"),
             Judged.FLYING);
-
-    private static final List<PictureSetting> HISTORIES = List.of(
-            PictureSetting.of("cloudHistory", "none", "ultra"),
-            PictureSetting.of("cloudHistory", "four_frames", "medium and high"),
-            PictureSetting.of("cloudHistory", "sixteen_frames", "low"));
 
     public static final Trade HISTORY = subject(
             CUMULUS,
             "cloudHistory",
-            new Trade.Text(
-                    "Rays through clouds among frames",
-                    "A frame marches one ray of each square of rays; the others show what earlier frames have seen in"
-                            + " their direction. A still view loses nothing, a moving one some sharpness.",
-                    "the engine's own frames of all rays, while the view turns by 0.3 pixels a frame"),
-            "four_frames",
-            HISTORIES,
+            "the engine's own frames of all rays, while the view turns by 0.3 pixels a frame",
+            PictureSetting.all("cloudHistory", "none", "four_frames", "sixteen_frames"),
             Judged.TURNING);
 
     /** The skies of the samples, each drawn by every technique that can show it, beside the truth. */
@@ -246,36 +154,25 @@ public final class CloudSubjects {
                                 shot.level().lights())));
     }
 
-    /** The first setting is the usual one, and the exact one. */
-    private static Trade sheet(String field, Trade.Text words, String level, List<PictureSetting> settings) {
-        return picture(field, words, level, settings.get(0).setting().name(), settings);
-    }
-
-    /** The first setting is the exact one. */
-    private static Trade picture(
-            String field, Trade.Text words, String level, String usual, List<PictureSetting> settings) {
-        return PictureSubjects.of(field, words, List.of(field), usual, settings, Compared.DISPLAY)
-                .in(level, field, words);
-    }
-
-    private static Trade subject(String field, String title, String text, String usual, List<PictureSetting> settings) {
-        return subject(GRID, field, new Trade.Text(title, text, ORACLE), usual, settings, Judged.STILL);
+    /** Returns a setting that the engine's own picture of its first value judges. */
+    private static Trade displayed(String level, String name, String exact, List<PictureSetting> settings) {
+        return PictureSubjects.setting(name, exact, settings, Compared.DISPLAY).in(level);
     }
 
     private static Trade subject(
-            String level, String field, Trade.Text words, String usual, List<PictureSetting> settings, Judged judged) {
+            String level, String name, String exact, List<PictureSetting> settings, Judged judged) {
         List<Setting> named = settings.stream().map(PictureSetting::setting).toList();
         return new Trade(
-                        field,
-                        words,
-                        List.of(field),
+                        name,
+                        PictureSubjects.text(name, exact),
+                        List.of(name),
                         named,
-                        named.stream().map(Setting::name).toList().indexOf(usual),
+                        named.stream().map(Setting::name).toList().indexOf(PictureSubjects.usual(name)),
                         judged == Judged.STILL ? ErrorMetric.PICTURE : ErrorMetric.DISPLAYED,
                         CloudExperiment.FIGURES,
                         CostMetric.FRAME,
                         null,
                         site -> new CloudExperiment(site, settings, judged))
-                .in(level, field, words);
+                .in(level);
     }
 }

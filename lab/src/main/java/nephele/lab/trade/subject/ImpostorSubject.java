@@ -10,24 +10,14 @@ import nephele.lab.trade.Trade;
 public final class ImpostorSubject {
     private static final String LEVEL = "levels/samples/impostors.json";
 
-    private static final Trade.Text TEXT = new Trade.Text(
-            "Impostors of models",
-            "How many pixels a model has where its impostor takes the place of its mesh; 0 draws meshes alone. An"
-                    + " impostor is a rectangle with pictures of the model from three directions, lit as the mesh is.",
-            "the oracle: rays through the level, many a pixel");
-
-    public static final Trade IMPOSTORS = PictureSubjects.of(
+    public static final Trade IMPOSTORS = PictureSubjects.setting(
                     "impostorPixels",
-                    TEXT,
-                    List.of("impostorPixels"),
-                    "64",
-                    Stream.of("0", "32", "64", "96", "128")
-                            .map(pixels -> PictureSetting.of(
-                                    "impostorPixels",
-                                    pixels,
-                                    pixels.equals("64") ? "all presets" : pixels.equals("0") ? "meshes alone" : ""))
+                    "the oracle: rays through the level, many a pixel",
+                    Stream.concat(
+                                    Stream.of(PictureSetting.of("impostorPixels", 0, "meshes alone")),
+                                    PictureSetting.all("impostorPixels", 32, 64, 96, 128).stream())
                             .toList())
-            .in(LEVEL, "impostorPixels", TEXT);
+            .in(LEVEL);
 
     public static final Trade TREES = new Trade(
             "treeKind",

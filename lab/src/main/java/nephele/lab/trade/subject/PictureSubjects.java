@@ -1,7 +1,10 @@
 package nephele.lab.trade.subject;
 
 import java.util.List;
+import java.util.stream.Stream;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.QualityField;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
@@ -11,20 +14,14 @@ public final class PictureSubjects {
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
     private static final String ORACLE = "the oracle: rays through the level, many a pixel";
 
-    public static final Trade ANISOTROPY = of(
+    public static final Trade ANISOTROPY = setting(
             "anisotropy",
-            new Trade.Text(
-                    "Texture anisotropy",
-                    "How many samples a texture takes along the steep direction of a floor or wall that is seen at a"
-                            + " grazing angle. One sample blurs the far end of floors.",
-                    ORACLE),
-            List.of("anisotropy"),
-            "1",
+            ORACLE,
             List.of(
                     PictureSetting.of("anisotropy", 1, "all presets in software"),
-                    PictureSetting.of("anisotropy", 2, ""),
-                    PictureSetting.of("anisotropy", 4, ""),
-                    PictureSetting.of("anisotropy", 8, ""),
+                    PictureSetting.of("anisotropy", 2),
+                    PictureSetting.of("anisotropy", 4),
+                    PictureSetting.of("anisotropy", 8),
                     PictureSetting.of("anisotropy", 16, "ultra on a graphics card")));
 
     private static final List<PictureSetting> OUTPUTS = List.of(
@@ -51,17 +48,13 @@ public final class PictureSubjects {
 
     public static final Trade CULLING = of(
             "culling",
-            new Trade.Text(
-                    "Leaving out what is out of view",
-                    "Solids that the view cannot show are not sent to the renderer: none left out, a sphere around"
-                            + " each tested, or boxes around groups of them tested first. Pictures must not differ.",
-                    ORACLE),
+            PictureSubjects.text("culling", ORACLE),
             List.of(),
             "hierarchy",
             List.of(
                     PictureSetting.of("culling", "none", "everything is drawn"),
                     PictureSetting.of("culling", "sphere", "one after the other"),
-                    PictureSetting.of("culling", "hierarchy", "all presets")));
+                    PictureSetting.of("culling", "hierarchy")));
 
     public static final Trade CULLING_OF_MANY = CULLING.in(
             "levels/bench/boxes-10000.json",
@@ -72,6 +65,34 @@ public final class PictureSubjects {
                     ORACLE));
 
     private PictureSubjects() {}
+
+    /** Returns the description of a setting's subject, by its declaration. */
+    static Trade.Text text(String setting, String exact) {
+        var declared = PictureSetting.declared(setting).declared();
+        return new Trade.Text(declared.title(), declared.about(), exact);
+    }
+
+    /** Returns the subject of a setting of quality, judged by the radiance of pictures. */
+    static Trade setting(String name, String exact, List<PictureSetting> settings) {
+        return setting(name, exact, settings, Compared.RADIANCE);
+    }
+
+    static Trade setting(String name, String exact, List<PictureSetting> settings, Compared compared) {
+        return of(name, text(name, exact), List.of(name), usual(name), settings, compared);
+    }
+
+    /** Returns the subject of a setting that has no other: words each, numbers as their presets. */
+    public static Trade setting(QualityField field) {
+        List<String> values = field.words().isEmpty()
+                ? Stream.of(Quality.Preset.values()).map(field::in).distinct().toList()
+                : field.words();
+        return setting(field.name(), ORACLE, PictureSetting.all(field.name(), values.toArray()));
+    }
+
+    /** Returns the value of a setting in the preset {@code high}. */
+    static String usual(String name) {
+        return PictureSetting.declared(name).in(Quality.Preset.HIGH);
+    }
 
     static Trade of(String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
         return of(subject, text, fields, usual, settings, Compared.RADIANCE);

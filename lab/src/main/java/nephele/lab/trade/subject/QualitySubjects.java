@@ -12,7 +12,7 @@ public final class QualitySubjects {
     private static final String ORACLE = "the oracle: rays through the level, many a pixel";
     private static final String SEEN = "the oracle's picture as it is displayed";
 
-    public static final Trade PRESETS = seen(
+    public static final Trade PRESETS = PictureSubjects.of(
             "quality",
             new Trade.Text(
                     "Presets of quality",
@@ -23,23 +23,17 @@ public final class QualitySubjects {
             "high",
             Stream.of("low", "medium", "high", "ultra")
                     .map(preset -> new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset)))
-                    .toList());
+                    .toList(),
+            Compared.SEEN);
 
-    public static final Trade RESOLUTION = seen(
+    public static final Trade RESOLUTION = PictureSubjects.setting(
             "pictureResolution",
-            new Trade.Text(
-                    "Resolution of the picture",
-                    "How many pixels are drawn along each side, as a share of the window's; the rest is"
-                            + " interpolated. Menus, figures and prompts stay sharp.",
-                    SEEN),
-            List.of("pictureResolution"),
-            "1",
-            Stream.of("0.4", "0.5", "0.6", "0.7", "0.85", "1")
-                    .map(share -> PictureSetting.of("pictureResolution", share, resolutionNote(share)))
-                    .toList());
+            SEEN,
+            PictureSetting.all("pictureResolution", "0.4", "0.5", "0.6", "0.7", "0.85", "1"),
+            Compared.SEEN);
 
     private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(
-                    Stream.of("0.5", "0.59", "0.67", "0.77").flatMap(size -> Stream.of(
+                    Stream.of("0.3", "0.4", "0.5", "0.67").flatMap(size -> Stream.of(
                                     "bilinear", "sharp_bilinear", "edge_adaptive")
                             .map(filter -> new PictureSetting(
                                     new Setting(filter + " " + size, filterNote(filter)),
@@ -49,11 +43,8 @@ public final class QualitySubjects {
 
     public static final Trade UPSCALE = new Trade(
             "upscale",
-            new Trade.Text(
-                    "Filter that scales the picture up",
-                    "Three filters at four shares of the pixels along a side, in five levels of the game, whose frames"
-                            + " are drawn one after the other: a filter pays if no other point of the same cost errs"
-                            + " less.",
+            PictureSubjects.text(
+                    "upscale",
                     "the whole picture as displayed; shimmer against 16 samples a pixel. A halo is a flat colour that"
                             + " leaves the range of the drawn pixels around it, in codes of 8 bits"),
             List.of("upscale"),
@@ -65,73 +56,22 @@ public final class QualitySubjects {
             null,
             site -> new UpscaleExperiment(site, SIZES_AND_FILTERS));
 
-    public static final Trade NORMAL_MAPS = PictureSubjects.of(
-            "normalMaps",
-            new Trade.Text(
-                    "Normal maps",
-                    "Relief smaller than a triangle: joints, grain and ripples change the light. Without it surfaces"
-                            + " are as smooth as their geometry.",
-                    ORACLE),
-            List.of("normalMaps"),
-            "on",
-            List.of(PictureSetting.of("normalMaps", "off", ""), PictureSetting.of("normalMaps", "on", "all presets")));
+    public static final Trade NORMAL_MAPS =
+            PictureSubjects.setting("normalMaps", ORACLE, PictureSetting.all("normalMaps", "off", "on"));
 
-    public static final Trade BRDF = PictureSubjects.of(
-            "brdf",
-            new Trade.Text(
-                    "Reflection of surfaces",
-                    "GGX gives each roughness its highlight. Lambert reflects all light diffusely: nothing shines, and"
-                            + " metal looks like paint.",
-                    ORACLE),
-            List.of("brdf"),
-            "ggx",
-            List.of(PictureSetting.of("brdf", "lambert", ""), PictureSetting.of("brdf", "ggx", "all presets")));
+    public static final Trade BRDF =
+            PictureSubjects.setting("brdf", ORACLE, PictureSetting.all("brdf", "lambert", "ggx"));
 
-    public static final Trade SHADOW_FILTER = PictureSubjects.of(
-            "shadowFilter",
-            new Trade.Text(
-                    "Filter of shadow maps",
-                    "Whether one texel of a shadow map decides the light of a point, or the four around it, weighted."
-                            + " One gives shadows with steps.",
-                    ORACLE),
-            List.of("shadowFilter"),
-            "bilinear",
-            List.of(
-                    PictureSetting.of("shadowFilter", "nearest", ""),
-                    PictureSetting.of("shadowFilter", "bilinear", "all presets")));
+    public static final Trade SHADOW_FILTER =
+            PictureSubjects.setting("shadowFilter", ORACLE, PictureSetting.all("shadowFilter", "nearest", "bilinear"));
 
-    private static final Trade.Text LIGHT_PARTS_TEXT = new Trade.Text(
-            "Parts of light",
-            "Ambient, diffuse and specular light of surfaces, each alone and all together, as a source of 2010 showed"
-                    + " them.",
-            ORACLE);
+    public static final Trade LIGHT_PARTS = PictureSubjects.setting(
+                    "lightParts", ORACLE, PictureSetting.all("lightParts", "ambient", "diffuse", "specular", "all"))
+            .in(LIT_LEVEL);
 
-    public static final Trade LIGHT_PARTS = PictureSubjects.of(
-                    "lightParts",
-                    LIGHT_PARTS_TEXT,
-                    List.of("lightParts"),
-                    "all",
-                    Stream.of("ambient", "diffuse", "specular", "all")
-                            .map(parts ->
-                                    PictureSetting.of("lightParts", parts, parts.equals("all") ? "all presets" : ""))
-                            .toList())
-            .in(LIT_LEVEL, "lightParts", LIGHT_PARTS_TEXT);
-
-    private static final Trade.Text LIGHT_SHADOWS_TEXT = new Trade.Text(
-            "Lamps with shadows",
-            "So many lamps cast shadows at most, the most powerful ones. The light of the others goes through walls.",
-            ORACLE);
-
-    public static final Trade LIGHT_SHADOWS = PictureSubjects.of(
-                    "lightShadows",
-                    LIGHT_SHADOWS_TEXT,
-                    List.of("lightShadows"),
-                    "999",
-                    Stream.of(0, 1, 2, 4, 999)
-                            .map(lights ->
-                                    PictureSetting.of("lightShadows", lights, lights == 999 ? "all presets" : ""))
-                            .toList())
-            .in(LIT_LEVEL, "lightShadows", LIGHT_SHADOWS_TEXT);
+    public static final Trade LIGHT_SHADOWS = PictureSubjects.setting(
+                    "lightShadows", ORACLE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
+            .in(LIT_LEVEL);
 
     private QualitySubjects() {}
 
@@ -141,19 +81,5 @@ public final class QualitySubjects {
             case "edge_adaptive" -> "graphics cards";
             default -> "";
         };
-    }
-
-    private static String resolutionNote(String share) {
-        return switch (share) {
-            case "0.5" -> "low";
-            case "0.7" -> "medium";
-            case "1" -> "high and ultra";
-            default -> "";
-        };
-    }
-
-    private static Trade seen(
-            String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
-        return PictureSubjects.of(subject, text, fields, usual, settings, Compared.SEEN);
     }
 }

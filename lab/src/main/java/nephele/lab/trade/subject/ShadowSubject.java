@@ -14,30 +14,17 @@ public final class ShadowSubject {
 
     public static final Trade TRADE = PictureSubjects.of(
             "shadow",
-            new Trade.Text(
-                    "Sun shadow",
-                    "The sun's shadows come from a depth map of this many texels along its longer side, but of no finer"
-                            + " texels than 1 cm. Off means that neither sun nor punctual lights cast any.",
-                    "the oracle: every shadow is a ray"),
+            PictureSubjects.text(FIELD, "the oracle: every shadow is a ray"),
             List.of(FIELD),
-            "4096",
+            PictureSubjects.usual(FIELD),
             Stream.concat(
                             Stream.of(new PictureSetting(
                                     new Setting("off", "no shadows at all"),
                                     shot -> shot.with(unshadowed(shot.level())))),
-                            Stream.of(256, 512, 1024, 2048, 4096, 8192)
-                                    .map(texels -> PictureSetting.of(FIELD, texels, note(texels))))
+                            PictureSetting.all(FIELD, 256, 512, 1024, 2048, 4096, 8192).stream())
                     .toList());
 
     private ShadowSubject() {}
-
-    private static String note(int texels) {
-        return switch (texels) {
-            case 2048 -> "low";
-            case 4096 -> "medium, high and ultra";
-            default -> "";
-        };
-    }
 
     private static Level unshadowed(Level level) {
         var light = level.environment();

@@ -253,7 +253,7 @@ class BillboardGlTest {
     /** Several samples a pixel smooth the edge: some pixels are mixtures. */
     @Test
     void samplesAreCoveredByAlpha() {
-        Quality four = Quality.HIGH.withSamples(4);
+        Quality four = Quality.HIGH.with("samples", 4);
         Level level = level().billboards(
                         Billboards.at("k", "keyed.png", Facing.SCREEN, 3, 3, List.of(new Vec3(0, -1.5, -2.2))))
                 .level();

@@ -34,8 +34,8 @@ class PlantGlTest {
 
     private static final String SHAPE = "torus_1_0.45_24_12.3d";
     private static final double DIAMETER = 2 * 1.45;
-    private static final Quality MESHES = Quality.HIGH.withImpostorPixels(0);
-    private static final Quality IMPOSTORS = Quality.HIGH.withImpostorPixels(BEGIN);
+    private static final Quality MESHES = Quality.HIGH.with("impostorPixels", 0);
+    private static final Quality IMPOSTORS = Quality.HIGH.with("impostorPixels", BEGIN);
 
     private final Offscreen offscreen = new Offscreen(SIZE, SIZE);
     private final TestAssets assets = new TestAssets();
@@ -169,8 +169,8 @@ class PlantGlTest {
                 .count();
         assertTrue(seen > 50 && seen < SIZE * SIZE / 2, seen + " pixels show it");
         assertEquals(
-                0, differing(mesh, ids(level, near, IMPOSTORS.withImpostorPixels(20))), "large through the portal");
-        int others = differing(mesh, ids(level, near, IMPOSTORS.withImpostorPixels(64)));
+                0, differing(mesh, ids(level, near, IMPOSTORS.with("impostorPixels", 20))), "large through the portal");
+        int others = differing(mesh, ids(level, near, IMPOSTORS.with("impostorPixels", 64)));
         assertTrue(others > 0 && others < seen / 3, others + " of " + seen + " pixels differ");
     }
 

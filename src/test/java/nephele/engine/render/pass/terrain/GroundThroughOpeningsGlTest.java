@@ -41,9 +41,9 @@ class GroundThroughOpeningsGlTest {
 
     private static RenderSettings settings(PortalTechnique technique) {
         Quality quality = Quality.HIGH
-                .withPortalTechnique(technique)
-                .withPortalResolution(1)
-                .withTerrainErrorPixels(3);
+                .with("portalTechnique", technique)
+                .with("portalResolution", 1)
+                .with("terrainErrorPixels", 3);
         return RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF);
     }
 

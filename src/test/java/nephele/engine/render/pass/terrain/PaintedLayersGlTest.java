@@ -92,7 +92,7 @@ class PaintedLayersGlTest {
 
     private static int[] drawn(Level level, TestAssets assets, LayerMixing mixing) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            Quality quality = Quality.HIGH.withTerrainLayers(mixing);
+            Quality quality = Quality.HIGH.with("terrainLayers", mixing);
             int[] pixels = offscreen.pixels(level, assets, view(offscreen), RenderSettings.of(Output.DIRECT, quality));
             offscreen.gl.requireNoError("painted layers");
             return pixels;
@@ -129,7 +129,7 @@ class PaintedLayersGlTest {
     @Test
     void paintIsSeenInAMixtureThatIsMadeOnce() {
         Level level = level("layers.png", false, LOW, HIGH, STEEP);
-        Quality quality = Quality.HIGH.withTerrainLayers(LayerMixing.BAKED);
+        Quality quality = Quality.HIGH.with("terrainLayers", LayerMixing.BAKED);
         int differing = differing(level, assets(stripes(13, 9)), quality, 0.1);
         assertTrue(differing < 0.08 * 3 * SIZE * SIZE, differing + " values differ");
     }

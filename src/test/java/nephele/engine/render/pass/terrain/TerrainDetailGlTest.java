@@ -67,7 +67,8 @@ class TerrainDetailGlTest {
     }
 
     private static RenderSettings settings(Output output, TerrainDetail detail, double errorPixels) {
-        return RenderSettings.of(output, Quality.HIGH.withTerrainDetail(detail).withTerrainErrorPixels(errorPixels));
+        return RenderSettings.of(
+                output, Quality.HIGH.with("terrainDetail", detail).with("terrainErrorPixels", errorPixels));
     }
 
     /** Nothing of the magenta sky is seen through the ground, whatever sizes of tiles meet. */

@@ -132,7 +132,7 @@ class TerrainTwinGlTest {
     @Test
     void theMixtureOfColoursCanBeMadeOnce() {
         Level level = on(materials().ambient(0.2).sun(new Vec3(0.4, 0.7, 0.5), 3), 64, Vec3.ZERO);
-        Twins both = Twins.of(level, MAP, Vec3.ZERO, 8, Quality.HIGH.withTerrainLayers(LayerMixing.BAKED));
+        Twins both = Twins.of(level, MAP, Vec3.ZERO, 8, Quality.HIGH.with("terrainLayers", LayerMixing.BAKED));
         assertEquals(1, both.mean(both.drawn) / both.mean(both.traced), 0.005);
         int differing = both.differing(0.1);
         assertTrue(differing < 0.08 * both.drawn.length, differing + " of " + both.drawn.length + " values differ");

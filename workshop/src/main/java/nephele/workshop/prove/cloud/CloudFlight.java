@@ -50,7 +50,7 @@ final class CloudFlight implements AutoCloseable {
 
     /** Compares with frames of all rays. */
     CloudFlight(GlContext gl, OpenedLevel level, Path path, Quality quality, Size size) {
-        this(gl, level, path, quality, quality.withCloudHistory(CloudHistory.NONE), size);
+        this(gl, level, path, quality, quality.with("cloudHistory", CloudHistory.NONE), size);
     }
 
     /** @param whole quality of the frames that are compared with */
@@ -65,7 +65,7 @@ final class CloudFlight implements AutoCloseable {
 
     private static Renderer renderer(GlContext gl, OpenedLevel level, Quality quality) {
         return Renderer.load(
-                gl, level.level(), level.assets(), RenderSettings.of(Output.HDR, quality.withPictureResolution(1)));
+                gl, level.level(), level.assets(), RenderSettings.of(Output.HDR, quality.with("pictureResolution", 1)));
     }
 
     View view(int frame) {

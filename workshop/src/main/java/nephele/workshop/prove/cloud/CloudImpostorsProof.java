@@ -20,8 +20,8 @@ import nephele.workshop.prove.proof.ProofResult;
 public final class CloudImpostorsProof implements Proof {
     private static final double LEAST_SHARE = 0.95;
     private static final CloudFlight.Path PATH = new CloudFlight.Path(new Vec3(0, 500, 0), 100, 3);
-    private static final List<Quality> QUALITIES =
-            List.of(Quality.HIGH.withCloudResolution(1).withCloudHistory(CloudHistory.NONE), Quality.HIGH, Quality.LOW);
+    private static final List<Quality> QUALITIES = List.of(
+            Quality.HIGH.with("cloudResolution", 1).with("cloudHistory", CloudHistory.NONE), Quality.HIGH, Quality.LOW);
     private static final List<String> NAMES = List.of("all rays", "high", "low");
 
     private final String level;
@@ -60,7 +60,7 @@ public final class CloudImpostorsProof implements Proof {
             Quality quality = QUALITIES.get((int) unit);
             try (var gl = GlContext.offscreen();
                     var flight = new CloudFlight(
-                            gl, opened, PATH, quality, quality.withImpostors(ImpostorChoice.OFF), size)) {
+                            gl, opened, PATH, quality, quality.with("impostors", ImpostorChoice.OFF), size)) {
                 var tolerance = new PixelTolerance(opened.level().environment().clouds());
                 result = result.and(flown(NAMES.get((int) unit), flight, tolerance));
                 gl.requireNoError("flight");

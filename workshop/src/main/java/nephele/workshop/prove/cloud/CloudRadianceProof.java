@@ -101,11 +101,11 @@ public final class CloudRadianceProof implements Proof {
                             at,
                             CloudTechnique.PARTICLES,
                             ", light " + word(light),
-                            best.withParticleLight(light),
+                            best.with("particleLight", light),
                             NONE));
                 }
                 all.add(new Drawn(at, CloudTechnique.BILLBOARD, "", best, 15));
-                Quality source = best.withBillboardFacing(Quality.BillboardFacing.SOURCE);
+                Quality source = best.with("billboardFacing", Quality.BillboardFacing.SOURCE);
                 all.add(new Drawn(at, CloudTechnique.BILLBOARD, ", facing of the source", source, NONE));
             }
         }
@@ -118,7 +118,7 @@ public final class CloudRadianceProof implements Proof {
                             at,
                             CloudTechnique.PROCEDURAL,
                             ", noise " + word(noise),
-                            best.withProceduralNoise(noise),
+                            best.with("proceduralNoise", noise),
                             NONE));
                 }
             }

@@ -71,7 +71,7 @@ public final class CloudStackProof implements Proof {
     }
 
     private static LinearPicture drawn(GlContext gl, OpenedLevel opened, View view) {
-        var settings = RenderSettings.of(Output.HDR, Quality.ULTRA.withSamples(1));
+        var settings = RenderSettings.of(Output.HDR, Quality.ULTRA.with("samples", 1));
         try (var target = RenderTarget.picture(gl, "stack", PixelFormat.RGBA8, SIDE * WIDTH, SIDE * HEIGHT);
                 Renderer renderer = Renderer.load(gl, opened.level(), opened.assets(), settings)) {
             renderer.draw(view, target);

@@ -90,9 +90,9 @@ final class DrawnCase {
         Drawing(GlContext gl, CloudScattering model) {
             this.gl = gl;
             Quality quality = Quality.HIGH
-                    .withCloudResolution(1)
-                    .withCloudHistory(CloudHistory.NONE)
-                    .withCloudScattering(model);
+                    .with("cloudResolution", 1)
+                    .with("cloudHistory", CloudHistory.NONE)
+                    .with("cloudScattering", model);
             Scene scene = Scene.of(exact.placed(), BakedSky.of(exact.placed(), done -> {}));
             renderer = Renderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
             LinearPicture size = exact.radiance();

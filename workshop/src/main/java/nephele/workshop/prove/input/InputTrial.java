@@ -71,10 +71,10 @@ final class InputTrial {
 
     /** What a picture of this size does not show is left out. */
     private static final Quality LOWEST = Quality.LOW
-            .withPictureResolution(1)
-            .withShadowTexels(256)
-            .withCloudSkyboxTexels(64)
-            .withCloudLightCell(4);
+            .with("pictureResolution", 1)
+            .with("shadowTexels", 256)
+            .with("cloudSkyboxTexels", 64)
+            .with("cloudLightCell", 4);
 
     /** What no user should read: names of exceptions, and records as text. */
     private static final Pattern JAVA = Pattern.compile("Exception|\\b[A-Z]\\w+\\[\\w+=|\\bnull\\b|@[0-9a-f]{5,}");

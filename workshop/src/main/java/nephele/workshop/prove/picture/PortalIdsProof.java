@@ -93,10 +93,10 @@ public final class PortalIdsProof implements Proof {
         for (PortalTechnique technique : ComparedLevel.TECHNIQUES) {
             for (int budget : new int[] {ComparedLevel.UNLIMITED, Quality.HIGH.viewBudget()}) {
                 Quality quality = Quality.HIGH
-                        .withSamples(1)
-                        .withPortalTechnique(technique)
-                        .withViewBudget(budget)
-                        .withPortalResolution(1);
+                        .with("samples", 1)
+                        .with("portalTechnique", technique)
+                        .with("viewBudget", budget)
+                        .with("portalResolution", 1);
                 RenderSettings settings = RenderSettings.of(Output.PLAIN, quality)
                         .with(Decoration.OFF)
                         .with(Deepest.MARK);

@@ -146,10 +146,10 @@ public final class PortalLightProof implements Proof {
         for (PortalTechnique technique : ComparedLevel.TECHNIQUES) {
             // llvmpipe 22.3 takes ten seconds for an anisotropic picture in which a footprint degenerates.
             Quality quality = Quality.ULTRA
-                    .withAnisotropy(1)
-                    .withPortalTechnique(technique)
-                    .withViewBudget(ComparedLevel.UNLIMITED)
-                    .withPortalResolution(1);
+                    .with("anisotropy", 1)
+                    .with("portalTechnique", technique)
+                    .with("viewBudget", ComparedLevel.UNLIMITED)
+                    .with("portalResolution", 1);
             ways.put(technique, RenderSettings.of(Output.HDR, quality).with(Decoration.OFF));
         }
         return ways;

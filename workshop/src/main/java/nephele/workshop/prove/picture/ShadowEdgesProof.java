@@ -114,7 +114,7 @@ public final class ShadowEdgesProof implements Proof {
     }
 
     private static float[] radiance(Level level, View view, GlContext gl, RenderTarget picture) {
-        var settings = RenderSettings.of(Output.HDR, Quality.HIGH.withSamples(1));
+        var settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("samples", 1));
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
         try (var renderer = Renderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);

@@ -44,7 +44,7 @@ final class DoorwayWalk implements AutoCloseable {
         Cube cube = manner == Manner.HELD_CUBE ? Cube.IN_SIGHT : Cube.ASIDE;
         Level level = DoorwayRooms.level(count, doors, cube);
         var settings = RenderSettings.of(
-                        Output.DIRECT, Quality.HIGH.withShadowTexels(1024).withViewBudget(6))
+                        Output.DIRECT, Quality.HIGH.with("shadowTexels", 1024).with("viewBudget", 6))
                 .with(Decoration.OFF);
         renderer = Renderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
         playthrough = new Playthrough(

@@ -54,7 +54,7 @@ public final class EyeCrossings implements AutoCloseable {
     private long crossed;
 
     public EyeCrossings(PortalTechnique technique) {
-        Quality quality = Quality.HIGH.withPortalTechnique(technique).withViewBudget(6);
+        Quality quality = Quality.HIGH.with("portalTechnique", technique).with("viewBudget", 6);
         renderer = Renderer.load(
                 gl,
                 level,

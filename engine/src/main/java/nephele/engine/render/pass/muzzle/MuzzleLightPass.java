@@ -1,0 +1,153 @@
+package nephele.engine.render.pass.muzzle;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderFeature.Role;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Stencil;
+import nephele.engine.render.gl.FullScreenTriangle;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.OpeningMesh;
+import nephele.engine.scene.MuzzleLight;
+import nephele.engine.scene.View;
+import nephele.engine.scene.ViewNode;
+
+/**
+ * Adds the light of a shot to the surfaces of each view, but not to what is seen through their openings: the views behind
+ * them have it already. It reads copies of the view; between shots it draws nothing and nothing is copied for it.
+ */
+public final class MuzzleLightPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("muzzle", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, MuzzleLightPass::requiredBy);
+
+    private static final String FOLDER = "/nephele/engine/render/pass/muzzle/";
+    private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
+    private static final Set<Target> DECLARED = READS.declared();
+
+    private record Places(Uniforms.Vector4 muzzle, Uniforms.Vector4 intensity) {}
+
+    private final GlContext gl;
+    private final SharedResources shared;
+    private final Blend added;
+    private final GlProgram<Places> light;
+    private final GlProgram<Uniforms> nothing;
+    private final FullScreenTriangle triangle;
+    private final OpeningMesh openings;
+
+    private MuzzleLightPass(LoadContext context) {
+        gl = context.gl();
+        shared = context.shared();
+        added = MeteredExposure.added(context);
+        openings = shared.openings();
+        triangle = context.own(new FullScreenTriangle(gl, "muzzle.frag"));
+        var defines = Defines.of(context).values();
+        light = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "muzzle.vert", defines),
+                ShaderSource.load(FOLDER + "muzzle.frag", defines),
+                uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    MeteredExposure.tieInView(context, uniforms);
+                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
+                    return new Places(uniforms.vector4("muzzle"), uniforms.vector4("intensity"));
+                });
+        nothing = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "opening.vert", defines),
+                ShaderSource.load(FOLDER + "opening.frag", defines),
+                uniforms -> uniforms);
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.mayShowCharacter() && request.level().portalGun() != null && request.output() != Output.PLAIN
+                ? List.of(new Required("portalGun: the light of its shots on surfaces", MuzzleLightPass::new))
+                : List.of();
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return DECLARED;
+    }
+
+    @Override
+    public boolean needsCopies(FrameContext frame) {
+        MuzzleLight muzzle = frame.frameState().muzzleLight();
+        return muzzle != null && frame.seen().mayIntersect(muzzle.bounds());
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        if (!needsCopies(frame)) {
+            return;
+        }
+        frame.surface().bind();
+        List<ViewNode> children = frame.node().children();
+        int depth = frame.nested().openingsCounted(frame.node());
+        DrawState state = gl.state();
+        if (!children.isEmpty()) {
+            state.stencil(Stencil.EQUAL_COUNT_UP, depth);
+            drawOpenings(children);
+            state.stencil(Stencil.EQUAL, depth);
+        }
+        state.set(Depth.OFF, added, Cull.NONE);
+        READS.bind(shared);
+        light.use();
+        place(frame);
+        triangle.draw();
+        if (!children.isEmpty()) {
+            state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
+            drawOpenings(children);
+            state.stencil(depth == 0 ? Stencil.OFF : Stencil.EQUAL, depth);
+        }
+    }
+
+    /** Counts the visible pixels of openings in the stencil. */
+    private void drawOpenings(List<ViewNode> children) {
+        gl.state().set(Depth.EQUAL_ONLY_STENCIL, Blend.REPLACE, Cull.NONE);
+        nothing.use();
+        for (int i = 0; i < children.size(); i++) {
+            gl.state().depthOf(OpeningMesh.depthOf(children.get(i)));
+            openings.draw(children.get(i));
+        }
+        gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    private void place(FrameContext frame) {
+        MuzzleLight muzzle = frame.frameState().muzzleLight();
+        View view = frame.view();
+        Vec3 at = muzzle.place();
+        Places places = light.uniforms();
+        places.muzzle.set(
+                (float) (at.x() - view.eyeX()), (float) (at.y() - view.eyeY()), (float) (at.z() - view.eyeZ()), (float)
+                        MuzzleLight.SOURCE_SQUARE_METRES);
+        Vec3 tint = frame.frameState().shotPalette().rim(muzzle.colour());
+        double bright = muzzle.strength() * MuzzleLight.INTENSITY;
+        places.intensity.set(
+                (float) (bright * tint.x()), (float) (bright * tint.y()), (float) (bright * tint.z()), (float)
+                        (1 / (MuzzleLight.RANGE_METRES * MuzzleLight.RANGE_METRES)));
+    }
+}
