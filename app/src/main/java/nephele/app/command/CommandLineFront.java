@@ -10,8 +10,6 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.ProgramVersion;
 import nephele.engine.terminal.Terminal;
-import nephele.scenes.fixed.LightTerm;
-import nephele.scenes.fixed.Shading;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -80,8 +78,6 @@ public final class CommandLineFront {
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, CommandLineFront::path)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
-                .registerConverter(Shading.class, new WordConverter<>(SceneCommand.shadings()))
-                .registerConverter(LightTerm.class, new WordConverter<>(LightTerm.class))
                 .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
         commandLine
                 .getCommandSpec()

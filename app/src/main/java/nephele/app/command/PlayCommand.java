@@ -164,7 +164,11 @@ final class PlayCommand implements Command {
                 settings(),
                 compared,
                 picture,
-                new PlayRequest.Player(files, log, SceneViewer::visit));
+                new PlayRequest.Player(
+                        files,
+                        log,
+                        // A method reference would load the viewer's class, and with it the module of scenes.
+                        (file, title, screen, complaints) -> SceneViewer.visit(file, title, screen, complaints)));
     }
 
     /** @param chosen by the player's settings; null for none */

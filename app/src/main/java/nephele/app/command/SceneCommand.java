@@ -28,6 +28,7 @@ import nephele.scenes.fixed.SceneAppearance;
 import nephele.scenes.fixed.Shading;
 import nephele.scenes.view.OffscreenTour;
 import nephele.scenes.view.SceneStart;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -77,11 +78,6 @@ final class SceneCommand implements Command {
 
     @Mixin
     private LookOptions look;
-
-    /** Returns the words of {@code --shading}; wireframe has an option of its own. */
-    static EnumSet<Shading> shadings() {
-        return EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));
-    }
 
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
@@ -143,13 +139,18 @@ final class SceneCommand implements Command {
         @Option(names = "--axes", description = "Show the axes: x red, y green, z blue.")
         private boolean axes;
 
-        @Option(names = "--shading", paramLabel = "S", description = "flat, gouraud or phong (default: gouraud).")
+        @Option(
+                names = "--shading",
+                paramLabel = "S",
+                converter = ShadingWord.class,
+                description = "flat, gouraud or phong (default: gouraud).")
         private Shading shading;
 
         @Option(
                 names = "--light-terms",
                 paramLabel = "T",
                 split = ",",
+                converter = TermWord.class,
                 description = "Only these of ambient, diffuse, specular and emissive (default: all).")
         private List<LightTerm> terms;
 
@@ -161,6 +162,22 @@ final class SceneCommand implements Command {
                     .with(wireframe ? Shading.WIREFRAME : shading == null ? Shading.GOURAUD : shading)
                     .with(axes ? SceneAppearance.Axes.SHOWN : SceneAppearance.Axes.HIDDEN);
             return terms == null ? shown : shown.with(EnumSet.copyOf(terms));
+        }
+    }
+
+    /** Reads a kind of shading; wireframe has an option of its own. */
+    static final class ShadingWord implements ITypeConverter<Shading> {
+        @Override
+        public Shading convert(String text) {
+            return new WordConverter<>(EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME))).convert(text);
+        }
+    }
+
+    /** Reads a term of the lighting model. */
+    static final class TermWord implements ITypeConverter<LightTerm> {
+        @Override
+        public LightTerm convert(String text) {
+            return new WordConverter<>(LightTerm.class).convert(text);
         }
     }
 }
