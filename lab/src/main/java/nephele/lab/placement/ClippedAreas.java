@@ -15,6 +15,7 @@ public final class ClippedAreas {
     /** The obstacles: convex and counter-clockwise; they may overlap. */
     private final List<double[]> inTheWay;
 
+    /** Creates a wall of pieces, with obstacles on it. */
     public ClippedAreas(List<double[]> pieces, List<double[]> inTheWay) {
         this.pieces = pieces;
         this.inTheWay = inTheWay;
@@ -47,6 +48,7 @@ public final class ClippedAreas {
         return pieces.stream().anyMatch(piece -> contains(piece, x, y));
     }
 
+    /** Returns true if a point is in a convex counter-clockwise polygon. */
     public static boolean contains(double[] polygon, double x, double y) {
         for (int i = 0; i < polygon.length; i += 2) {
             int j = (i + 2) % polygon.length;

@@ -25,6 +25,7 @@ public record RandomWall(
         List<double[]> pieces,
         List<double[]> columns,
         TriangleSoup soup) {
+    /** Returns a mesh or boxes, with at least one piece that admits portals. */
     public static RandomWall of(SplittableRandom random) {
         RandomWall wall;
         do {

@@ -44,6 +44,7 @@ public record RectangleQuestion(
                 fits);
     }
 
+    /** Returns the answer of the four lines. */
     public boolean byFourLines() {
         return lines.fits(triangle, shot.wall.place().world(shot.x, shot.y, 0), halfRight, halfUp);
     }

@@ -45,6 +45,7 @@ public record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         return Directions.unit(Directions.combined(a, ofA, b, ofB));
     }
 
+    /** Returns the position of a point of the wall's frame. */
     public Vec3 world(double x, double y, double height) {
         return new Vec3(
                 origin.x() + x * right.x() + y * up.x() + height * normal.x(),
@@ -52,14 +53,17 @@ public record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
                 origin.z() + x * right.z() + y * up.z() + height * normal.z());
     }
 
+    /** Returns a position's x in the wall's frame, metres. */
     public double x(Vec3 p) {
         return right.dot(fromOrigin(p));
     }
 
+    /** Returns a position's y in the wall's frame, metres. */
     public double y(Vec3 p) {
         return up.dot(fromOrigin(p));
     }
 
+    /** Returns a position's height above the wall, metres. */
     public double height(Vec3 p) {
         return normal.dot(fromOrigin(p));
     }

@@ -20,15 +20,21 @@ public final class WallShot {
     private static final double RANGE_METRES = 100;
 
     public final RandomWall wall;
+    /** The gun, whose aperture is random. */
     public final Gun gun;
+    /** The aimed point in the wall's frame, metres. */
     public final double x;
+
     public final double y;
+    /** The eye and its view of the aimed point. */
     public final ShotRay aim;
     /** The pieces that the portal may slide to from the aimed point. */
     public final List<double[]> pieces;
 
+    /** The portals that are on the wall already. */
     public final List<Portal> others = new ArrayList<>();
 
+    /** Creates a shot at any point of the wall's pieces. */
     public WallShot(RandomWall wall, SplittableRandom random) {
         this.wall = wall;
         Aperture aperture = random.nextInt(3) == 0
@@ -78,6 +84,7 @@ public final class WallShot {
         return new Portal("other", centre, new Basis(right, up, wall.place().normal()), aperture);
     }
 
+    /** Returns where the game places the portal. */
     public PlacementResult placed(Gun with, List<Portal> beside) {
         return new Placement(wall.surfaces(), with).place("shot", aim, beside, MovingSurfaces.NONE);
     }

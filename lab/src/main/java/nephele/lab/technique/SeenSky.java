@@ -27,7 +27,9 @@ import nephele.lab.oracle.PinholeViews;
  * @param level without surfaces in front of its clouds
  */
 public record SeenSky(Level level, AssetSource assets, View view) {
+    /** Size of its pictures, pixels. */
     public static final int WIDTH = 40;
+
     public static final int HEIGHT = 24;
 
     private static final double NEAR = 0.1;

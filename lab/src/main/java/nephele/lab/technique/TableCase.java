@@ -39,12 +39,14 @@ public record TableCase(
     private static final double LAYER_FOV_DEGREES = 75;
     private static final double LEAST_BASE_METRES = 30;
     private static final double GREATEST_BASE_METRES = 13_000;
+    /** The irradiance of the sun outside of the clouds. */
     public static final Vec3 SUN_IRRADIANCE = new Vec3(3.2, 3, 2.7);
     /** The sky is one colour: air would hide the errors of clouds that are far away, and take long to trace. */
     public static final Sky SKY = new Sky.Constant(new Vec3(0.12, 0.2, 0.35));
 
     private static final long OTHER_SEEDS = 100;
 
+    /** Returns the form of the cloud as the table names it. */
     public String form() {
         return CloudForm.of(cloud).word();
     }
@@ -60,6 +62,7 @@ public record TableCase(
         return cloud.extent() instanceof Extent.Volume && angularDegrees >= INSIDE_DEGREES;
     }
 
+    /** Returns true for a layer, false for a volume. */
     public boolean isLayer() {
         return cloud.extent() instanceof Extent.Layer;
     }
@@ -80,6 +83,7 @@ public record TableCase(
         return half / Math.tan(Math.toRadians(angularDegrees) / 2) - half;
     }
 
+    /** Returns the cloud alone, at the distance at which it has its extent. */
     public SeenSky sky() {
         Cloud other = otherSeed(cloud);
         Cloud placed = with(other, extent());

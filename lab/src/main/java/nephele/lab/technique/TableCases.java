@@ -21,6 +21,7 @@ public final class TableCases {
 
     private TableCases() {}
 
+    /** Returns all nodes in the order of the table. */
     public static List<TableCase> all() {
         List<TableCase> nodes = new ArrayList<>();
         OpenedLevel first = sample(SAMPLES.get(0));

@@ -102,6 +102,7 @@ public final class TableMaker {
                 .orElse(Double.NaN);
     }
 
+    /** Returns the techniques that can draw a cloud. */
     public static List<CloudTechnique> techniques(Cloud cloud) {
         return cloud.extent() instanceof Cloud.Extent.Layer
                 ? List.of(

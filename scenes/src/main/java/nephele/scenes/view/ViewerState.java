@@ -121,14 +121,17 @@ public final class ViewerState {
         look = look.with(terms);
     }
 
+    /** Returns true while the scene's clock rests. */
     public boolean isPaused() {
         return paused;
     }
 
+    /** Returns where the camera and the entity are. */
     public ThirdPersonCamera place() {
         return place;
     }
 
+    /** Returns how the scene is drawn. */
     public SceneAppearance look() {
         return look;
     }

@@ -30,15 +30,18 @@ public final class ModelPairs {
 
     /** A model beside another one. */
     public record Pair(BoundedModel a, Pose atA, BoundedModel b, Pose atB) {
+        /** Returns true if the bounds of both touch. */
         public boolean touch(Bound bound) {
             return bound.touch(a, atA, b, atB);
         }
 
+        /** Returns both models in words. */
         public String names() {
             return a.name() + " and " + b.name();
         }
     }
 
+    /** Reads the models of the sample. */
     public ModelPairs() {
         OpenedLevel opened = new LevelName(SAMPLE).open();
         var meshes = new MeshAssets(opened.assets());
