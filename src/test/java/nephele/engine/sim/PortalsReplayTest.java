@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
  */
 class PortalsReplayTest {
     private static final Path SAMPLES = Path.of("levels", "samples");
-    private final List<TickEvent> told = new ArrayList<>();
+    private final List<TickEvent> events = new ArrayList<>();
     private final List<String> hashes = new ArrayList<>();
     private int crossings;
 
@@ -37,7 +37,7 @@ class PortalsReplayTest {
         var lines = new TickHashes(600, replay.ticks(), hashes::add);
         return replay.play(new Simulation(level, replay.settings()), state -> {
             lines.ticked(state);
-            told.addAll(state.world().trace().events());
+            events.addAll(state.world().trace().events());
             crossings += state.world().trace().playerCrossed().length();
         });
     }
@@ -68,7 +68,7 @@ class PortalsReplayTest {
                         new PortalOpened(GunPortals.Colour.FIRST, 2),
                         new PortalOpened(GunPortals.Colour.SECOND, 3),
                         new PortalOpened(GunPortals.Colour.SECOND, 3)),
-                told);
+                events);
         assertEquals(-7, end.world().portals().portal(3).centre().x(), 1e-9);
     }
 }

@@ -17,14 +17,13 @@ import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.replay.ReplayRecorder;
-import nephele.engine.sim.state.FallState;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState.FallState;
 import org.joml.Vector3d;
 
 /**
@@ -101,7 +100,7 @@ public final class Playthrough {
      */
     public Playthrough(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
         this.input = input;
-        simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
+        simulation = new Simulation(simLevel, beginning.settings);
         SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
         secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();
         recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);

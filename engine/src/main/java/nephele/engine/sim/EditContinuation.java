@@ -9,14 +9,14 @@ import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.carry.PortalOccupants;
-import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
-import nephele.engine.sim.state.TickTrace;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.ExitState;
+import nephele.engine.sim.state.WorldState.TickTrace;
 
 /**
  * Continues a running game in an edited level. The fixed portals of the edited level replace the earlier ones. A shot

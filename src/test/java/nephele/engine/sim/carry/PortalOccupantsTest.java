@@ -16,9 +16,8 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.sim.Lab;
-import nephele.engine.sim.player.PlayerMotion;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
@@ -59,7 +58,7 @@ final class PortalOccupantsTest {
                         .hold(PlayerInput.NONE, 0.3);
                 assertEquals(-8 + before, lab.body(0).z(), 1e-3);
                 lab.turn(90, 0).tick(PlayerInput.NONE.holding(shot));
-                assertInstanceOf(PortalOpened.class, lab.told().get(2));
+                assertInstanceOf(PortalOpened.class, lab.events().get(2));
                 assertTrue(deepest(lab) < 0.002, "in a solid by " + deepest(lab));
                 lab.hold(PlayerInput.NONE, 0.5);
                 double expected = shot == Action.FIRE_FIRST ? EDGE / 2 : before;
@@ -84,7 +83,7 @@ final class PortalOccupantsTest {
         // Aimed beside the cube, where the portal still reaches under it.
         lab.turn(-90, 5 - 50.5);
         lab.press(Action.FIRE_SECOND);
-        assertInstanceOf(PortalOpened.class, lab.told().get(1), lab.told().toString());
+        assertInstanceOf(PortalOpened.class, lab.events().get(1), lab.events().toString());
         lab.hold(PlayerInput.NONE, 1.5);
         assertTrue(lab.body(0).x() < -5, "out of the wall to the left: " + lab.body(0));
         assertEquals(6, lab.body(1).x(), 1e-3);
@@ -121,8 +120,9 @@ final class PortalOccupantsTest {
                         "seed " + seed + ", tick " + lab.state().tick() + ": " + deepest(lab));
                 assertInside(lab.player().centre(), 0.2);
             }
-            opened += lab.told().stream().filter(PortalOpened.class::isInstance).count();
-            carried += lab.told().stream()
+            opened +=
+                    lab.events().stream().filter(PortalOpened.class::isInstance).count();
+            carried += lab.events().stream()
                     .filter(TickEvent.Handled.class::isInstance)
                     .count();
             assertEquals(0, lab.state().faults());
@@ -167,7 +167,7 @@ final class PortalOccupantsTest {
         PlayerState player = lab.player();
         double depth = depth(
                 space,
-                PlayerMotion.shape(player.stance(), player.tilt().up()),
+                player.stance().shape(player.tilt().up()),
                 player.centre().toVector());
         BodyTable table = level.bodies();
         for (int i = 0; i < around.bodies().size(); i++) {

@@ -14,7 +14,6 @@ import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.portal.placement.ShotRay;
-import nephele.engine.sim.player.PlayerEye;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
@@ -61,11 +60,11 @@ final class PortalShots {
 
     /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
     private static ShotRay aim(PlayerState player, Portals portals) {
-        Vector3d centre = PlayerEye.centre(player, new Vector3d());
-        Vector3d way = PlayerEye.eye(player, new Vector3d()).sub(centre);
+        Vector3d centre = player.centre(new Vector3d());
+        Vector3d way = player.eye(new Vector3d()).sub(centre);
         var toEye = new PathTrace(portals, Obstacles.NONE);
         toEye.trace(centre, way);
-        Basis view = PlayerEye.view(player);
+        Basis view = player.view();
         return new ShotRay(
                 Vec3.of(toEye.place()),
                 new Basis(carried(toEye, view.right()), carried(toEye, view.up()), carried(toEye, view.back())));

@@ -40,7 +40,7 @@ final class ExitRoom {
     private final Vector3d axis = new Vector3d();
 
     /** Returns the horizontal velocity of the player's easing, m/s; zero if it has room or is away from the exit. */
-    Vector3dc easing(PlayerMotion player, MoveIntent intent, Portal exit, CollisionWorld world) {
+    Vector3dc easing(PlayerMotion player, Portal exit, CollisionWorld world) {
         easing.zero();
         if (!isAt(player, exit)) {
             return easing;
@@ -67,7 +67,7 @@ final class ExitRoom {
         }
         axis.set(exit.normal().x(), 0, exit.normal().z());
         remove(axis, Math.min(0, easing.dot(axis)));
-        remove(axis.set(intent.velocity()), easing.dot(axis));
+        remove(axis.set(player.intent), easing.dot(axis));
         double speed = easing.length();
         return speed > MOST_METRES_PER_SECOND ? easing.mul(MOST_METRES_PER_SECOND / speed) : easing;
     }

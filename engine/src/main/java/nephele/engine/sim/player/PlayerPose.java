@@ -43,7 +43,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         Vec3 eye = brought(a.eye(), crossed, portals).lerp(b.eye(), share);
         Basis view = crossed.length() == 0 && a.tilt().isViewLevel() && b.tilt().isViewLevel()
                 ? level(a.heading(), b.heading(), share)
-                : turned(brought(PlayerEye.view(a), crossed, portals), PlayerEye.view(b), share);
+                : turned(brought(a.view(), crossed, portals), b.view(), share);
         Vec3 up = up(a.tilt().up(), b.tilt().up(), crossed, portals, share);
         int ahead = crossingsAhead(centre, crossed, portals);
         ViewAngles from = ahead > 0 || crossed.length() == 0 ? a.heading() : b.heading();
@@ -65,7 +65,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         }
         Vector3d way = holding.pointHere(state.world().bodies().centre(holding.body(), new Vector3d()), portals)
                 .sub(state.player().eye().toVector());
-        Basis view = PlayerEye.view(state.player());
+        Basis view = state.player().view();
         return new Vec3(
                 way.dot(view.right().toVector()),
                 way.dot(view.up().toVector()),

@@ -6,16 +6,18 @@ import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.Tilt;
 import nephele.engine.sim.state.ViewAngles;
 import nephele.engine.sim.state.WorldState;
 import org.joml.Vector3d;
@@ -33,7 +35,20 @@ public final class PlayerStep {
 
     private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS_METRES);
 
+    private static final double UPRIGHT_RADIANS_PER_SECOND = 2 * Math.PI;
+    /**
+     * The greatest angle of one rotation step. The head, 0.6 m from the centre, moves 3 cm in it: a tenth of the
+     * capsule's radius.
+     */
+    private static final double MOST_TURN_RADIANS = Math.PI / 60;
+
+    private static final double TURN_AHEAD_SECONDS = 0.3;
+
     private final double seconds;
+    /** The angles by which body and view turn upright in a tick. */
+    private final double uprightRadians;
+
+    private final double viewUprightRadians;
     private final ExponentialApproach groundDamping;
     private final ExponentialApproach eyeDamping;
     private final CharacterMover mover;
@@ -45,11 +60,10 @@ public final class PlayerStep {
 
     private final ExitRoom exitRoom = new ExitRoom();
     private final Depenetration depenetration = new Depenetration();
-    private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
-    private final MoveIntent intent = new MoveIntent();
     private final Vector3d way = new Vector3d();
     private final Vector3d head = new Vector3d();
+    private final Vector3d raised = new Vector3d();
 
     public PlayerStep(BodyTable bodies, SimSettings settings) {
         double seconds = 1.0 / settings.ticksPerSecond();
@@ -61,7 +75,9 @@ public final class PlayerStep {
         walkIn = settings.assists().contains(Assist.WALK_IN) ? new WalkIn() : null;
         groundDamping = ExponentialApproach.of(PlayerDimensions.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = ExponentialApproach.of(PlayerDimensions.EYE_RATE_PER_SECOND, seconds);
-        uprighting = new Uprighting(mover, depenetration, settings);
+        uprightRadians = UPRIGHT_RADIANS_PER_SECOND * seconds;
+        boolean isAsBody = settings.uprightDegreesPerSecond() == SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
+        viewUprightRadians = isAsBody ? uprightRadians : Math.toRadians(settings.uprightDegreesPerSecond()) * seconds;
     }
 
     /** @param around the world state; its bodies are obstacles, except the one that does not collide with the player */
@@ -73,7 +89,7 @@ public final class PlayerStep {
         portalCrossing.begin(world.portals(), player.place);
         changeStance(input.holds(Action.CROUCH));
         if (recover()) {
-            uprighting.turn(player);
+            turnUpright();
             portalCrossing.follow(player);
             settle();
             if (around.arrival().isRecent()) {
@@ -111,7 +127,7 @@ public final class PlayerStep {
 
     private void load(PlayerState before, ViewAngles heading, boolean isEmpty) {
         player.load(before);
-        player.look(new PlayerView(heading, before.tilt()));
+        player.look(heading, before.tilt());
         if (!player.grounded && isEmpty) {
             // Without any static geometry the player hovers.
             player.grounded = true;
@@ -129,7 +145,7 @@ public final class PlayerStep {
             return;
         }
         double rise = wanted.heightMetres() - player.stance().heightMetres();
-        var up = player.look().tilt().up();
+        var up = player.tilt().up();
         way.set(up.x() * rise, up.y() * rise, up.z() * rise);
         if (wantsCrouch || !mover.isBlocked(player.shape(), player.place, way)) {
             player.change(wanted);
@@ -154,6 +170,78 @@ public final class PlayerStep {
         return true;
     }
 
+    /**
+     * Turns a player upright that came out of a portal tilted. The view turns at once, at a rate that the player can
+     * choose. The body turns about its centre as far as there is room, never into a solid; in an aperture it waits
+     * while turning would make it hit the rim.
+     */
+    private void turnUpright() {
+        Tilt tilt = player.tilt();
+        if (tilt.isUpright()) {
+            return;
+        }
+        ViewAngles heading = player.heading();
+        player.look(heading, tilt.viewTowardsUpright(viewUprightRadians));
+        int left = (int) Math.ceil(uprightRadians / MOST_TURN_RADIANS);
+        double angle = uprightRadians / left;
+        while (left > 0 && turnBody(heading, angle)) {
+            left--;
+        }
+    }
+
+    /** Turns the body by an angle too small to skip an obstacle. Returns false if it is upright or has no room. */
+    private boolean turnBody(ViewAngles heading, double angle) {
+        Tilt tilt = player.tilt();
+        if (tilt.isBodyUpright()) {
+            return false;
+        }
+        Vec3 up = tilt.bodyTowardsUpright(angle, forward(heading));
+        RoundedHull turned = player.stance().shape(up);
+        if (!standsUp(turned) && !hasRoom(turned)) {
+            return false;
+        }
+        player.look(heading, tilt.withBody(up));
+        return true;
+    }
+
+    private static Vec3 forward(ViewAngles heading) {
+        return new Vec3(-StrictMath.sin(heading.yawRadians()), 0, -StrictMath.cos(heading.yawRadians()));
+    }
+
+    private boolean hasRoom(RoundedHull turned) {
+        if (!depenetration.isFree(mover.world(turned, player.place), turned, player.place)) {
+            return false;
+        }
+        if (mover.active() == 0) {
+            return true;
+        }
+        way.set(player.velocity).mul(TURN_AHEAD_SECONDS);
+        mover.isBlocked(player.shape(), player.place, way);
+        double free = mover.lastSweep().fraction();
+        mover.isBlocked(turned, player.place, way);
+        return mover.lastSweep().fraction() >= free;
+    }
+
+    /**
+     * Raises a grounded player by as much as its capsule reaches further down after the turn. Returns true if that
+     * makes room.
+     */
+    private boolean standsUp(RoundedHull turned) {
+        double rise = player.shape().least(1) - turned.least(1);
+        if (!(rise > 0) || !player.grounded) {
+            return false;
+        }
+        raised.set(player.place);
+        if (mover.advanceUntilHit(player.shape(), raised, way.set(0, rise, 0))) {
+            return false;
+        }
+        boolean free = depenetration.isFree(mover.world(turned, raised), turned, raised);
+        if (free) {
+            player.place.set(raised);
+        }
+        return free;
+    }
+
     /** Grounds a player that was placed onto ground, at once. */
     private void settle() {
         if (!player.grounded && player.velocity.y == 0 && walk.land(player.shape(), player.place)) {
@@ -164,9 +252,9 @@ public final class PlayerStep {
 
     /** Eases a player that has come out of a portal off what is close; one on the ground only as far as ground is below. */
     private void ease(Portal exit, PlayerInput input) {
-        intent.of(player, input);
+        player.intend(input);
         RoundedHull shape = player.shape();
-        exitRoom.easing(player, intent, exit, mover.world(shape, player.place)).mul(seconds, way);
+        exitRoom.easing(player, exit, mover.world(shape, player.place)).mul(seconds, way);
         if (way.lengthSquared() == 0) {
             return;
         }
@@ -191,15 +279,18 @@ public final class PlayerStep {
     }
 
     private void walkOnGround(PlayerInput input, Portals portals) {
-        intent.of(player, input);
-        boolean isLed = walkIn != null && walkIn.lead(player, intent, portals, seconds);
+        player.intend(input);
+        boolean isLed = walkIn != null && walkIn.lead(player, portals, seconds);
         Vector3d velocity = player.velocity;
         way.set(
-                groundDamping.displacement(velocity.x, intent.x()),
+                groundDamping.displacement(velocity.x, player.intent.x),
                 0,
-                groundDamping.displacement(velocity.z, intent.z()));
-        velocity.set(groundDamping.approach(velocity.x, intent.x()), 0, groundDamping.approach(velocity.z, intent.z()));
-        if (intent.velocity().lengthSquared() == 0 && velocity.length() < AT_REST_METRES_PER_SECOND) {
+                groundDamping.displacement(velocity.z, player.intent.z));
+        velocity.set(
+                groundDamping.approach(velocity.x, player.intent.x),
+                0,
+                groundDamping.approach(velocity.z, player.intent.z));
+        if (player.intent.lengthSquared() == 0 && velocity.length() < AT_REST_METRES_PER_SECOND) {
             velocity.zero();
             way.zero();
         }
@@ -227,6 +318,32 @@ public final class PlayerStep {
             head.set(player.place.x, player.place.y + headAboveCentre, player.place.z);
             mover.isBlocked(HEAD, head, way);
             player.eye = inHead + mover.lastSweep().fraction() * way.y;
+        }
+    }
+
+    /**
+     * The exponential approach to a target over one tick, in closed form: v' = k (target − v) has v(t) = target + (v₀ −
+     * target) exp(−k t), with the displacement target · t + (v₀ − target)(1 − exp(−k t)) / k. It never overshoots, and two
+     * half ticks equal a whole one.
+     *
+     * @param share 1 − exp(−k t), the fraction of the difference that a tick removes
+     * @param wayPerSpeed (1 − exp(−k t)) / k, in seconds
+     * @param seconds the tick's length
+     */
+    public record ExponentialApproach(double share, double wayPerSpeed, double seconds) {
+        public static ExponentialApproach of(double ratePerSecond, double seconds) {
+            double share = -StrictMath.expm1(-ratePerSecond * seconds);
+            return new ExponentialApproach(share, ratePerSecond > 0 ? share / ratePerSecond : seconds, seconds);
+        }
+
+        /** Returns the value after the tick. */
+        public double approach(double value, double target) {
+            return target + (value - target) * (1 - share);
+        }
+
+        /** Returns the integral of the value over the tick. */
+        public double displacement(double value, double target) {
+            return target * seconds + (value - target) * wayPerSpeed;
         }
     }
 }

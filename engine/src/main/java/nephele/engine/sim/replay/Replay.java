@@ -11,9 +11,9 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.RecordFile;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 

@@ -2,6 +2,7 @@ package nephele.engine.sim.state;
 
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
+import nephele.engine.math.Vec3;
 
 /** The dimensions and abilities of the player, in metres and seconds. */
 public final class PlayerDimensions {
@@ -65,6 +66,13 @@ public final class PlayerDimensions {
         /** Returns the upright capsule, around its centre. */
         public RoundedHull shape() {
             return shape;
+        }
+
+        /** Returns the capsule along a body axis of unit length, around its centre. */
+        public RoundedHull shape(Vec3 up) {
+            return up.equals(Tilt.UPRIGHT.up())
+                    ? shape
+                    : RoundedHull.capsule(up.scaled(heightMetres / 2 - RADIUS_METRES), RADIUS_METRES);
         }
 
         /**

@@ -14,6 +14,10 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.sim.state.WorldState.Arrival;
+import nephele.engine.sim.state.WorldState.ExitState;
+import nephele.engine.sim.state.WorldState.FallState;
+import nephele.engine.sim.state.WorldState.TickTrace;
 
 /**
  * The part of a level that the simulation uses: the static geometry, and the initial portals and bodies.

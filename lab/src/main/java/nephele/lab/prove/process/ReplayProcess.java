@@ -9,7 +9,6 @@ import java.util.List;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.TickHashes;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 
 /** A replay played in a process of its own. */
@@ -24,7 +23,7 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
         var replay = LevelName.replay(arguments[1]);
         var level = SimLevel.of(opened.placed());
         var hashes = new TickHashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
-        replay.play(new Simulation(level, replay.settings(), FaultLog.SILENT), hashes);
+        replay.play(new Simulation(level, replay.settings()), hashes);
     }
 
     /**
