@@ -28,7 +28,6 @@ public final class PortalWorld {
 
     private final CollisionWorld statics;
     private final Portals portals;
-    private final PortalSteps steps;
     private final ApertureCutter cutter;
     private final long open;
     private final ApertureProximity proximity = new ApertureProximity();
@@ -38,8 +37,7 @@ public final class PortalWorld {
     private PortalWorld(CollisionWorld statics, Portals portals) {
         this.statics = statics;
         this.portals = portals;
-        steps = new PortalSteps(statics, portals);
-        cutter = new ApertureCutter(statics, portals, steps);
+        cutter = new ApertureCutter(statics, portals);
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
             mask |= portals.isOpen(i) ? 1L << i : 0;
@@ -92,7 +90,7 @@ public final class PortalWorld {
 
     /** Returns how far the ground around a portal lies below it; {@link GroundStep#NO_GROUND} for one on a wall. */
     public double groundStepMetres(int portal) {
-        return steps.metres(portal);
+        return cutter.groundStepMetres(portal);
     }
 
     /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */

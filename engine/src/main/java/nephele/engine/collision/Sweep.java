@@ -78,8 +78,7 @@ public final class Sweep {
         double t = 0;
         for (int i = 0; i < MAX_STEPS; i++) {
             separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
-            double approach =
-                    -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
+            double approach = separation.approach(way);
             double gap = separation.metres() - SKIN_METRES;
             if (approach <= (gap <= TOUCH_METRES ? SLIDING_METRES_PER_METRE * length : 0)) {
                 return;
@@ -102,7 +101,7 @@ public final class Sweep {
         }
         fraction = t;
         collider = index;
-        normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
+        normal.set(separation.normal());
         point.set(separation.onCollider(0), separation.onCollider(1), separation.onCollider(2));
         int face = separation.upmostFace(SAME_POINT_METRES);
         if (face >= 0) {

@@ -86,8 +86,7 @@ final class ConservativeAdvancement {
         for (int i = 0; i < MOST_STEPS; i++) {
             separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
             double gap = separation.metres() + depth;
-            double approach =
-                    -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
+            double approach = separation.approach(way);
             if (gap <= TOUCH_METRES && i > 0) {
                 return t;
             }
@@ -95,7 +94,7 @@ final class ConservativeAdvancement {
                 return 1;
             }
             if (gap <= TOUCH_METRES) {
-                normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
+                normal.set(separation.normal());
                 return 0;
             }
             t += gap / approach;

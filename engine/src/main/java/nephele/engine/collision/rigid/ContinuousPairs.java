@@ -2,7 +2,6 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
-import nephele.engine.collision.HullDistance;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.body.BodyInfluences;
@@ -23,7 +22,6 @@ final class ContinuousPairs {
     private final Poses poses;
     private final NarrowPhase narrow;
     private final Separation separation = new Separation();
-    private final HullDistance distance = new HullDistance();
     private final double[] axes = new double[9];
     /** Unobstructed displacement of every body and character in this tick. */
     private double[] ways = new double[0];
@@ -144,9 +142,9 @@ final class ContinuousPairs {
         RoundedHull its = other < bodies
                 ? narrow.turnedHull(other)
                 : influences.characterList().get(other - bodies).upright;
-        distance.measure(shape, dX, dY, dZ, its);
-        metres = distance.metres();
-        away.set(distance.normalX(), distance.normalY(), distance.normalZ());
+        separation.measure(shape, dX, dY, dZ, its);
+        metres = separation.metres();
+        away.set(separation.normal());
     }
 
     private RoundedHull turnedInto(int body, int box) {
@@ -171,7 +169,7 @@ final class ContinuousPairs {
         metres = separation.metres();
         away.zero();
         for (int axis = 0; axis < 3; axis++) {
-            double part = axis == 0 ? separation.normalX() : axis == 1 ? separation.normalY() : separation.normalZ();
+            double part = separation.normal().get(axis);
             int at = 9 * box + 3 * axis;
             away.add(part * poses.axes[at], part * poses.axes[at + 1], part * poses.axes[at + 2]);
         }

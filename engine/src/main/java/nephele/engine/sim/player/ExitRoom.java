@@ -60,7 +60,7 @@ final class ExitRoom {
             Collider solid = world.collider(near.get(i));
             separation.measure(shape, at.x, at.y, at.z, solid);
             double missing = ROOM_METRES - separation.metres();
-            axis.set(separation.normalX(), 0, separation.normalZ());
+            axis.set(separation.normal().x(), 0, separation.normal().z());
             if (missing > 0 && axis.length() > LEAST_LEVEL && isBefore(exit)) {
                 raise(axis.normalize(), missing * RATE_PER_SECOND);
             }

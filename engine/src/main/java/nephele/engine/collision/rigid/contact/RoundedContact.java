@@ -186,7 +186,10 @@ final class RoundedContact {
         uX = axes[at] * halfAxis;
         uY = axes[at + 1] * halfAxis;
         uZ = axes[at + 2] * halfAxis;
-        out.normal(separation.normalX(), separation.normalY(), separation.normalZ());
+        out.normal(
+                separation.normal().x(),
+                separation.normal().y(),
+                separation.normal().z());
         out.code = 1;
         double rise = uX * out.nX + uY * out.nY + uZ * out.nZ;
         if (halfAxis > 0) {
