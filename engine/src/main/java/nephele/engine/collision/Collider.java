@@ -19,6 +19,10 @@ public final class Collider implements SupportPoints {
     static final double TRIANGLE_DEPTH_METRES = 0.02;
 
     private static final double DEPTH_FRACTION = 0.25;
+    /** The corners of the pyramid's faces, the triangle first. */
+    private static final int[][] PYRAMID_FACES = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+    /** The ends of the pyramid's edges. */
+    private static final int[] PYRAMID_EDGES = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};
 
     /** {@code null} for a triangle, a sphere or a capsule. */
     private final ConvexPolyhedron polyhedron;
@@ -113,10 +117,9 @@ public final class Collider implements SupportPoints {
 
     /** Returns the pyramid with four faces, the triangle first. */
     private static ConvexPolyhedron pyramid(Vec3[] p) {
-        int[][] faces = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
         List<ConvexPolyhedron.Face> made = new ArrayList<>();
-        for (int i = 0; i < faces.length; i++) {
-            List<Vec3> ring = List.of(p[faces[i][0]], p[faces[i][1]], p[faces[i][2]]);
+        for (int i = 0; i < PYRAMID_FACES.length; i++) {
+            List<Vec3> ring = List.of(p[PYRAMID_FACES[i][0]], p[PYRAMID_FACES[i][1]], p[PYRAMID_FACES[i][2]]);
             Vec3 n = ring.get(1).minus(ring.get(0)).cross(ring.get(2).minus(ring.get(0)));
             Vec3 unit = Directions.unit(n.x(), n.y(), n.z());
             made.add(new ConvexPolyhedron.Face(i, Plane.through(unit, ring.get(0)), ring));
@@ -172,11 +175,10 @@ public final class Collider implements SupportPoints {
 
     /** Returns the directions of the six edges between the four corners of a pyramid. */
     private static double[] edges(double[] vertices) {
-        int[] pairs = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};
         double[] directions = new double[18];
         for (int i = 0; i < 18; i++) {
-            int from = pairs[i / 3 * 2];
-            int to = pairs[i / 3 * 2 + 1];
+            int from = PYRAMID_EDGES[i / 3 * 2];
+            int to = PYRAMID_EDGES[i / 3 * 2 + 1];
             directions[i] = vertices[3 * to + i % 3] - vertices[3 * from + i % 3];
         }
         return directions;

@@ -7,6 +7,11 @@ import java.util.Arrays;
  * angular) and six of displacement since the tick began, with reciprocal masses in world axes.
  */
 public final class SolverState {
+    /** Numbers of velocity or displacement for each slot: linear, then angular. */
+    public static final int STRIDE = 6;
+    /** Offset of the angular part. */
+    public static final int ANGULAR = 3;
+
     public double[] velocity = new double[0];
     public double[] moved = new double[0];
     public double[] inverseMass = new double[0];
