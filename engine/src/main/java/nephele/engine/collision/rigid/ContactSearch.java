@@ -41,7 +41,8 @@ final class ContactSearch {
     private final ContactRows rows;
     private final NarrowPhase narrow;
     private final SweepAndPrune pairs = new SweepAndPrune();
-    private final ContactCacheIndex memory = new ContactCacheIndex();
+    private final ContactCache.Index memory = new ContactCache.Index();
+    private ContactCache last = ContactCache.NONE;
     private final Manifold manifold = new Manifold();
     private final ItemList near = new ItemList();
     private final double[] offset = new double[3];
@@ -73,8 +74,10 @@ final class ContactSearch {
         return narrow;
     }
 
-    void index(ContactCache last, double nowSeconds) {
-        memory.index(last, nowSeconds);
+    /** Sets the contacts of the step before, which warm start those of this one. */
+    void index(ContactCache contacts) {
+        last = contacts;
+        memory.index(contacts);
     }
 
     /** Wakes the sleeping bodies that a moving shape is about to touch; returns true if any was woken. */
@@ -227,7 +230,7 @@ final class ContactSearch {
     /** Returns true if the solver has contacts of a body and a solid of its world. */
     boolean metSolid(int body, int solid) {
         for (int m = firstWithSolid[body]; m < firstWithSolid[body + 1]; m++) {
-            if (ContactKey.solid(rows.key[m]) == solid) {
+            if (ContactCache.solid(rows.key[m]) == solid) {
                 return true;
             }
         }
@@ -236,9 +239,9 @@ final class ContactSearch {
 
     /** Returns true if the solver has contacts of a body and another owner that do not act through a portal. */
     boolean metOther(int body, int other) {
-        long parties = ContactKey.parties(ContactKey.between(Math.min(body, other), Math.max(body, other), -1));
+        long parties = ContactCache.parties(ContactCache.between(Math.min(body, other), Math.max(body, other), -1));
         for (int m = firstWithSolid[bodies.count]; m < rows.count; m++) {
-            if (ContactKey.parties(rows.key[m]) == parties) {
+            if (ContactCache.parties(rows.key[m]) == parties) {
                 return true;
             }
         }
@@ -258,7 +261,7 @@ final class ContactSearch {
             narrow.touch(body, solid, reach, scratch, manifold);
             if (manifold.count > 0) {
                 Arrays.fill(offset, 0);
-                long key = ContactKey.withSolid(body, near.get(i));
+                long key = ContactCache.withSolid(body, near.get(i));
                 add(
                         body,
                         motions.count - 1,
@@ -298,20 +301,48 @@ final class ContactSearch {
             portalContacts.turn(portal, turn);
             turned = turn;
         }
-        add(ownerA, ownerB, turned, ContactKey.between(ownerA, ownerB, portal), friction, restitution);
+        add(ownerA, ownerB, turned, ContactCache.between(ownerA, ownerB, portal), friction, restitution);
     }
 
     private void add(int ownerA, int ownerB, double[] turned, long parties, double friction, double restitution) {
         int m = rows.add(manifold, ownerA, ownerB, offset, turned);
-        rows.key[m] = ContactKey.with(parties, manifold.code, manifold.count);
+        rows.key[m] = ContactCache.key(parties, manifold.code, manifold.count);
         rows.head[ContactRows.HEAD * m + ContactRows.FRICTION] = friction;
         rows.head[ContactRows.HEAD * m + ContactRows.RESTITUTION] = restitution;
         rows.head[ContactRows.HEAD * m + ContactRows.SLOP] = Math.min(SLOP_METRES, poses.leastHalf(ownerA) / 50);
-        memory.recall(rows, m);
+        recall(m);
+    }
+
+    /** Warm starts a manifold: copies the impulses of the step before to the rows of the same points. */
+    private void recall(int m) {
+        int entry = memory.find(rows.key[m]);
+        if (entry < 0) {
+            return;
+        }
+        double scale = last.scaleTo(seconds);
+        int known = ContactCache.points(last.key(entry));
+        int features = last.features(entry);
+        int used = 0;
+        for (int i = 0; i < rows.points[m]; i++) {
+            int wanted = rows.features[m] >>> 8 * i & 0xff;
+            for (int j = 0; j < known; j++) {
+                if ((used & 1 << j) == 0 && (features >>> 8 * j & 0xff) == wanted) {
+                    used |= 1 << j;
+                    int r = ContactRows.ROW * (rows.first[m] + i);
+                    rows.rows[r + ContactRows.IMPULSE] = scale * last.impulse(entry, j);
+                    rows.rows[r + ContactRows.GREATEST] = scale * last.impulse(entry, j);
+                    break;
+                }
+            }
+        }
+        int f = ContactRows.HEAD * m + ContactRows.FRICTION_IMPULSE;
+        for (int i = 0; i < 3; i++) {
+            rows.head[f + i] = scale * last.impulse(entry, Manifold.MOST + i);
+        }
     }
 
     /** Returns the contacts that had an impulse in this tick, and the stored ones of sleeping bodies. */
-    ContactCache remember(ContactCache last, TickBodies now, double nowSeconds) {
+    ContactCache remember(TickBodies now) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
             kept += isKept(last.key(i), now) ? 1 : 0;
@@ -328,7 +359,7 @@ final class ContactSearch {
             if (isKept(last.key(i), now)) {
                 keys[at] = last.key(i);
                 features[at] = last.features(i);
-                last.copyImpulses(i, nowSeconds, impulses, at++);
+                last.copyImpulses(i, seconds, impulses, at++);
             }
         }
         for (int m = 0; m < rows.count; m++) {
@@ -338,13 +369,13 @@ final class ContactSearch {
                 rows.writeImpulses(m, impulses, ContactCache.IMPULSES * at++);
             }
         }
-        return new ContactCache(keys, features, impulses, nowSeconds);
+        return new ContactCache(keys, features, impulses, seconds);
     }
 
     /** Returns true if the impulses are worth storing; those of a body that then went through a portal are not. */
     private boolean isCarried(int m, TickBodies now) {
-        int a = ContactKey.first(rows.key[m]);
-        int b = ContactKey.second(rows.key[m]);
+        int a = ContactCache.first(rows.key[m]);
+        int b = ContactCache.second(rows.key[m]);
         return rows.carries(m)
                 && !(a < now.count && now.hasCrossed(a))
                 && !(b >= 0 && b < now.count && now.hasCrossed(b));
@@ -352,8 +383,8 @@ final class ContactSearch {
 
     /** Returns true if neither body was awake in this tick, so that the stored contact is not among the rows. */
     private boolean isKept(long key, TickBodies now) {
-        int a = ContactKey.first(key);
-        int b = ContactKey.second(key);
+        int a = ContactCache.first(key);
+        int b = ContactCache.second(key);
         return a < now.count
                 && motions.inverseMass[a] == 0
                 && (b < 0 || b >= now.count || motions.inverseMass[b] == 0)

@@ -149,7 +149,7 @@ public final class RigidStep {
         sleep.wakeNeighbours(before.contacts());
         setMasses(influences);
         search.activity().addImages(surroundings, influences, motions, seconds);
-        search.index(before.contacts(), seconds);
+        search.index(before.contacts());
         if (search.wakeTouched(bodies, influences, seconds)) {
             sleep.wakeNeighbours(before.contacts());
             setMasses(influences);
@@ -171,7 +171,7 @@ public final class RigidStep {
         sleep.fallAsleep(hasContactImpulse, driven, seconds);
         giveImpulses(influences);
         influences.advance(seconds);
-        ContactCache carried = search.remember(before.contacts(), bodies, seconds);
+        ContactCache carried = search.remember(bodies);
         return new Bodies(bodies.motion, bodies.rest, carried, bodies.transforms(surroundings.portals()));
     }
 

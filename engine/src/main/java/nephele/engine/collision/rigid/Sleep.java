@@ -41,8 +41,8 @@ final class Sleep {
         }
         islands.reset(bodies.count);
         for (int i = 0; i < memory.size(); i++) {
-            int a = ContactKey.first(memory.key(i));
-            int b = ContactKey.second(memory.key(i));
+            int a = ContactCache.first(memory.key(i));
+            int b = ContactCache.second(memory.key(i));
             if (a < bodies.count && b >= 0 && b < bodies.count) {
                 islands.join(a, b);
             }
