@@ -7,13 +7,13 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState.HeldBody;
 
 /** A {@link RoomLevel} and the player in it. The floor's top is at y = 0. */
 public final class Lab {

@@ -18,7 +18,6 @@ import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.GunPortals.Colour;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
@@ -26,6 +25,7 @@ import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.PortalOpened;
 import nephele.engine.sim.state.TickEvent.PortalRefused;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import nephele.engine.sim.state.WorldState.TickTrace;
 import org.junit.jupiter.api.Test;
 

@@ -11,7 +11,6 @@ import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.TickHashes;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
@@ -34,9 +33,9 @@ class PortalsReplayTest {
     private SimState play() throws IOException {
         Level level = LevelJson.read("portals.json", Files.readAllBytes(SAMPLES.resolve("portals.json")));
         Replay replay = Replay.read("replays", Files.readAllBytes(SAMPLES.resolve("replays/portals.json")));
-        var lines = new TickHashes(600, replay.ticks(), hashes::add);
+        var lines = Replay.hashes(600, replay.ticks(), hashes::add);
         return replay.play(new Simulation(level, replay.settings()), state -> {
-            lines.ticked(state);
+            lines.accept(state);
             events.addAll(state.world().trace().events());
             crossings += state.world().trace().playerCrossed().length();
         });

@@ -9,7 +9,7 @@ import nephele.editor.play.SolutionVerdict.Cause;
 import nephele.editor.play.SolutionVerdict.Deviation;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.Waypoint;
+import nephele.engine.sim.replay.Replay.Waypoint;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;

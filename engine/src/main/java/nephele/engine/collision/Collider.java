@@ -2,6 +2,7 @@ package nephele.engine.collision;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.Gjk.SupportPoints;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;

@@ -226,7 +226,7 @@ public final class CollisionWorld {
      *
      * @param margin in metres around the shape
      */
-    void near(RoundedHull shape, Vector3dc from, Vector3dc way, double margin, ItemList found) {
+    void near(RoundedHull shape, Vector3dc from, Vector3dc path, double margin, ItemList found) {
         found.clear();
         Aabb box = new Aabb(
                 from.x() + shape.least(0) - margin,
@@ -235,7 +235,7 @@ public final class CollisionWorld {
                 from.x() + shape.greatest(0) + margin,
                 from.y() + shape.greatest(1) + margin,
                 from.z() + shape.greatest(2) + margin);
-        collectSwept(box, new Vec3(way.x(), way.y(), way.z()), found);
+        collectSwept(box, new Vec3(path.x(), path.y(), path.z()), found);
         found.sort();
     }
 

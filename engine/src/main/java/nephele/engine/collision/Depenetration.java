@@ -120,8 +120,8 @@ public final class Depenetration {
                 at.x() - solid.centre().x() + shape.core(hindmost, 0),
                 at.y() - solid.centre().y() + shape.core(hindmost, 1),
                 at.z() - solid.centre().z() + shape.core(hindmost, 2));
-        double way = shape.radiusMetres() + Sweep.SKIN_METRES - front;
-        place.set(at).add(nX * way, nY * way, nZ * way);
+        double path = shape.radiusMetres() + Sweep.SKIN_METRES - front;
+        place.set(at).add(nX * path, nY * path, nZ * path);
     }
 
     /** Pushes the shape out of its deepest overlap repeatedly; returns true if that ends in a free place. */
@@ -150,8 +150,8 @@ public final class Depenetration {
             separation.measure(shape, at.x(), at.y(), at.z(), solid);
             if (separation.metres() < least) {
                 least = separation.metres();
-                double way = Sweep.SKIN_METRES - least;
-                push.set(separation.normal()).mul(way);
+                double path = Sweep.SKIN_METRES - least;
+                push.set(separation.normal()).mul(path);
             }
         }
         return least;

@@ -94,8 +94,8 @@ public final class PortalWorld {
     }
 
     /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */
-    public double free(Vector3dc from, Vector3dc way) {
-        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+    public double free(Vector3dc from, Vector3dc path) {
+        var ray = new Ray(from.x(), from.y(), from.z(), path.x(), path.y(), path.z());
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }
 
@@ -106,12 +106,12 @@ public final class PortalWorld {
 
     /**
      * Returns the mask of open portals on which a shape is active while its centre moves from {@code at} by
-     * {@code way}.
+     * {@code path}.
      */
-    public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+    public long active(RoundedHull shape, Vector3dc at, Vector3dc path) {
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
-            if (portals.isOpen(i) && proximity.isActive(portals.portal(i), shape, at, way)) {
+            if (portals.isOpen(i) && proximity.isActive(portals.portal(i), shape, at, path)) {
                 mask |= 1L << i;
             }
         }
@@ -132,5 +132,26 @@ public final class PortalWorld {
             worlds.put(mask, world);
         }
         return world;
+    }
+
+    /**
+     * A cache of the last requested portal space: it is rebuilt only when the portals change, never in a tick without a
+     * shot.
+     */
+    public static final class Cache {
+        private final CollisionWorld statics;
+        private PortalWorld last;
+
+        public Cache(CollisionWorld statics) {
+            this.statics = statics;
+            last = PortalWorld.of(statics, Portals.NONE);
+        }
+
+        public PortalWorld of(Portals portals) {
+            if (last.portals() != portals) {
+                last = PortalWorld.of(statics, portals);
+            }
+            return last;
+        }
     }
 }

@@ -32,7 +32,7 @@ public final class Sweep {
     private double fraction;
     private int collider;
 
-    /** Returns the free share of the displacement, 0 to 1. */
+    /** Returns the free fraction of the displacement, 0 to 1. */
     public double fraction() {
         return fraction;
     }
@@ -73,12 +73,12 @@ public final class Sweep {
         return collider >= 0;
     }
 
-    private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc way, double length) {
+    private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc path, double length) {
         Collider solid = world.collider(index);
         double t = 0;
         for (int i = 0; i < MAX_STEPS; i++) {
-            separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
-            double approach = separation.approach(way);
+            separation.measure(shape, from.x() + t * path.x(), from.y() + t * path.y(), from.z() + t * path.z(), solid);
+            double approach = separation.approach(path);
             double gap = separation.metres() - SKIN_METRES;
             if (approach <= (gap <= TOUCH_METRES ? SLIDING_METRES_PER_METRE * length : 0)) {
                 return;

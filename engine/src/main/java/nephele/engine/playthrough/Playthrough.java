@@ -209,7 +209,7 @@ public final class Playthrough {
         if (motion == PictureMotion.REDUCED) {
             return 0;
         }
-        double ticks = after.tick() + clock.share();
+        double ticks = after.tick() + clock.fraction();
         double leapt = 1 - (ticks - leaptInTick) * secondsPerTick / FallState.FADE_SECONDS;
         int ticksPerSecond = (int) Math.round(1 / secondsPerTick);
         return Math.max(after.world().fall().darkness(ticks, ticksPerSecond), Math.max(0, Math.min(1, leapt)));
@@ -330,7 +330,7 @@ public final class Playthrough {
 
     /** Returns the frame state between the last two ticks; always the same object. */
     public FrameState frameState() {
-        double share = clock.share();
+        double share = clock.fraction();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
@@ -397,7 +397,7 @@ public final class Playthrough {
 
     /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
     private Seen seen() {
-        double share = clock.share();
+        double share = clock.fraction();
         if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
             PlayerPose player = PlayerPose.between(before, after, share);
             boolean isOut = boom.isOut();

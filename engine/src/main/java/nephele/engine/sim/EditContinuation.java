@@ -10,12 +10,11 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.carry.PortalOccupants;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.HeldBody;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.WorldState;
 import nephele.engine.sim.state.WorldState.ExitState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import nephele.engine.sim.state.WorldState.TickTrace;
 
 /**
@@ -25,11 +24,11 @@ import nephele.engine.sim.state.WorldState.TickTrace;
  */
 final class EditContinuation {
     private final SimLevel level;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     private final PortalOccupants occupants;
 
     /** @param level the edited level */
-    EditContinuation(SimLevel level, PortalWorldCache worlds) {
+    EditContinuation(SimLevel level, PortalWorld.Cache worlds) {
         this.level = level;
         this.worlds = worlds;
         occupants = new PortalOccupants(level.bodies());

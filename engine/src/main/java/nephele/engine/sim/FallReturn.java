@@ -18,7 +18,6 @@ import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerState;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -52,7 +51,7 @@ final class FallReturn {
     private final boolean returnsBodies;
     private final CollisionWorld statics;
     private final BodyTable table;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     private final PlayerState start;
     /** Height of the lowest point of the level. */
     private final double lowest;
@@ -65,7 +64,7 @@ final class FallReturn {
     private final Vector3d centre = new Vector3d();
 
     /** @param start the player at the level's start */
-    FallReturn(SimLevel level, PortalWorldCache worlds, PlayerState start, SimSettings settings) {
+    FallReturn(SimLevel level, PortalWorld.Cache worlds, PlayerState start, SimSettings settings) {
         returnsPlayer = settings.assists().contains(Assist.SAFE_RETURN);
         returnsBodies = settings.assists().contains(Assist.BODY_RETURN);
         statics = level.statics();

@@ -21,12 +21,10 @@ import nephele.engine.sim.player.BodyPushes;
 import nephele.engine.sim.player.PlayerStep;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -36,6 +34,7 @@ import nephele.engine.sim.state.WorldState;
 import nephele.engine.sim.state.WorldState.Arrival;
 import nephele.engine.sim.state.WorldState.ExitState;
 import nephele.engine.sim.state.WorldState.FallState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import nephele.engine.sim.state.WorldState.TickTrace;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -56,7 +55,7 @@ public final class Simulation {
     private final SimSettings settings;
     private final SimState start;
     private final PlayerStep playerStep;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     /** {@code null} without bodies. */
     private final RigidStep rigidStep;
 
@@ -91,7 +90,7 @@ public final class Simulation {
         exits = level.exits();
         var statics = level.statics();
         seconds = 1.0 / settings.ticksPerSecond();
-        worlds = new PortalWorldCache(statics);
+        worlds = new PortalWorld.Cache(statics);
         PlayerState standing = standing(level.start());
         returnsPlayer = settings.assists().contains(Assist.SAFE_RETURN);
         Arrival arrival = settings.assists().contains(Assist.EXIT_ROOM) ? Arrival.NOWHERE : Arrival.NONE;

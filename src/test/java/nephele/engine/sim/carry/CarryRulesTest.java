@@ -7,13 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Lab;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import org.junit.jupiter.api.Test;
 
 /** Carrying without portals: reach, weight, steadiness, dropping, throwing. */

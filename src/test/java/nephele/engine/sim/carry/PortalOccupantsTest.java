@@ -19,7 +19,6 @@ import nephele.engine.sim.Lab;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.PortalOpened;
@@ -37,7 +36,7 @@ final class PortalOccupantsTest {
     private static final double EDGE = 0.5;
 
     private SimLevel level;
-    private PortalWorldCache worlds;
+    private PortalWorld.Cache worlds;
 
     private static Lab withCubeAt(Lab lab, Vec3 centre) {
         Bodies bodies = lab.state().world().bodies();
@@ -161,7 +160,7 @@ final class PortalOccupantsTest {
         WorldState around = lab.state().world();
         if (level == null) {
             level = SimLevel.of(lab.level());
-            worlds = new PortalWorldCache(level.statics());
+            worlds = new PortalWorld.Cache(level.statics());
         }
         PortalWorld space = worlds.of(around.portals());
         PlayerState player = lab.player();

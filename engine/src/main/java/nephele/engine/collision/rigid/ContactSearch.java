@@ -129,8 +129,8 @@ final class ContactSearch {
             double x = m[v] + m[v + 4] * relative[2] - m[v + 5] * relative[1];
             double y = m[v + 1] + m[v + 5] * relative[0] - m[v + 3] * relative[2];
             double z = m[v + 2] + m[v + 3] * relative[1] - m[v + 4] * relative[0];
-            double way = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
-            if (manifold.separation[i] <= way + WAKING_METRES) {
+            double path = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
+            if (manifold.separation[i] <= path + WAKING_METRES) {
                 return true;
             }
         }
@@ -181,20 +181,20 @@ final class ContactSearch {
         double x = m[u] - relative[0];
         double y = m[u + 1] - relative[1];
         double z = m[u + 2] - relative[2];
-        double way = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
+        double path = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
         double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
-        return reach(least, way);
+        return reach(least, path);
     }
 
-    private static double reach(double leastHalf, double way) {
-        return Math.min(REACH_METRES, leastHalf / 2) / 2 + Math.min(way, Math.max(leastHalf / 2, FAR_METRES));
+    private static double reach(double leastHalf, double path) {
+        return Math.min(REACH_METRES, leastHalf / 2) / 2 + Math.min(path, Math.max(leastHalf / 2, FAR_METRES));
     }
 
     private double reach(int body) {
         double[] m = motions.velocity;
         int u = 6 * body;
-        double way = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
-        return reach(poses.leastHalf(body), way);
+        double path = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
+        return reach(poses.leastHalf(body), path);
     }
 
     private double turning(int shape) {

@@ -23,7 +23,7 @@ final class PortalContacts {
     private final Poses poses;
     private final NarrowPhase narrow;
     private final Vector3d place = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private Portals portals = Portals.NONE;
     private long[] characterMasks = new long[0];
     private TickBodies bodies;
@@ -51,10 +51,10 @@ final class PortalContacts {
             int at = Bodies.STRIDE * body;
             double[] m = bodies.motion;
             place.set(m[at], m[at + 1], m[at + 2]);
-            way.set(m[at + 7], m[at + 8], m[at + 9])
+            path.set(m[at + 7], m[at + 8], m[at + 9])
                     .add(gravity.x() * seconds / 2, gravity.y() * seconds / 2, gravity.z() * seconds / 2)
                     .mul(bodies.isAwake(body) ? seconds : 0);
-            bodies.active[body] = surroundings.active(narrow.turnedHull(body), place, way);
+            bodies.active[body] = surroundings.active(narrow.turnedHull(body), place, path);
             if (changed && (bodies.active[body] | last.active(body)) != 0) {
                 bodies.wake(body);
             }
@@ -74,8 +74,8 @@ final class PortalContacts {
         }
         for (int i = 0; i < influences.characters(); i++) {
             BodyInfluences.Character c = influences.characterList().get(i);
-            c.velocity.mul(seconds, way);
-            characterMasks[i] = surroundings.active(c.upright, c.centre, way);
+            c.velocity.mul(seconds, path);
+            characterMasks[i] = surroundings.active(c.upright, c.centre, path);
             addImages(bodies.count + i, characterMasks[i], motions, seconds);
         }
     }
@@ -94,18 +94,18 @@ final class PortalContacts {
             System.arraycopy(poses.half, 3 * owner, poses.half, 3 * image, 3);
             for (int axis = 0; axis < 9; axis += 3) {
                 int from = 9 * owner + axis;
-                way.set(poses.axes[from], poses.axes[from + 1], poses.axes[from + 2]);
-                transform.direction(way);
-                poses.axes[9 * image + axis] = way.x;
-                poses.axes[9 * image + axis + 1] = way.y;
-                poses.axes[9 * image + axis + 2] = way.z;
+                path.set(poses.axes[from], poses.axes[from + 1], poses.axes[from + 2]);
+                transform.direction(path);
+                poses.axes[9 * image + axis] = path.x;
+                poses.axes[9 * image + axis + 1] = path.y;
+                poses.axes[9 * image + axis + 2] = path.z;
             }
             double[] v = motions.velocity;
-            way.set(v[6 * owner + 3], v[6 * owner + 4], v[6 * owner + 5]);
-            double turned = way.length() * seconds * poses.radius(owner);
-            way.set(v[6 * owner], v[6 * owner + 1], v[6 * owner + 2]);
-            transform.direction(way).mul(seconds);
-            poses.bound(image, way.x, way.y, way.z, turned, 2 * ContactSearch.REACH_METRES);
+            path.set(v[6 * owner + 3], v[6 * owner + 4], v[6 * owner + 5]);
+            double turned = path.length() * seconds * poses.radius(owner);
+            path.set(v[6 * owner], v[6 * owner + 1], v[6 * owner + 2]);
+            transform.direction(path).mul(seconds);
+            poses.bound(image, path.x, path.y, path.z, turned, 2 * ContactSearch.REACH_METRES);
         }
     }
 

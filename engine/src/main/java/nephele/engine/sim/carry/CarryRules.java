@@ -11,11 +11,11 @@ import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.PathTrace;
 import nephele.engine.portal.PathTrace.End;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -79,7 +79,7 @@ public final class CarryRules {
     HeldBody reach(SimState state, PortalWorld space) {
         Portals portals = space.portals();
         bodies.at(state.world().bodies(), portals);
-        var sight = new LineOfSight(portals, (from, way) -> bodies.free(from, way, space.free(from, way)));
+        var sight = new LineOfSight(portals, (from, path) -> bodies.free(from, path, space.free(from, path)));
         state.player().ahead(point).mul(REACH_METRES);
         End end = sight.look(state.player(), point.add(state.player().eye(new Vector3d())));
         if (end != End.BLOCKED || bodies.met() == BodyObstruction.NOTHING) {

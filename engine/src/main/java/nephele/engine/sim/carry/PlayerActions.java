@@ -9,10 +9,8 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -20,6 +18,7 @@ import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 
 /**
  * Executes the actions of gun and hands, at the start of a tick. An action counts only if it was not held in the tick
@@ -29,12 +28,12 @@ public final class PlayerActions {
     static final double HEAVIEST_KILOGRAMS = 50;
 
     private final SimLevel level;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     private final PortalShots shots;
     private final CarryRules carry;
     private final PortalOccupants occupants;
 
-    public PlayerActions(SimLevel level, PortalWorldCache worlds, SimSettings settings) {
+    public PlayerActions(SimLevel level, PortalWorld.Cache worlds, SimSettings settings) {
         double secondsPerTick = 1.0 / settings.ticksPerSecond();
         this.level = level;
         this.worlds = worlds;

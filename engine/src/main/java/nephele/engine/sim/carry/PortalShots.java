@@ -61,9 +61,9 @@ final class PortalShots {
     /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
     private static ShotRay aim(PlayerState player, Portals portals) {
         Vector3d centre = player.centre(new Vector3d());
-        Vector3d way = player.eye(new Vector3d()).sub(centre);
+        Vector3d path = player.eye(new Vector3d()).sub(centre);
         var toEye = new PathTrace(portals, Obstacles.NONE);
-        toEye.trace(centre, way);
+        toEye.trace(centre, path);
         Basis view = player.view();
         return new ShotRay(
                 Vec3.of(toEye.place()),
@@ -77,12 +77,12 @@ final class PortalShots {
     /** Returns where a shot hits another portal that stands free of any wall, {@code null} if it hits none. */
     private static Vec3 portalInTheWay(ShotRay aim, int own, PortalWorld space) {
         Vector3d eye = aim.eye().toVector();
-        Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
-        way.mul(space.free(eye, way));
-        Vector3d end = new Vector3d(eye).add(way);
-        way.mul(Math.max(0, 1 - IN_WALL_METRES / way.length()));
+        Vector3d path = aim.direction().toVector().mul(FARTHEST_METRES);
+        path.mul(space.free(eye, path));
+        Vector3d end = new Vector3d(eye).add(path);
+        path.mul(Math.max(0, 1 - IN_WALL_METRES / path.length()));
         var crossing = new PortalCrossing();
-        boolean meets = crossing.find(space.portals(), eye, way, new Vector3d(), 1);
+        boolean meets = crossing.find(space.portals(), eye, path, new Vector3d(), 1);
         boolean isInTheWay = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
         return isInTheWay ? Vec3.of(crossing.place()) : null;
     }

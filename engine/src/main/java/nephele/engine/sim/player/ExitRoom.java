@@ -93,7 +93,7 @@ final class ExitRoom {
         easing.fma(Math.max(0, least - easing.dot(along)), along);
     }
 
-    /** Removes a share of a vector from the velocity; {@code dot} is the scalar product of both that is taken out. */
+    /** Removes a fraction of a vector from the velocity; {@code dot} is the scalar product of both that is taken out. */
     private void remove(Vector3dc vector, double dot) {
         double square = vector.lengthSquared();
         if (square > 0) {

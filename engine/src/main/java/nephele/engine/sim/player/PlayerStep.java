@@ -61,7 +61,7 @@ public final class PlayerStep {
     private final ExitRoom exitRoom = new ExitRoom();
     private final Depenetration depenetration = new Depenetration();
     private final PlayerMotion player = new PlayerMotion();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private final Vector3d head = new Vector3d();
     private final Vector3d raised = new Vector3d();
 
@@ -146,8 +146,8 @@ public final class PlayerStep {
         }
         double rise = wanted.heightMetres() - player.stance().heightMetres();
         var up = player.tilt().up();
-        way.set(up.x() * rise, up.y() * rise, up.z() * rise);
-        if (wantsCrouch || !mover.isBlocked(player.shape(), player.place, way)) {
+        path.set(up.x() * rise, up.y() * rise, up.z() * rise);
+        if (wantsCrouch || !mover.isBlocked(player.shape(), player.place, path)) {
             player.change(wanted);
         }
     }
@@ -155,13 +155,13 @@ public final class PlayerStep {
     /** Pushes the player out of solids, a little each tick. Returns false while it is still inside. */
     private boolean recover() {
         RoundedHull shape = player.shape();
-        depenetration.find(mover.world(shape, player.place), shape, player.place, way);
-        double needed = way.length();
+        depenetration.find(mover.world(shape, player.place), shape, player.place, path);
+        double needed = path.length();
         if (needed == 0) {
             return true;
         }
         double pushed = Math.min(needed, PlayerDimensions.DEPENETRATION_METRES_PER_TICK);
-        player.place.add(way.mul(pushed / needed));
+        player.place.add(path.mul(pushed / needed));
         if (pushed < needed) {
             player.velocity.zero();
             player.grounded = false;
@@ -215,10 +215,10 @@ public final class PlayerStep {
         if (mover.active() == 0) {
             return true;
         }
-        way.set(player.velocity).mul(TURN_AHEAD_SECONDS);
-        mover.isBlocked(player.shape(), player.place, way);
+        path.set(player.velocity).mul(TURN_AHEAD_SECONDS);
+        mover.isBlocked(player.shape(), player.place, path);
         double free = mover.lastSweep().fraction();
-        mover.isBlocked(turned, player.place, way);
+        mover.isBlocked(turned, player.place, path);
         return mover.lastSweep().fraction() >= free;
     }
 
@@ -232,7 +232,7 @@ public final class PlayerStep {
             return false;
         }
         raised.set(player.place);
-        if (mover.advanceUntilHit(player.shape(), raised, way.set(0, rise, 0))) {
+        if (mover.advanceUntilHit(player.shape(), raised, path.set(0, rise, 0))) {
             return false;
         }
         boolean free = depenetration.isFree(mover.world(turned, raised), turned, raised);
@@ -254,18 +254,18 @@ public final class PlayerStep {
     private void ease(Portal exit, PlayerInput input) {
         player.intend(input);
         RoundedHull shape = player.shape();
-        exitRoom.easing(player, exit, mover.world(shape, player.place)).mul(seconds, way);
-        if (way.lengthSquared() == 0) {
+        exitRoom.easing(player, exit, mover.world(shape, player.place)).mul(seconds, path);
+        if (path.lengthSquared() == 0) {
             return;
         }
         if (!player.grounded) {
-            mover.slide(shape, player.place, way);
+            mover.slide(shape, player.place, path);
             return;
         }
         head.set(player.place);
-        boolean stands = walk.walk(shape, player.place, way, player.ground);
-        way.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
-        if (stands && mover.isBlocked(HEAD, player.place, way)) {
+        boolean stands = walk.walk(shape, player.place, path, player.ground);
+        path.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
+        if (stands && mover.isBlocked(HEAD, player.place, path)) {
             player.ground.set(walk.ground());
         } else {
             player.place.set(head);
@@ -282,7 +282,7 @@ public final class PlayerStep {
         player.intend(input);
         boolean isLed = walkIn != null && walkIn.lead(player, portals, seconds);
         Vector3d velocity = player.velocity;
-        way.set(
+        path.set(
                 groundDamping.displacement(velocity.x, player.intent.x),
                 0,
                 groundDamping.displacement(velocity.z, player.intent.z));
@@ -292,14 +292,14 @@ public final class PlayerStep {
                 groundDamping.approach(velocity.z, player.intent.z));
         if (player.intent.lengthSquared() == 0 && velocity.length() < AT_REST_METRES_PER_SECOND) {
             velocity.zero();
-            way.zero();
+            path.zero();
         }
         mover.pushes().intent(velocity);
         double height = player.place.y;
-        double slope = -(player.ground.x * way.x + player.ground.z * way.z) / player.ground.y;
+        double slope = -(player.ground.x * path.x + player.ground.z * path.z) / player.ground.y;
         player.grounded = isLed
-                ? walk.walkOverFrames(player.shape(), player.place, way, player.ground)
-                : walk.walk(player.shape(), player.place, way, player.ground);
+                ? walk.walkOverFrames(player.shape(), player.place, path, player.ground)
+                : walk.walk(player.shape(), player.place, path, player.ground);
         player.ground.set(walk.ground());
         walk.walls().removeComponentsInto(velocity);
         smoothEye(player.place.y - height - slope);
@@ -313,11 +313,11 @@ public final class PlayerStep {
         player.eye = Math.max(PlayerDimensions.RADIUS_METRES, player.eye - suddenRise);
         double inHead = player.stance().heightMetres() - HEAD_RADIUS_METRES;
         if (player.eye > inHead) {
-            way.set(0, player.eye - inHead, 0);
+            path.set(0, player.eye - inHead, 0);
             double headAboveCentre = inHead - player.stance().centreAboveFeet();
             head.set(player.place.x, player.place.y + headAboveCentre, player.place.z);
-            mover.isBlocked(HEAD, head, way);
-            player.eye = inHead + mover.lastSweep().fraction() * way.y;
+            mover.isBlocked(HEAD, head, path);
+            player.eye = inHead + mover.lastSweep().fraction() * path.y;
         }
     }
 
@@ -326,24 +326,24 @@ public final class PlayerStep {
      * target) exp(−k t), with the displacement target · t + (v₀ − target)(1 − exp(−k t)) / k. It never overshoots, and two
      * half ticks equal a whole one.
      *
-     * @param share 1 − exp(−k t), the fraction of the difference that a tick removes
-     * @param wayPerSpeed (1 − exp(−k t)) / k, in seconds
+     * @param fraction 1 − exp(−k t), the part of the difference that a tick removes
+     * @param displacementPerSpeed (1 − exp(−k t)) / k, in seconds
      * @param seconds the tick's length
      */
-    public record ExponentialApproach(double share, double wayPerSpeed, double seconds) {
+    public record ExponentialApproach(double fraction, double displacementPerSpeed, double seconds) {
         public static ExponentialApproach of(double ratePerSecond, double seconds) {
-            double share = -StrictMath.expm1(-ratePerSecond * seconds);
-            return new ExponentialApproach(share, ratePerSecond > 0 ? share / ratePerSecond : seconds, seconds);
+            double fraction = -StrictMath.expm1(-ratePerSecond * seconds);
+            return new ExponentialApproach(fraction, ratePerSecond > 0 ? fraction / ratePerSecond : seconds, seconds);
         }
 
         /** Returns the value after the tick. */
         public double approach(double value, double target) {
-            return target + (value - target) * (1 - share);
+            return target + (value - target) * (1 - fraction);
         }
 
         /** Returns the integral of the value over the tick. */
         public double displacement(double value, double target) {
-            return target * seconds + (value - target) * wayPerSpeed;
+            return target * seconds + (value - target) * displacementPerSpeed;
         }
     }
 }

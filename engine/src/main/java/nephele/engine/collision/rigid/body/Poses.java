@@ -101,12 +101,12 @@ public final class Poses {
         bound(shape, 2, wayZ, turned, margin);
     }
 
-    private void bound(int shape, int axis, double way, double turned, double margin) {
+    private void bound(int shape, int axis, double path, double turned, double margin) {
         double still = extent(shape, axis);
         double reach = Math.max(still, Math.min(still + turned, radius(shape))) + margin;
         double c = centre[3 * shape + axis];
-        bounds[6 * shape + axis] = c - reach + Math.min(0, way);
-        bounds[6 * shape + 3 + axis] = c + reach + Math.max(0, way);
+        bounds[6 * shape + axis] = c - reach + Math.min(0, path);
+        bounds[6 * shape + 3 + axis] = c + reach + Math.max(0, path);
     }
 
     public boolean overlap(int a, int b) {

@@ -17,8 +17,8 @@ final class ContactSolver {
     /** Greatest bias velocity that reduces overlap. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** Share of the overlap that a substep corrects. */
-    private static final double PUSH_SHARE = 0.1;
+    /** Fraction of the overlap that a substep corrects. */
+    private static final double PUSH_FRACTION = 0.1;
 
     private static final double BOUNCE_ABOVE_METRES_PER_SECOND = 0.3;
 
@@ -184,7 +184,7 @@ final class ContactSolver {
             if (gap > 0) {
                 aim[i] = gap * perSecond;
             } else if (push) {
-                aim[i] = Math.max(PUSH_SHARE * perSecond * Math.min(0, gap + slop), -PUSH_METRES_PER_SECOND);
+                aim[i] = Math.max(PUSH_FRACTION * perSecond * Math.min(0, gap + slop), -PUSH_METRES_PER_SECOND);
             } else {
                 aim[i] = 0;
             }
@@ -325,12 +325,12 @@ final class ContactSolver {
         }
     }
 
-    /** Applies Newton's restitution once, after the substeps: surfaces separate at a share of their approach speed. */
+    /** Applies Newton's restitution once, after the substeps: surfaces separate at a fraction of their approach speed. */
     void bounce() {
         double[] rows = contacts.rows;
         for (int m = 0; m < contacts.count; m++) {
-            double share = contacts.head[ContactRows.HEAD * m + ContactRows.RESTITUTION];
-            if (share == 0) {
+            double fraction = contacts.head[ContactRows.HEAD * m + ContactRows.RESTITUTION];
+            if (fraction == 0) {
                 continue;
             }
             load(m);
@@ -342,7 +342,7 @@ final class ContactSolver {
                     continue;
                 }
                 double now = rows[r + ContactRows.IMPULSE];
-                double speed = speed(contacts.head, h, rows, r) + share * approach;
+                double speed = speed(contacts.head, h, rows, r) + fraction * approach;
                 double impulse = Math.max(0, now - rows[r + ContactRows.ROW_MASS] * speed);
                 rows[r + ContactRows.IMPULSE] = impulse;
                 apply(contacts.head, h, rows, r + 6, m, impulse - now);

@@ -8,8 +8,8 @@ import java.util.Arrays;
  * normal. Reused.
  */
 final class IslandRows {
-    /** Compliance of a row as a share of its reciprocal effective mass: almost rigid, yet far above rounding. */
-    static final double COMPLIANCE_SHARE = 1e-8;
+    /** Compliance of a row as a fraction of its reciprocal effective mass: almost rigid, yet far above rounding. */
+    static final double COMPLIANCE_FRACTION = 1e-8;
 
     /** Six doubles for each of the two bodies. */
     static final int JACOBIAN = 12;
@@ -66,7 +66,7 @@ final class IslandRows {
             int r = ContactRows.ROW * (contacts.first[m] + i);
             writeRow(h + ContactRows.N_A, from, r, a, b);
             bias[rows] = from[r + ContactRows.IMPULSE];
-            stiffness[rows++] = from[r + ContactRows.ROW_MASS] / COMPLIANCE_SHARE;
+            stiffness[rows++] = from[r + ContactRows.ROW_MASS] / COMPLIANCE_FRACTION;
         }
         double grip = Math.min(head[h + ContactRows.MASS], head[h + ContactRows.MASS + 1]);
         writeRow(h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR, a, b);
@@ -81,7 +81,7 @@ final class IslandRows {
     private void finishFriction(int h, int row, double effectiveMass) {
         bias[rows] = contacts.head[h + ContactRows.FRICTION_IMPULSE + row];
         target[rows] = 0;
-        stiffness[rows++] = effectiveMass / COMPLIANCE_SHARE;
+        stiffness[rows++] = effectiveMass / COMPLIANCE_FRACTION;
     }
 
     private void writeRow(int linear, double[] angular, int at, int a, int b) {

@@ -42,7 +42,7 @@ final class IslandSystem {
     private final double[] stepMomentum = new double[6 * BlockCholesky.MOST_NODES];
     private final double[] zero = new double[6 * BlockCholesky.MOST_NODES];
 
-    /** Curvature at the share of the last call of {@link #slope}. */
+    /** Curvature at the fraction of the last call of {@link #slope}. */
     double curvature;
 
     IslandSystem(ContactRows contacts, SolverState motions, BlockCholesky matrix) {
@@ -256,34 +256,34 @@ final class IslandSystem {
         }
     }
 
-    /** Returns the derivative of the function at a share of the step. */
-    double slope(double share) {
-        double slope = slope0 + share * curvature0;
+    /** Returns the derivative of the function at a fraction of the step. */
+    double slope(double fraction) {
+        double slope = slope0 + fraction * curvature0;
         curvature = curvature0;
         for (int c = 0; c < rows.manifolds; c++) {
             int friction = rows.firstRow[c] + rows.points(c);
             for (int row = rows.firstRow[c]; row < friction; row++) {
                 double d = change[row];
-                double pressed = rows.bias[row] - rows.stiffness[row] * (speed[row] + share * d - rows.target[row]);
+                double pressed = rows.bias[row] - rows.stiffness[row] * (speed[row] + fraction * d - rows.target[row]);
                 if (pressed > 0) {
                     slope -= pressed * d;
                     curvature += rows.stiffness[row] * d * d;
                 }
             }
-            slope -= frictionSlope(c, friction, share);
+            slope -= frictionSlope(c, friction, fraction);
         }
         return slope;
     }
 
-    private double frictionSlope(int c, int row, double share) {
+    private double frictionSlope(int c, int row, double fraction) {
         if (rows.bound[c] == 0) {
             return 0;
         }
         double k = rows.stiffness[row];
         double du = change[row];
         double dw = change[row + 1];
-        double u = rows.bias[row] - k * (speed[row] + share * du);
-        double w = rows.bias[row + 1] - k * (speed[row + 1] + share * dw);
+        double u = rows.bias[row] - k * (speed[row] + fraction * du);
+        double w = rows.bias[row + 1] - k * (speed[row + 1] + fraction * dw);
         double length = Math.sqrt(u * u + w * w);
         double scale = length > rows.bound[c] ? rows.bound[c] / length : 1;
         if (scale == 1) {
@@ -294,7 +294,7 @@ final class IslandSystem {
         }
         double dt = change[row + 2];
         double most = rows.turnBound(c);
-        double turn = rows.bias[row + 2] - rows.stiffness[row + 2] * (speed[row + 2] + share * dt);
+        double turn = rows.bias[row + 2] - rows.stiffness[row + 2] * (speed[row + 2] + fraction * dt);
         if (Math.abs(turn) <= most) {
             curvature += rows.stiffness[row + 2] * dt * dt;
         } else {
@@ -303,13 +303,13 @@ final class IslandSystem {
         return scale * (u * du + w * dw) + turn * dt;
     }
 
-    /** Applies a share of the step. */
-    void go(double[] step, double share) {
+    /** Applies a fraction of the step. */
+    void go(double[] step, double fraction) {
         for (int i = 0; i < 6 * nodes; i++) {
-            velocity[i] += share * step[i];
+            velocity[i] += fraction * step[i];
         }
         for (int row = 0; row < rows.rows; row++) {
-            speed[row] += share * change[row];
+            speed[row] += fraction * change[row];
         }
     }
 }
