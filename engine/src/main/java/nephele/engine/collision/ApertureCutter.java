@@ -29,7 +29,7 @@ final class ApertureCutter {
 
     private final CollisionWorld statics;
     private final Portals portals;
-    /** How far the ground around each portal lies below it, {@link GroundStep}; NaN before it is asked for. */
+    /** The height of each portal above the ground around it, {@link GroundStep}; NaN before it is asked for. */
     private final double[] groundSteps;
 
     private final ItemList found = new ItemList();

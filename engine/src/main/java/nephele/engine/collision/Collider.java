@@ -240,6 +240,16 @@ public final class Collider implements SupportPoints {
         return true;
     }
 
+    /** Returns three numbers for each vertex, relative to the centre; the caller must not change them. */
+    double[] vertices() {
+        return vertices;
+    }
+
+    /** Returns four numbers for each face, as {@link #plane} gives them. */
+    double[] planes() {
+        return planes;
+    }
+
     int faces() {
         return planes.length / 4;
     }

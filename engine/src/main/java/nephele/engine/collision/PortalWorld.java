@@ -8,7 +8,6 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
-import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.ground.GroundStep;
 import org.joml.Vector3dc;
@@ -56,18 +55,18 @@ public final class PortalWorld {
     }
 
     private static Portals withValidExits(CollisionWorld statics, Portals portals) {
-        List<Portal> all = new ArrayList<>();
-        List<Integer> partners = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>(portals.partners());
         boolean changed = false;
         for (int i = 0; i < portals.size(); i++) {
             int partner = portals.partner(i);
             boolean closed =
                     partner != Portals.CLOSED && !(isValid(statics, portals, i) && isValid(statics, portals, partner));
-            changed |= closed;
-            all.add(portals.portal(i));
-            partners.add(closed ? Portals.CLOSED : partner);
+            if (closed) {
+                changed = true;
+                partners.set(i, Portals.CLOSED);
+            }
         }
-        return changed ? new Portals(all, partners) : portals;
+        return changed ? new Portals(portals.all(), partners) : portals;
     }
 
     private static boolean isValid(CollisionWorld statics, Portals portals, int index) {

@@ -46,7 +46,7 @@ final class EditContinuation {
                     "the edited level has " + level.bodies().size() + " bodies, the game "
                             + around.bodies().size() + ": begin it anew");
         }
-        List<Portal> all = fixed();
+        List<Portal> all = new ArrayList<>(level.portals().all());
         GunPortals now = GunPortals.NONE;
         GunPortals.Colour earlier = around.shots().earlier();
         now = add(kept(earlier, around), earlier, now, all);
@@ -56,14 +56,6 @@ final class EditContinuation {
         return settled == null ? null : moved(settled, now, before.portals(), after.portals());
     }
 
-    private List<Portal> fixed() {
-        List<Portal> fixed = new ArrayList<>();
-        for (int i = 0; i < level.portals().size(); i++) {
-            fixed.add(level.portals().portal(i));
-        }
-        return fixed;
-    }
-
     /** Returns a shot's portal if it is still valid, else {@code null}. */
     private Portal kept(GunPortals.Colour shot, WorldState around) {
         int index = around.shots().portal(shot);
@@ -71,7 +63,7 @@ final class EditContinuation {
             return null;
         }
         Portal portal = around.portals().portal(index);
-        return level.gun().holds(portal, fixed()) ? portal : null;
+        return level.gun().holds(portal, level.portals().all()) ? portal : null;
     }
 
     private static GunPortals add(Portal portal, GunPortals.Colour shot, GunPortals shots, List<Portal> to) {
@@ -83,9 +75,9 @@ final class EditContinuation {
     }
 
     private List<Integer> partners(int size, GunPortals shots) {
-        List<Integer> partners = new ArrayList<>();
-        for (int i = 0; i < size; i++) {
-            partners.add(i < level.portals().size() ? level.portals().partner(i) : Portals.CLOSED);
+        List<Integer> partners = new ArrayList<>(level.portals().partners());
+        while (partners.size() < size) {
+            partners.add(Portals.CLOSED);
         }
         if (shots.first() != GunPortals.UNFIRED && shots.second() != GunPortals.UNFIRED) {
             partners.set(shots.first(), shots.second());

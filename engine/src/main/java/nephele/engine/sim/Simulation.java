@@ -44,10 +44,10 @@ import org.joml.Vector3dc;
  * the state. Not thread-safe: the working set is reused.
  */
 public final class Simulation {
-    /** What is this far below all static geometry has left the world: the player starts again. */
+    /** The distance below all static geometry at which something has left the world: a player starts again. */
     public static final double FALL_METRES = 50;
 
-    /** In m/s. A player that is pushed upwards faster than this leaves the ground. */
+    /** The speed in m/s above which a player that is pushed upwards leaves the ground. */
     private static final double LIFTING_METRES_PER_SECOND = 0.5;
 
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0);

@@ -40,7 +40,8 @@ final class ContactSearch {
     private final SolverState motions;
     private final ContactRows rows;
     private final NarrowPhase narrow;
-    private final SweepAndPrune pairs = new SweepAndPrune();
+    private final SweepAndPrune sweepAndPrune = new SweepAndPrune();
+    private final ItemList pairs = new ItemList();
     private final ContactCache.Index memory = new ContactCache.Index();
     private ContactCache last = ContactCache.NONE;
     private final Manifold manifold = new Manifold();
@@ -89,7 +90,10 @@ final class ContactSearch {
             anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;
         }
         if (anyAsleep) {
-            pairs.visit(poses, this::wakePair);
+            sweepAndPrune.find(poses, pairs);
+            for (int i = 0; i < pairs.size(); i += 2) {
+                wakePair(pairs.get(i), pairs.get(i + 1));
+            }
         }
         return woke;
     }
@@ -119,16 +123,17 @@ final class ContactSearch {
      */
     private boolean reaches(int a, int b, int sleeper) {
         double[] m = motions.velocity;
-        int v = 6 * poses.owner[sleeper == a ? b : a];
+        int v = SolverState.STRIDE * poses.owner[sleeper == a ? b : a];
+        int w = v + SolverState.ANGULAR;
         double towards = sleeper == a ? seconds : -seconds;
         for (int i = 0; i < manifold.count; i++) {
             for (int axis = 0; axis < 3; axis++) {
                 double fromMover = sleeper == a ? poses.centre[3 * b + axis] - poses.centre[3 * a + axis] : 0;
                 relative[axis] = manifold.point[3 * i + axis] - fromMover;
             }
-            double x = m[v] + m[v + 4] * relative[2] - m[v + 5] * relative[1];
-            double y = m[v + 1] + m[v + 5] * relative[0] - m[v + 3] * relative[2];
-            double z = m[v + 2] + m[v + 3] * relative[1] - m[v + 4] * relative[0];
+            double x = m[v] + m[w + 1] * relative[2] - m[w + 2] * relative[1];
+            double y = m[v + 1] + m[w + 2] * relative[0] - m[w] * relative[2];
+            double z = m[v + 2] + m[w] * relative[1] - m[w + 1] * relative[0];
             double path = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
             if (manifold.separation[i] <= path + WAKING_METRES) {
                 return true;
@@ -168,8 +173,8 @@ final class ContactSearch {
 
     /** Returns the distance below which surfaces matter in this tick. */
     private double reach(int a, int b) {
-        int u = 6 * poses.owner[a];
-        int v = 6 * poses.owner[b];
+        int u = SolverState.STRIDE * poses.owner[a];
+        int v = SolverState.STRIDE * poses.owner[b];
         double[] m = motions.velocity;
         System.arraycopy(m, v, relative, 0, 3);
         if (poses.through[b] >= 0) {
@@ -192,14 +197,14 @@ final class ContactSearch {
 
     private double reach(int body) {
         double[] m = motions.velocity;
-        int u = 6 * body;
+        int u = SolverState.STRIDE * body;
         double path = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
         return reach(poses.leastHalf(body), path);
     }
 
     private double turning(int shape) {
         double[] m = motions.velocity;
-        int w = 6 * poses.owner[shape] + 3;
+        int w = SolverState.STRIDE * poses.owner[shape] + SolverState.ANGULAR;
         double square = m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2];
         return square < 1e-12 ? 0 : Math.sqrt(square) * poses.radius(shape);
     }
@@ -224,7 +229,10 @@ final class ContactSearch {
         }
         firstWithSolid[bodies.count] = rows.count;
         poses.count = shapes;
-        pairs.visit(poses, this::pair);
+        sweepAndPrune.find(poses, pairs);
+        for (int i = 0; i < pairs.size(); i += 2) {
+            addPair(pairs.get(i), pairs.get(i + 1));
+        }
     }
 
     /** Returns true if the solver has contacts of a body and a solid of its world. */
@@ -254,7 +262,7 @@ final class ContactSearch {
     }
 
     private void withStatics(int body, CollisionWorld world, int scratch) {
-        world.overlapping(poses.bounds, 6 * body, near);
+        world.overlapping(poses.bounds, Poses.BOUNDS * body, near);
         double reach = reach(body);
         for (int i = 0; i < near.size(); i++) {
             Collider solid = world.collider(near.get(i));
@@ -274,7 +282,7 @@ final class ContactSearch {
     }
 
     /** Makes rows for a pair. The first shape is real, the second may be an image: images come last. */
-    private void pair(int a, int b) {
+    private void addPair(int a, int b) {
         int ownerA = poses.owner[a];
         int ownerB = poses.owner[b];
         boolean bodyA = ownerA < bodies.count;

@@ -138,7 +138,7 @@ final class ContinuousCollision {
 
     private RoundedHull turnedInto(int body, int boxBody) {
         for (int i = 0; i < 9; i++) {
-            axes[i] = dot(9 * body + 3 * (i / 3), 9 * boxBody + 3 * (i % 3));
+            axes[i] = dot(Poses.AXES * body + 3 * (i / 3), Poses.AXES * boxBody + 3 * (i % 3));
         }
         return narrow.turnedBy(body, axes);
     }
@@ -259,13 +259,13 @@ final class ContinuousCollision {
         away.zero();
         for (int axis = 0; axis < 3; axis++) {
             double part = separation.normal().get(axis);
-            int at = 9 * other + 3 * axis;
+            int at = Poses.AXES * other + 3 * axis;
             away.add(part * poses.axes[at], part * poses.axes[at + 1], part * poses.axes[at + 2]);
         }
     }
 
     private double local(int axis, double x, double y, double z) {
-        int at = 9 * other + 3 * axis;
+        int at = Poses.AXES * other + 3 * axis;
         return poses.axes[at] * x + poses.axes[at + 1] * y + poses.axes[at + 2] * z;
     }
 }

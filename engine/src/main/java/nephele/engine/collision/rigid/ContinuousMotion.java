@@ -64,15 +64,15 @@ final class ContinuousMotion {
     private int offset;
     private State state;
     private final Vector3d place = new Vector3d();
-    /** In metres per unit of time: seconds for a body without contacts, the whole part of a tick for others. */
+    /** The velocity, metres per second for a body without contacts, metres per part of a tick for others. */
     private final Vector3d velocity = new Vector3d();
-    /** The acceleration in the same unit. */
+    /** The acceleration in the same unit of time. */
     private final Vector3d pull = new Vector3d();
     /** The time left. */
     private double left;
     /** For each crossing of the tick, the fraction of the time that remained after it. */
     private final double[] fractionBeyond = new double[BodyPortalState.MOST];
-    /** In {@link State#BLOCKED}: the work of gravity per kilogram over the blocked displacement, m²/s². */
+    /** The work of gravity per kilogram over the blocked displacement, m²/s²; valid in {@link State#BLOCKED}. */
     private double blockedWork;
 
     // Scratch of one method each.
@@ -312,7 +312,7 @@ final class ContinuousMotion {
 
     /** Returns the fraction of the displacement that is free of solids, bodies and characters. */
     private double freeFraction() {
-        System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
+        System.arraycopy(poses.axes, Poses.AXES * body, axes, 0, 9);
         boolean hasCrossed = bodies.hasCrossed(body);
         if (hasCrossed) {
             int q = offset + Bodies.ORIENTATION;
@@ -337,7 +337,7 @@ final class ContinuousMotion {
                             depth,
                             solid -> isSameWorld && search.metSolid(body, solid)));
         }
-        System.arraycopy(axes, 0, poses.axes, 9 * body, 9);
+        System.arraycopy(axes, 0, poses.axes, Poses.AXES * body, 9);
         return free;
     }
 }

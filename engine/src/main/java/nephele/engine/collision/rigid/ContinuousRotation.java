@@ -135,7 +135,7 @@ final class ContinuousRotation {
         if (!isFast()) {
             return;
         }
-        System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
+        System.arraycopy(poses.axes, Poses.AXES * body, axes, 0, 9);
         readSpinInBody();
         boolean turns = fit(Math.min(MOST_DEPTH_METRES, poses.leastHalf(body) / 2));
         writeSpinInBody();
@@ -144,7 +144,7 @@ final class ContinuousRotation {
             // from stopping the body.
             Arrays.fill(motion, at + Bodies.SPIN, at + Bodies.STRIDE, 0);
         }
-        System.arraycopy(axes, 0, poses.axes, 9 * body, 9);
+        System.arraycopy(axes, 0, poses.axes, Poses.AXES * body, 9);
     }
 
     /** Returns true if a corner may have moved so far that the body could have got through something. */

@@ -195,7 +195,7 @@ public final class RigidStep {
             driven[body] = bodies.rest[body] != Bodies.FROZEN;
             if (driven[body]) {
                 bodies.rest[body] = 0;
-                for (int k = 0; k < 6; k++) {
+                for (int k = 0; k < SolverState.STRIDE; k++) {
                     bodies.motion[Bodies.STRIDE * body + Bodies.VELOCITY + k] = influences.drive(i, k);
                 }
             }
@@ -209,16 +209,18 @@ public final class RigidStep {
         for (int body = 0; body < count; body++) {
             poses.add(table.kind(body), body, -1);
             int at = Bodies.STRIDE * body;
+            int q = at + Bodies.ORIENTATION;
+            int v = at + Bodies.VELOCITY;
             double[] m = bodies.motion;
             poses.place(body, m[at], m[at + 1], m[at + 2]);
             poses.halves(body, table.half(body, 0), table.half(body, 1), table.half(body, 2));
-            poses.turn(body, m[at + 3], m[at + 4], m[at + 5], m[at + 6]);
+            poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
             boolean awake = bodies.isAwake(body);
             poses.bound(
                     body,
-                    awake ? m[at + 7] * seconds + gravity.x() * fall : 0,
-                    awake ? m[at + 8] * seconds + gravity.y() * fall : 0,
-                    awake ? m[at + 9] * seconds + gravity.z() * fall : 0,
+                    awake ? m[v] * seconds + gravity.x() * fall : 0,
+                    awake ? m[v + 1] * seconds + gravity.y() * fall : 0,
+                    awake ? m[v + 2] * seconds + gravity.z() * fall : 0,
                     awake ? turnedMetres(body, seconds) : 0,
                     ContactSearch.REACH_METRES);
         }
@@ -259,20 +261,26 @@ public final class RigidStep {
                 motions.turnInertia(
                         body,
                         poses.axes,
-                        9 * body,
+                        Poses.AXES * body,
                         table.inverseInertia(body, 0),
                         table.inverseInertia(body, 1),
                         table.inverseInertia(body, 2));
-                System.arraycopy(bodies.motion, Bodies.STRIDE * body + Bodies.VELOCITY, motions.velocity, 6 * body, 6);
+                System.arraycopy(
+                        bodies.motion,
+                        Bodies.STRIDE * body + Bodies.VELOCITY,
+                        motions.velocity,
+                        SolverState.STRIDE * body,
+                        SolverState.STRIDE);
             }
         }
         for (int i = 0; i < influences.characters(); i++) {
             BodyInfluences.Character c = influences.characterList().get(i);
             motions.keepUpright(count + i);
             motions.inverseMass[count + i] = 1 / c.massKilograms;
-            motions.velocity[6 * (count + i)] = c.velocity.x;
-            motions.velocity[6 * (count + i) + 1] = c.velocity.y;
-            motions.velocity[6 * (count + i) + 2] = c.velocity.z;
+            int v = SolverState.STRIDE * (count + i);
+            motions.velocity[v] = c.velocity.x;
+            motions.velocity[v + 1] = c.velocity.y;
+            motions.velocity[v + 2] = c.velocity.z;
         }
     }
 
@@ -310,7 +318,7 @@ public final class RigidStep {
 
     private void giveImpulses(BodyInfluences influences) {
         for (int i = 0; i < influences.characters(); i++) {
-            int v = 6 * (bodies.count + i);
+            int v = SolverState.STRIDE * (bodies.count + i);
             double[] m = motions.velocity;
             influences.characterList().get(i).give(m[v], m[v + 1], m[v + 2]);
         }
@@ -345,12 +353,12 @@ public final class RigidStep {
 
     /** Writes the speeds of rotation about each of the body's axes; returns the whole speed of rotation. */
     private double findAxisSpeeds(int body) {
-        int w = 6 * body + 3;
+        int w = SolverState.STRIDE * body + SolverState.ANGULAR;
         double[] v = motions.velocity;
         double[] x = poses.axes;
         double square = 0;
         for (int i = 0; i < 3; i++) {
-            int at = 9 * body + 3 * i;
+            int at = Poses.AXES * body + 3 * i;
             axisSpeeds[i] = Math.abs(v[w] * x[at] + v[w + 1] * x[at + 1] + v[w + 2] * x[at + 2]);
             square += axisSpeeds[i] * axisSpeeds[i];
         }

@@ -62,9 +62,9 @@ final class Sleep {
      * Counts each body's time at rest, and puts islands to sleep that have rested long enough.
      *
      * @param carried true for bodies with contact impulses in this step
-     * @param held true for held bodies
+     * @param driven true for bodies that a character holds
      */
-    void fallAsleep(boolean[] carried, boolean[] held, double seconds) {
+    void fallAsleep(boolean[] carried, boolean[] driven, double seconds) {
         islands.reset(bodies.count);
         for (int m = 0; m < rows.count; m++) {
             if (rows.slotA[m] < bodies.count && rows.slotB[m] < bodies.count && rows.carries(m)) {
@@ -73,7 +73,7 @@ final class Sleep {
         }
         for (int body = 0; body < bodies.count; body++) {
             if (bodies.isAwake(body)) {
-                boolean resting = carried[body] && !held[body] && isSlow(body);
+                boolean resting = carried[body] && !driven[body] && isSlow(body);
                 bodies.rest[body] = resting ? Math.min(1, bodies.rest[body] + (float) seconds) : 0;
             }
         }

@@ -60,7 +60,7 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
         return free(from, path, 1);
     }
 
-    /** Does the same for a line that something else ends at the fraction {@code most} of the path. */
+    /** Returns the part of a path before the first body, at most {@code most}, at which something else ends the line. */
     double free(Vector3dc from, Vector3dc path, double most) {
         nearest = most;
         met = NOTHING;

@@ -47,12 +47,12 @@ public final class CarryRules {
     private static final double DRIVE_METRES_PER_SECOND = 8;
 
     private static final double MAX_NEWTONS = 1500;
-    /** In m/s². It limits light bodies, which {@link #MAX_NEWTONS} alone would let jump. */
+    /** The greatest acceleration, m/s²: by {@link #MAX_NEWTONS} alone, light bodies would jump. */
     private static final double MAX_METRES_PER_SECOND_SQUARED = 120;
 
-    /** In rad/s. */
+    /** The greatest spin of a held body, rad/s. */
     private static final double MAX_RADIANS_PER_SECOND = 12;
-    /** In m/s; heavy bodies are limited by {@link #THROW_NEWTON_SECONDS}. */
+    /** The speed of a throw, m/s; that of heavy bodies follows from {@link #THROW_NEWTON_SECONDS}. */
     private static final double THROW_METRES_PER_SECOND = 8;
 
     private static final double THROW_NEWTON_SECONDS = 160;

@@ -49,11 +49,9 @@ final class PortalShots {
         if (blocked != null) {
             return new PlacementResult.Refused(Refusal.OVERLAPS_OTHER, blocked);
         }
-        List<Portal> others = new ArrayList<>();
-        for (int i = 0; i < around.portals().size(); i++) {
-            if (i != own) {
-                others.add(around.portals().portal(i));
-            }
+        List<Portal> others = new ArrayList<>(around.portals().all());
+        if (own != GunPortals.UNFIRED) {
+            others.remove(own);
         }
         return placement.place(shot.portalId(), aim, others, bodies.at(around.bodies(), space.portals()));
     }
@@ -101,12 +99,8 @@ final class PortalShots {
 
     /** Returns all portals after a shot: the fixed ones unchanged, the two of the gun linked. */
     static Portals portalsWith(Portal made, GunPortals.Colour shot, GunPortals shots, Portals before) {
-        List<Portal> portals = new ArrayList<>();
-        List<Integer> partners = new ArrayList<>();
-        for (int i = 0; i < before.size(); i++) {
-            portals.add(before.portal(i));
-            partners.add(before.partner(i));
-        }
+        List<Portal> portals = new ArrayList<>(before.all());
+        List<Integer> partners = new ArrayList<>(before.partners());
         int index = shots.portal(shot);
         if (index == portals.size()) {
             portals.add(made);

@@ -100,7 +100,7 @@ final class CharacterMover {
         return sweep.cast(bodies.around(active, shape, place, path), shape, place, path);
     }
 
-    /** Does the same as {@link #cast}, and records a hit body as a contact. */
+    /** Sweeps as {@link #cast} does, and records a hit body as a contact. */
     private boolean castAndRecord(RoundedHull shape, Vector3dc place, Vector3dc path) {
         boolean hit = cast(shape, place, path);
         if (hit && bodies.isBody(sweep.collider())) {

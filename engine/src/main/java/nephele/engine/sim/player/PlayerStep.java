@@ -27,10 +27,10 @@ import org.joml.Vector3d;
  * simulation.
  */
 public final class PlayerStep {
-    /** In m/s. A slower player without move intent stops, as the exponential would never end. */
+    /** The speed in m/s below which a player without move intent stops, as the exponential would never end. */
     private static final double AT_REST_METRES_PER_SECOND = 1e-4;
 
-    /** In metres. */
+    /** The radius of the sphere that keeps the eye clear of ceilings, metres. */
     private static final double HEAD_RADIUS_METRES = 0.1;
 
     private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS_METRES);

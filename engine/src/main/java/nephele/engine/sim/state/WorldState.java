@@ -183,10 +183,10 @@ public record WorldState(
      */
     public record FallState(
             PlayerState safe, PlayerState candidate, long candidateTick, long fellTick, long returnedTick) {
-        /** How long the player has to have ground under it. */
+        /** The time for which the player has to have ground under it. */
         public static final double STOOD_SECONDS = 0.5;
 
-        /** How long the picture takes to turn black during a fall, and how long to come back. */
+        /** The time in which the picture turns black during a fall, and in which it comes back. */
         public static final double FADE_SECONDS = 0.25;
 
         /** Stands for the absence of a tick. */
@@ -255,7 +255,7 @@ public record WorldState(
      * @param ticksLeft for how many ticks it still counts
      */
     public record Arrival(int portal, int ticksLeft) {
-        /** How long an arrival counts. */
+        /** The time for which an arrival counts. */
         public static final double SECONDS = 1;
 
         /** The state without the assist, which does not enter the hash. */

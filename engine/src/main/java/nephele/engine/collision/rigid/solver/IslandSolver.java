@@ -40,7 +40,7 @@ final class IslandSolver {
     private final BlockCholesky matrix = new BlockCholesky();
     private final IslandSystem system;
     private final IslandRows rows;
-    private final double[] step = new double[6 * BlockCholesky.MOST_NODES];
+    private final double[] step = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
     private int[] nodeOf = new int[0];
 
     IslandSolver(ContactRows contacts, SolverState motions) {
@@ -108,12 +108,22 @@ final class IslandSolver {
     void solve(Vec3 gravity, boolean[] weighs, double seconds) {
         for (int node = 0; node < system.nodes; node++) {
             int slot = system.slot[node];
-            System.arraycopy(motions.velocity, 6 * slot, system.free, 6 * node, 6);
-            System.arraycopy(motions.velocity, 6 * slot, system.velocity, 6 * node, 6);
+            System.arraycopy(
+                    motions.velocity,
+                    SolverState.STRIDE * slot,
+                    system.free,
+                    SolverState.STRIDE * node,
+                    SolverState.STRIDE);
+            System.arraycopy(
+                    motions.velocity,
+                    SolverState.STRIDE * slot,
+                    system.velocity,
+                    SolverState.STRIDE * node,
+                    SolverState.STRIDE);
             double fall = weighs[slot] ? seconds : 0;
-            system.free[6 * node] += fall * gravity.x();
-            system.free[6 * node + 1] += fall * gravity.y();
-            system.free[6 * node + 2] += fall * gravity.z();
+            system.free[SolverState.STRIDE * node] += fall * gravity.x();
+            system.free[SolverState.STRIDE * node + 1] += fall * gravity.y();
+            system.free[SolverState.STRIDE * node + 2] += fall * gravity.z();
         }
         boolean overlapping = setTargets(seconds, false);
         bound();
@@ -153,9 +163,9 @@ final class IslandSolver {
         }
         double fraction = Math.min(1, MOST_LEVER * greatest / fastest);
         for (int node = 0; node < system.nodes; node++) {
-            int at = 6 * system.slot[node];
-            for (int i = 0; i < 6; i++) {
-                double pushed = seconds * system.velocity[6 * node + i];
+            int at = SolverState.STRIDE * system.slot[node];
+            for (int i = 0; i < SolverState.STRIDE; i++) {
+                double pushed = seconds * system.velocity[SolverState.STRIDE * node + i];
                 motions.moved[at + i] += fraction * (pushed - motions.moved[at + i]);
             }
         }
@@ -190,8 +200,8 @@ final class IslandSolver {
     /** Moves by the mean of the velocities before and after: second order in time without impacts. */
     private void takeMeanWay(double seconds) {
         for (int node = 0; node < system.nodes; node++) {
-            int at = 6 * system.slot[node];
-            for (int i = at; i < at + 6; i++) {
+            int at = SolverState.STRIDE * system.slot[node];
+            for (int i = at; i < at + SolverState.STRIDE; i++) {
                 motions.moved[i] += (motions.velocity[i] * seconds - motions.moved[i]) / 2;
             }
         }
@@ -283,14 +293,14 @@ final class IslandSolver {
     }
 
     private void newtonStep() {
-        for (int k = 0; k < 6 * system.nodes; k++) {
+        for (int k = 0; k < SolverState.STRIDE * system.nodes; k++) {
             step[k] = -system.gradient[k];
         }
         matrix.solve(step);
     }
 
     private boolean isSmall() {
-        for (int k = 0; k < 6 * system.nodes; k++) {
+        for (int k = 0; k < SolverState.STRIDE * system.nodes; k++) {
             if (!(Math.abs(step[k]) < SETTLED_METRES_PER_SECOND)) {
                 return false;
             }
@@ -328,8 +338,9 @@ final class IslandSolver {
 
     private void write(double[] out, double factor) {
         for (int node = 0; node < system.nodes; node++) {
-            for (int i = 0; i < 6; i++) {
-                out[6 * system.slot[node] + i] = factor * system.velocity[6 * node + i];
+            for (int i = 0; i < SolverState.STRIDE; i++) {
+                out[SolverState.STRIDE * system.slot[node] + i] =
+                        factor * system.velocity[SolverState.STRIDE * node + i];
             }
         }
     }

@@ -129,16 +129,16 @@ public final class StepSolver {
     private void weigh(int slots, boolean[] weighs, double h) {
         for (int slot = 0; slot < slots; slot++) {
             if (stepped[slot] && weighs[slot]) {
-                motions.velocity[6 * slot] += gravity.x() * h;
-                motions.velocity[6 * slot + 1] += gravity.y() * h;
-                motions.velocity[6 * slot + 2] += gravity.z() * h;
+                motions.velocity[SolverState.STRIDE * slot] += gravity.x() * h;
+                motions.velocity[SolverState.STRIDE * slot + 1] += gravity.y() * h;
+                motions.velocity[SolverState.STRIDE * slot + 2] += gravity.z() * h;
             }
         }
     }
 
     private void advance(int slots, double h) {
         for (int slot = 0; slot < slots; slot++) {
-            for (int i = 6 * slot; stepped[slot] && i < 6 * slot + 6; i++) {
+            for (int i = SolverState.STRIDE * slot; stepped[slot] && i < SolverState.STRIDE * (slot + 1); i++) {
                 motions.moved[i] += h * motions.velocity[i];
             }
         }
