@@ -19,8 +19,8 @@ final class CollisionMutants {
                     COLLISION,
                     "what starts in a solid is pushed out without the skin",
                     ENGINE + "collision/Depenetration.java",
-                    "double way = Sweep.SKIN_METRES - least;",
-                    "double way = -least;",
+                    "double path = Sweep.SKIN_METRES - least;",
+                    "double path = -least;",
                     "DepenetrationTest"),
             new Mutant(
                     COLLISION,

@@ -14,7 +14,7 @@ import nephele.engine.level.Level;
 import nephele.engine.named.LevelName;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;

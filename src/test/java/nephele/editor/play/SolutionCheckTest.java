@@ -20,9 +20,8 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.Test;
@@ -62,7 +61,7 @@ class SolutionCheckTest {
                 .hold(PlayerInput.NONE, 0.2)
                 .hold(PlayerInput.NONE.holding(Action.FIRE_FIRST), 0.1)
                 .hold(PlayerInput.FORWARD, 2.5);
-        var simulation = new Simulation(corridor(FLOOR, END_WALL), SimSettings.DEFAULT, FaultLog.SILENT);
+        var simulation = new Simulation(corridor(FLOOR, END_WALL), SimSettings.DEFAULT);
         var tracked = recorder.replay().tracked(simulation);
         return Replay.read("replay", tracked.write().getBytes(StandardCharsets.UTF_8));
     }

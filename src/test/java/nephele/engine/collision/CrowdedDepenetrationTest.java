@@ -66,10 +66,10 @@ class CrowdedDepenetrationTest {
     /** Returns the displacement out of the first of two plates, from beside its middle. */
     private static double alongTheAxes(double gap) {
         CollisionWorld world = boxes(2, i -> Aabb.around(new Vec3(i * (2 + gap), 0, 0), new Vec3(2, 10, 10)));
-        var exit = new AxisDepenetration();
-        double metres = exit.find(world, BALL, new Vector3d(0.5, 0, 0));
-        assertEquals(metres, exit.displacement().length(), 0);
-        return exit.displacement().x();
+        var displacement = new Vector3d();
+        double metres = new Depenetration().alongAxes(world, BALL, new Vector3d(0.5, 0, 0), displacement);
+        assertEquals(metres, displacement.length(), 0);
+        return displacement.x();
     }
 
     private static void assertSoon(Runnable work) {

@@ -77,7 +77,7 @@ class HeightFieldWorldTest {
         double middle = 1 - Math.sqrt(0.5);
         Vector3d from = new Vector3d(4 + middle, -0.5, 5 - middle);
         assertTrue(sweep.cast(ground(0, 0), RoundedHull.sphere(0.1), from, new Vector3d(0, 0.385, 0)));
-        assertEquals(0.4 - TriangleCollider.DEPTH_METRES - Sweep.SKIN_METRES, 0.385 * sweep.fraction(), 1e-6);
+        assertEquals(0.4 - Collider.TRIANGLE_DEPTH_METRES - Sweep.SKIN_METRES, 0.385 * sweep.fraction(), 1e-6);
     }
 
     @Test

@@ -49,7 +49,7 @@ class SeparationTest {
             Vector3d at = Solids.point(random, 3);
             separation.measure(shape, at.x, at.y, at.z, solid);
             double before = separation.metres();
-            at.add(separation.normalX() * 0.5, separation.normalY() * 0.5, separation.normalZ() * 0.5);
+            at.fma(0.5, separation.normal());
             separation.measure(shape, at.x, at.y, at.z, solid);
             assertEquals(before + 0.5, separation.metres(), 1e-8, "pair " + i);
         }
@@ -132,7 +132,7 @@ class SeparationTest {
         Collider solid = new Collider("", Solids.box(4, 2, 6));
         separation.measure(RoundedHull.sphere(0.3), 0.5, 0.25, 0, solid);
         assertEquals(-0.75 - 0.3, separation.metres(), 1e-12);
-        assertEquals(1, separation.normalY(), 1e-12);
+        assertEquals(1, separation.normal().y(), 1e-12);
     }
 
     @Test

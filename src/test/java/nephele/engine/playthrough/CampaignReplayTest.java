@@ -10,7 +10,6 @@ import nephele.engine.level.Level;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.TickEvent;
 import org.junit.jupiter.api.parallel.Execution;
@@ -37,7 +36,7 @@ class CampaignReplayTest {
         var world = SimLevel.of(opened.placed());
         var replay = name.recordedWalk();
         List<Long> hashes = new ArrayList<>();
-        var simulation = new Simulation(world, replay.settings(), FaultLog.SILENT);
+        var simulation = new Simulation(world, replay.settings());
         hashes.add(simulation.start().hash());
         replay.play(simulation, state -> hashes.add(state.hash()));
         for (int rate : FRAMES_PER_SECOND) {

@@ -14,7 +14,6 @@ import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -65,7 +64,7 @@ class ObserverReplayTest {
         assertEquals(seen, spheres(again, 240));
         assertEquals(walk.state().hash(), again.state().hash());
         var last = new long[1];
-        replay.play(new Simulation(world, replay.settings(), FaultLog.SILENT), state -> last[0] = state.hash());
+        replay.play(new Simulation(world, replay.settings()), state -> last[0] = state.hash());
         assertEquals(walk.state().hash(), last[0]);
     }
 

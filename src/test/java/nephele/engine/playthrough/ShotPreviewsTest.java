@@ -20,10 +20,9 @@ import nephele.engine.playthrough.CrosshairState.Shot;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.scene.PortalPreview;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -62,7 +61,7 @@ class ShotPreviewsTest {
                 .with(new PlayerStart(new Vec3(0, 0.05, 3), 45, -40), new PortalGun(1.2, 2.1, PortalShape.ARCH, 500))
                 .with(List.of(), List.of(), List.of(bodies))
                 .withTerrains(List.of(ground));
-        simulation = new Simulation(SimLevel.of(PlacedLevel.of(level, map)), SimSettings.DEFAULT, FaultLog.SILENT);
+        simulation = new Simulation(SimLevel.of(PlacedLevel.of(level, map)), SimSettings.DEFAULT);
         previews = new ShotPreviews(simulation);
         state = simulation.start();
         for (int i = 0; i < 240; i++) {

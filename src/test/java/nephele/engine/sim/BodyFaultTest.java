@@ -3,8 +3,6 @@ package nephele.engine.sim;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
-import java.util.List;
 import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
@@ -14,7 +12,7 @@ import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 
-/** A body with a motion that is not finite is frozen, reported once, and counted in the state. */
+/** A body with a motion that is not finite is frozen, and counted once in the state. */
 class BodyFaultTest {
     private static final String LEVEL = "{\"format\": \"nephele-level\", \"version\": 1,"
             + "\"solids\": [{\"id\": \"f\", \"kind\": \"box\", \"centre\": [0, -1, 0], \"size\": [50, 2, 50]}],"
@@ -24,8 +22,7 @@ class BodyFaultTest {
     @Test
     void frozenBodyIsAFault() throws Exception {
         var level = LevelJson.read("fault.json", LEVEL.getBytes(java.nio.charset.StandardCharsets.UTF_8));
-        List<String> told = new ArrayList<>();
-        var simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT, (tick, what) -> told.add(what));
+        var simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT);
         SimState state = simulation.start();
         var bodies = state.world().bodies();
         BodyState wrong = bodies.state(0).moving(new Vec3(Double.NaN, 0, 0), Vec3.ZERO);
@@ -35,6 +32,5 @@ class BodyFaultTest {
         }
         assertTrue(state.world().bodies().isFrozen(0));
         assertEquals(1, state.faults());
-        assertEquals(1, told.size(), told.toString());
     }
 }

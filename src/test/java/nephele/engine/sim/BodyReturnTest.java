@@ -11,7 +11,6 @@ import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -57,7 +56,7 @@ class BodyReturnTest {
                 state -> lowest[0] = Math.min(
                         lowest[0], state.world().bodies().state(0).centre().y()));
         assertEquals(-1 - Simulation.FALL_METRES, lowest[0], 1, "where a player would start again");
-        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.told());
+        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.events());
         assertTrue(
                 lab.body(0).minus(new Vec3(0, 0.25, -1.5)).length() < 2e-3,
                 lab.body(0).toString());
@@ -89,13 +88,13 @@ class BodyReturnTest {
                 .cube(new Vec3(3, 1, 0), 0.5, 10)
                 .with(RETURNING);
         lab.hold(PlayerInput.NONE, 5);
-        assertEquals(1, lab.told().size());
+        assertEquals(1, lab.events().size());
         var recorded = new Replay("room.json", RETURNING, null, List.of(new Replay.Run(600, 0, 0, 0, 0, List.of())));
         String text = recorded.write();
         assertTrue(text.contains("\"body-return\""), text);
         var read = Replay.read("room.json", text.getBytes(StandardCharsets.UTF_8));
         var last = new SimState[1];
-        var again = new Simulation(SimLevel.of(lab.level()), read.settings(), FaultLog.SILENT);
+        var again = new Simulation(SimLevel.of(lab.level()), read.settings());
         read.play(again, state -> last[0] = state);
         assertEquals(lab.state().hash(), last[0].hash());
     }
@@ -106,9 +105,9 @@ class BodyReturnTest {
         put(lab, 0, new Vec3(0, -60, 0));
         lab.set(lab.state().withPlayer(lab.player().withFeet(new Vec3(0, 0, -1.5))));
         lab.hold(PlayerInput.NONE, 1);
-        assertTrue(lab.body(0).y() < -60 && lab.told().isEmpty(), "the player stands there: " + lab.body(0));
+        assertTrue(lab.body(0).y() < -60 && lab.events().isEmpty(), "the player stands there: " + lab.body(0));
         lab.hold(PlayerInput.NONE.walking(-100, 0), 0.6);
-        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.told());
+        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.events());
     }
 
     @Test
@@ -117,10 +116,10 @@ class BodyReturnTest {
         put(lab, 0, new Vec3(0, -60, 0));
         put(lab, 1, new Vec3(0.2, 0.25, -1.4));
         lab.hold(PlayerInput.NONE, 1);
-        assertTrue(lab.body(0).y() < -60 && lab.told().isEmpty(), lab.body(0).toString());
+        assertTrue(lab.body(0).y() < -60 && lab.events().isEmpty(), lab.body(0).toString());
         put(lab, 1, new Vec3(1.5, 0.25, 0));
         lab.tick(PlayerInput.NONE);
-        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.told());
+        assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.events());
     }
 
     /** What stands in a portal is in the place before its exit with the part that has gone through. */
@@ -147,7 +146,7 @@ class BodyReturnTest {
                 put(lab, 1, new Vec3(0, 0.25, 0));
             }
             lab.tick(PlayerInput.NONE);
-            assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.told());
+            assertEquals(List.of(new TickEvent.BodyReturned(0)), lab.events());
         }
     }
 }

@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.sim.carry.CarryRules;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,7 @@ final class CarryThroughPortalsTest {
 
     private static Lab holding(Lab lab) {
         Lab held = lab.press(Action.CARRY).hold(PlayerInput.NONE, 0.3);
-        assertTrue(held.holding().isHolding(), held.told().toString());
+        assertTrue(held.holding().isHolding(), held.events().toString());
         return held;
     }
 
@@ -44,8 +44,8 @@ final class CarryThroughPortalsTest {
     }
 
     private static void assertStillHeld(Lab lab) {
-        assertTrue(lab.holding().isHolding(), lab.told().toString());
-        assertEquals(List.of(new Handled(Kind.PICKED_UP, 0)), lab.told());
+        assertTrue(lab.holding().isHolding(), lab.events().toString());
+        assertEquals(List.of(new Handled(Kind.PICKED_UP, 0)), lab.events());
     }
 
     @Test
@@ -125,7 +125,7 @@ final class CarryThroughPortalsTest {
         Lab lab = hall().cube(new Vec3(7.95, 1.65, 0), 0.4, 20)
                 .startAt(0, 0, -6.2, 0, 0)
                 .press(Action.CARRY);
-        assertTrue(lab.holding().isHolding(), lab.told().toString());
+        assertTrue(lab.holding().isHolding(), lab.events().toString());
         assertEquals(List.of(0), letters(lab.holding().word()));
     }
 
@@ -152,7 +152,7 @@ final class CarryThroughPortalsTest {
                 .turn(180, 0)
                 .press(Action.FIRE_FIRST)
                 .turn(-90, 5));
-        int before = lab.told().size();
+        int before = lab.events().size();
         // Into the first portal, in the wall to the left, while the cube is ahead.
         lab.turn(90, 0).hold(PlayerInput.FORWARD, 1.85).hold(PlayerInput.NONE, 0.5);
         assertEquals(1, lab.holding().word().length(), lab.player().toString());
@@ -163,8 +163,8 @@ final class CarryThroughPortalsTest {
             lab.tick(PlayerInput.NONE);
             ticks++;
         }
-        assertEquals(before + 2, lab.told().size(), lab.told().toString());
-        assertEquals(new Handled(Kind.LOST, 0), lab.told().get(before + 1));
+        assertEquals(before + 2, lab.events().size(), lab.events().toString());
+        assertEquals(new Handled(Kind.LOST, 0), lab.events().get(before + 1));
         assertTrue(ticks <= (long) (CarryRules.GRACE_SECONDS * 120) + 1, ticks + " ticks");
         lab.hold(PlayerInput.NONE, 2);
         assertEquals(0.2, lab.body(0).y(), 0.002);

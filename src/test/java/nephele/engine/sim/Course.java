@@ -15,7 +15,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
@@ -127,7 +126,7 @@ final class Course {
 
     Simulation simulation() {
         if (simulation == null) {
-            simulation = new Simulation(SimLevel.of(world(), start, portals()), settings, FaultLog.SILENT);
+            simulation = new Simulation(SimLevel.of(world(), start, portals()), settings);
             state = simulation.start();
         }
         return simulation;

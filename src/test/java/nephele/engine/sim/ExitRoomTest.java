@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Arrival;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.WorldState.Arrival;
 import org.junit.jupiter.api.Test;
 
 /** With the assist a player that has come out of a portal is eased off walls and edges, and nobody else is. */

@@ -18,7 +18,7 @@ class FixedStepTest {
         assertEquals(0, step.advance(0));
         assertEquals(0, step.advance(-SECOND));
         assertEquals(0, step.advance(Long.MIN_VALUE));
-        assertEquals(0, step.share());
+        assertEquals(0, step.fraction());
     }
 
     @Test
@@ -29,7 +29,7 @@ class FixedStepTest {
             ticks += step.advance(1);
         }
         assertEquals(1, ticks);
-        assertEquals(0.2, step.share(), 1e-12);
+        assertEquals(0.2, step.fraction(), 1e-12);
     }
 
     @Test

@@ -17,9 +17,8 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -33,7 +32,7 @@ final class GroundCourse {
     private static final int SIDE = 121;
     private static final double RANGE_METRES = 8;
 
-    final List<TickEvent> told = new ArrayList<>();
+    final List<TickEvent> events = new ArrayList<>();
     final Simulation simulation;
     SimState state;
     private final HeightField field;
@@ -66,7 +65,7 @@ final class GroundCourse {
         }
         PlacedLevel placed = PlacedLevel.of(level, map);
         field = heights == null ? null : placed.statics().ground().get(0).field();
-        simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT, FaultLog.SILENT);
+        simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT);
         state = simulation.start();
     }
 
@@ -81,7 +80,7 @@ final class GroundCourse {
 
     GroundCourse tick(PlayerInput input) {
         state = simulation.step(state, input);
-        told.addAll(state.world().trace().events());
+        events.addAll(state.world().trace().events());
         return this;
     }
 

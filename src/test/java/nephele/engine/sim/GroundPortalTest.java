@@ -12,9 +12,9 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
@@ -51,7 +51,7 @@ class GroundPortalTest {
 
     private static Portal onGround(GroundCourse course) {
         Portals portals = course.state.world().portals();
-        assertEquals(2, portals.size(), course.told::toString);
+        assertEquals(2, portals.size(), course.events::toString);
         return portals.portal(1);
     }
 
@@ -184,7 +184,7 @@ class GroundPortalTest {
     void anEditKeepsAPortalOnASlope(double degrees) {
         GroundCourse course = new GroundCourse((x, z) -> ramp(x, z, degrees), new Vec3(0, 0.3, 0));
         course.hold(PlayerInput.NONE, 0.3).turn(25, -30).press(Action.FIRE_FIRST);
-        assertEquals(1, course.state.world().portals().size(), course.told::toString);
+        assertEquals(1, course.state.world().portals().size(), course.events::toString);
         Simulation same = new GroundCourse((x, z) -> ramp(x, z, degrees), Vec3.ZERO).simulation;
         assertEquals(
                 course.state.world().portals().portal(0),
@@ -208,7 +208,7 @@ class GroundPortalTest {
         GroundCourse course =
                 new GroundCourse((x, z) -> 0.04 * ((Math.round(5 * x) + Math.round(5 * z)) % 2), new Vec3(0, 0.1, 0));
         course.hold(PlayerInput.NONE, 0.3).turn(0, -40).press(Action.FIRE_FIRST);
-        var refused = (TickEvent.PortalRefused) course.told.get(course.told.size() - 1);
+        var refused = (TickEvent.PortalRefused) course.events.get(course.events.size() - 1);
         assertEquals(Refusal.NOT_FLAT, refused.reason());
         assertEquals(Colour.FIRST, refused.shot());
         assertEquals(0.02, refused.unevenMetres(), 1e-3);

@@ -7,19 +7,19 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState.HeldBody;
 
 /** A {@link RoomLevel} and the player in it. The floor's top is at y = 0. */
 public final class Lab {
     private final RoomLevel room;
     private SimSettings settings = SimSettings.DEFAULT;
-    private final List<TickEvent> told = new ArrayList<>();
+    private final List<TickEvent> events = new ArrayList<>();
     private Simulation simulation;
     private SimState state;
 
@@ -126,13 +126,13 @@ public final class Lab {
     }
 
     /** Returns all events so far. */
-    public List<TickEvent> told() {
-        return told;
+    public List<TickEvent> events() {
+        return events;
     }
 
     public Lab tick(PlayerInput input) {
         state = simulation().step(state(), input);
-        told.addAll(state.world().trace().events());
+        events.addAll(state.world().trace().events());
         return this;
     }
 

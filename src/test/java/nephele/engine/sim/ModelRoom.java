@@ -8,9 +8,8 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -80,8 +79,7 @@ final class ModelRoom {
             String text = "{\"format\": \"nephele-level\", \"version\": 1, \"player\": {" + player + "}, \"solids\": "
                     + solids + ", \"bodies\": " + bodies + ", \"models\": " + models + rest + "}";
             var level = LevelJson.read("room.json", text.getBytes(StandardCharsets.UTF_8));
-            simulation = new Simulation(
-                    SimLevel.of(PlacedLevel.of(level, NoFiles.AT_ALL)), SimSettings.DEFAULT, FaultLog.SILENT);
+            simulation = new Simulation(SimLevel.of(PlacedLevel.of(level, NoFiles.AT_ALL)), SimSettings.DEFAULT);
             state = simulation.start();
         }
         return simulation;

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.player.ExponentialApproach;
-import nephele.engine.sim.state.Action;
+import nephele.engine.sim.player.PlayerStep.ExponentialApproach;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

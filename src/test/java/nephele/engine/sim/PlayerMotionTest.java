@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.workshop.prove.geometry.BruteForce;
 import org.joml.Vector3d;

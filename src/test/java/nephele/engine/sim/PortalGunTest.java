@@ -15,18 +15,18 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.GunPortals.Colour;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.PortalOpened;
 import nephele.engine.sim.state.TickEvent.PortalRefused;
-import nephele.engine.sim.state.TickTrace;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.HeldBody;
+import nephele.engine.sim.state.WorldState.TickTrace;
 import org.junit.jupiter.api.Test;
 
 /** The effects of shots: the portals that they place or refuse, and the occupants of portals that they move. */
@@ -61,7 +61,7 @@ final class PortalGunTest {
     @Test
     void oneAloneIsSolidAndTwoLeadToEachOther() {
         Lab lab = Lab.hall().gun().startAt(0, 0, 0, 0, -5).press(Action.FIRE_FIRST);
-        assertEquals(List.of(new PortalOpened(Colour.FIRST, 0)), lab.told());
+        assertEquals(List.of(new PortalOpened(Colour.FIRST, 0)), lab.events());
         Portal first = portals(lab).portal(0);
         assertEquals(-8, first.centre().z(), 1e-9);
         assertFalse(portals(lab).isOpen(0));
@@ -85,7 +85,7 @@ final class PortalGunTest {
         assertEquals(8, portals(lab).portal(0).centre().z(), 1e-9);
         assertEquals(second, portals(lab).portal(1));
         assertTrue(portals(lab).isOpen(0) && portals(lab).isOpen(1));
-        assertEquals(new PortalOpened(Colour.FIRST, 0), lab.told().get(2));
+        assertEquals(new PortalOpened(Colour.FIRST, 0), lab.events().get(2));
     }
 
     @Test
@@ -106,11 +106,12 @@ final class PortalGunTest {
         Lab lab = Lab.hall().gun().box(-1, 0, -3, 1, 3, -2, false);
         long portalsBefore = portals(lab).size();
         lab.tick(PlayerInput.NONE.holding(Action.FIRE_FIRST));
-        PortalRefused told = assertInstanceOf(PortalRefused.class, lab.told().get(0));
-        assertEquals(Refusal.NOT_PORTALABLE, told.reason());
-        assertEquals(-2, told.where().z(), 1e-9);
+        PortalRefused events =
+                assertInstanceOf(PortalRefused.class, lab.events().get(0));
+        assertEquals(Refusal.NOT_PORTALABLE, events.reason());
+        assertEquals(-2, events.where().z(), 1e-9);
         assertEquals(portalsBefore, portals(lab).size());
-        assertEquals(List.of(told), lab.state().world().trace().events());
+        assertEquals(List.of(events), lab.state().world().trace().events());
         lab.tick(PlayerInput.NONE);
         assertEquals(List.of(), lab.state().world().trace().events());
     }
@@ -118,7 +119,7 @@ final class PortalGunTest {
     @Test
     void aBodyStopsAShot() {
         Lab lab = Lab.hall().gun().cube(new Vec3(0, 1.65, -3), 1, 5).press(Action.FIRE_FIRST);
-        assertEquals(Refusal.MOVING_SURFACE, ((PortalRefused) lab.told().get(0)).reason());
+        assertEquals(Refusal.MOVING_SURFACE, ((PortalRefused) lab.events().get(0)).reason());
     }
 
     /** The portal preview shows the portal that the shot places. */
@@ -189,14 +190,14 @@ final class PortalGunTest {
         Portals before = portals(lab);
         lab.turn(90, 0).press(Action.FIRE_SECOND);
         // Through the first portal it would have come out of the second and hit the wall to the left.
-        PortalRefused inTheWay = (PortalRefused) lab.told().get(2);
+        PortalRefused inTheWay = (PortalRefused) lab.events().get(2);
         assertEquals(Refusal.OVERLAPS_OTHER, inTheWay.reason());
         assertEquals(-8, inTheWay.where().z(), 1e-9);
         assertEquals(before, portals(lab));
         Vec3 a = new Vec3(0, 1.05, -4);
         Lab free = Lab.hall().gun().pair(a, new Vec3(0, 0, 1), new Vec3(5, 1.05, -8), new Vec3(0, 0, 1));
         free.press(Action.FIRE_FIRST);
-        PortalRefused refused = (PortalRefused) free.told().get(0);
+        PortalRefused refused = (PortalRefused) free.events().get(0);
         assertEquals(Refusal.OVERLAPS_OTHER, refused.reason());
         assertEquals(-4, refused.where().z(), 1e-9);
     }
@@ -229,7 +230,7 @@ final class PortalGunTest {
                 // Aimed to the left, where no portal is yet.
                 lab.turn(180, 0).tick(PlayerInput.NONE.holding(moved));
                 assertInstanceOf(
-                        PortalOpened.class, lab.told().get(2), lab.told().toString());
+                        PortalOpened.class, lab.events().get(2), lab.events().toString());
                 Vec3 now = lab.player().feet();
                 boolean pushed = moved == Action.FIRE_FIRST;
                 assertEquals(pushed ? 0.301 : before, now.z() + 8, 1e-6);
@@ -249,7 +250,7 @@ final class PortalGunTest {
         narrow.set(lab.state().withPlayer(lab.player().withFeet(feet))).turn(180, 0);
         Portals before = portals(narrow);
         narrow.press(Action.FIRE_FIRST);
-        assertEquals(Refusal.OCCUPIED, ((PortalRefused) narrow.told().get(0)).reason());
+        assertEquals(Refusal.OCCUPIED, ((PortalRefused) narrow.events().get(0)).reason());
         assertEquals(before, portals(narrow));
         assertEquals(0, feet.toVector().distance(narrow.player().feet().toVector()), 0.002);
     }

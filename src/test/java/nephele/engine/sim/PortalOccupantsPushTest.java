@@ -9,7 +9,7 @@ import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.carry.PortalOccupants;
-import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import org.joml.Quaterniond;

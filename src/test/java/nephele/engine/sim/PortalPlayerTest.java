@@ -12,12 +12,10 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.PortalTransform;
-import nephele.engine.sim.player.PlayerMotion;
-import nephele.engine.sim.player.PlayerView;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.Tilt;
@@ -44,7 +42,7 @@ final class PortalPlayerTest {
         PortalWorld portalWorld = PortalWorld.of(course.world(), course.portals());
         return course.hold(input, seconds, player -> {
             Vector3d centre = player.centre().toVector();
-            var shape = PlayerMotion.shape(player.stance(), player.tilt().up());
+            var shape = player.stance().shape(player.tilt().up());
             var around = portalWorld.openedFor(portalWorld.active(shape, centre, new Vector3d()));
             assertTrue(depenetration.isFree(around, shape, centre), () -> "in a solid: " + player);
             assertTrue(player.centre().y() > -1e-9, () -> "below the floor: " + player);
@@ -236,7 +234,7 @@ final class PortalPlayerTest {
     }
 
     private static Basis view(PlayerState player) {
-        return new PlayerView(player.heading(), player.tilt()).view();
+        return player.view();
     }
 
     /** A tilted body without head room stays tilted, and turns upright in the open. */

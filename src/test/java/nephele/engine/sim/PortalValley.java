@@ -28,7 +28,6 @@ import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
 import nephele.engine.portal.placement.ShotRay;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
@@ -77,7 +76,7 @@ final class PortalValley {
         field = placed.statics().ground().get(0).field();
         placement = new Placement(PlacementSurfaces.of(placed.statics()), GUN);
         level = SimLevel.of(placed);
-        simulation = new Simulation(level, new SimSettings(120, assists), FaultLog.SILENT);
+        simulation = new Simulation(level, new SimSettings(120, assists));
         state = simulation.start();
     }
 

@@ -11,7 +11,6 @@ import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.TickHashes;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
@@ -27,17 +26,17 @@ import org.junit.jupiter.api.Test;
  */
 class PortalsReplayTest {
     private static final Path SAMPLES = Path.of("levels", "samples");
-    private final List<TickEvent> told = new ArrayList<>();
+    private final List<TickEvent> events = new ArrayList<>();
     private final List<String> hashes = new ArrayList<>();
     private int crossings;
 
     private SimState play() throws IOException {
         Level level = LevelJson.read("portals.json", Files.readAllBytes(SAMPLES.resolve("portals.json")));
         Replay replay = Replay.read("replays", Files.readAllBytes(SAMPLES.resolve("replays/portals.json")));
-        var lines = new TickHashes(600, replay.ticks(), hashes::add);
+        var lines = Replay.hashes(600, replay.ticks(), hashes::add);
         return replay.play(new Simulation(level, replay.settings()), state -> {
-            lines.ticked(state);
-            told.addAll(state.world().trace().events());
+            lines.accept(state);
+            events.addAll(state.world().trace().events());
             crossings += state.world().trace().playerCrossed().length();
         });
     }
@@ -68,7 +67,7 @@ class PortalsReplayTest {
                         new PortalOpened(GunPortals.Colour.FIRST, 2),
                         new PortalOpened(GunPortals.Colour.SECOND, 3),
                         new PortalOpened(GunPortals.Colour.SECOND, 3)),
-                told);
+                events);
         assertEquals(-7, end.world().portals().portal(3).centre().x(), 1e-9);
     }
 }

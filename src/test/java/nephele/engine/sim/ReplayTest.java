@@ -13,7 +13,6 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
-import nephele.engine.sim.replay.TickHashes;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimSettings;
@@ -75,10 +74,10 @@ class ReplayTest {
     void playingTellsEveryTick() {
         List<String> lines = new ArrayList<>();
         Replay replay = Replay.standing("room.json", 25);
-        SimState end = replay.play(Course.onFloor().simulation(), new TickHashes(10, replay.ticks(), lines::add));
+        SimState end = replay.play(Course.onFloor().simulation(), Replay.hashes(10, replay.ticks(), lines::add));
         assertEquals(3, lines.size());
         assertTrue(lines.get(0).matches("10 [0-9a-f]{16}"), lines.get(0));
-        assertEquals(TickHashes.line(end), lines.get(2));
+        assertEquals(Replay.hashLine(end), lines.get(2));
     }
 
     @ParameterizedTest

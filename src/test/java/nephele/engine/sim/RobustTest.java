@@ -68,13 +68,11 @@ class RobustTest {
         assertEquals(0, course.state().faults());
     }
 
-    /** NaN keeps the last valid place, and is reported. */
+    /** NaN keeps the last valid place, and is counted as a fault. */
     @Test
-    void whatIsNotANumberIsUndoneAndTold() {
-        List<String> told = new ArrayList<>();
+    void whatIsNotANumberIsUndoneAndCounted() {
         Course course = Course.onFloor();
-        Simulation simulation =
-                new Simulation(course.world(), null, SimSettings.DEFAULT, (tick, what) -> told.add(tick + " " + what));
+        Simulation simulation = new Simulation(course.world(), null, SimSettings.DEFAULT);
         SimState good = simulation.start();
         Vec3 feet = good.player().feet();
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, -1e308}) {
@@ -86,7 +84,6 @@ class RobustTest {
                 assertEquals(feet, after.player().feet());
                 assertEquals(Vec3.ZERO, after.player().velocity());
                 assertEquals(1, after.faults());
-                assertTrue(told.get(0).startsWith("7 "));
             }
         }
         Vec3 nowhere = new Vec3(Double.NaN, 0, 0);

@@ -7,13 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.sim.state.FallState;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState.FallState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -44,15 +44,15 @@ final class SafeReturnTest {
         Vec3 stood = lab.player().feet();
         assertTrue(stood.x() > 3, stood::toString);
         lab.hold(AHEAD, 0.4);
-        while (lab.told().isEmpty()) {
+        while (lab.events().isEmpty()) {
             lab.tick(AHEAD);
         }
         assertTrue(lab.player().feet().y() > -4, "the fall is noticed at once: " + lab.player());
         long fell = lab.state().tick();
-        while (lab.told().size() == 1) {
+        while (lab.events().size() == 1) {
             lab.tick(PlayerInput.NONE);
         }
-        assertEquals(List.of(new TickEvent.PlayerFell(), new TickEvent.PlayerReturned()), lab.told());
+        assertEquals(List.of(new TickEvent.PlayerFell(), new TickEvent.PlayerReturned()), lab.events());
         double dark = (lab.state().tick() - fell) / (double) rate;
         assertTrue(dark <= FallState.FADE_SECONDS, "fades for " + dark + " s");
         assertEquals(stood, lab.player().feet());
@@ -68,14 +68,14 @@ final class SafeReturnTest {
         Vec3 start = lab.player().feet();
         lab.hold(RIGHT, 1).hold(PlayerInput.NONE, 1.2).hold(AHEAD, 1).hold(PlayerInput.NONE, 5);
         assertEquals(start, lab.player().feet());
-        assertEquals(List.of(), lab.told());
+        assertEquals(List.of(), lab.events());
     }
 
     /** A run that never stops is not lost either: it continues half a second to a second before its end. */
     @Test
     void whoNeverStoppedIsBackWhereItHadGroundForHalfASecond() {
         Lab lab = helped();
-        while (!lab.told().contains(new TickEvent.PlayerReturned())) {
+        while (!lab.events().contains(new TickEvent.PlayerReturned())) {
             lab.tick(RIGHT);
         }
         Vec3 feet = lab.player().feet();
@@ -116,7 +116,7 @@ final class SafeReturnTest {
         Lab lab = new Lab().box(-10, -1, -2, 10, 0, 2).startAt(0, 0, -1.9, 0, 0).with(settings(120));
         Vec3 start = lab.player().feet();
         lab.hold(AHEAD, 0.5).hold(PlayerInput.NONE, 2);
-        assertTrue(lab.told().contains(new TickEvent.PlayerReturned()));
+        assertTrue(lab.events().contains(new TickEvent.PlayerReturned()));
         assertEquals(start, lab.player().feet());
     }
 
@@ -136,7 +136,7 @@ final class SafeReturnTest {
                     ? Math.max(most[0], Math.max(body, state.player().velocity().length()))
                     : 0;
         });
-        assertTrue(lab.told().contains(new TickEvent.PlayerReturned()));
+        assertTrue(lab.events().contains(new TickEvent.PlayerReturned()));
         assertTrue(most[0] < 3, "flung at " + most[0]);
         assertTrue(lab.player().feet().y() > -0.01, lab.player()::toString);
         assertTrue(lab.body(0).y() > 0.29, "the cube at " + lab.body(0));

@@ -14,8 +14,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.ground.GroundSeat;
-import nephele.engine.sim.player.PlayerEye;
-import nephele.engine.sim.player.PlayerMotion;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
@@ -100,8 +98,8 @@ class SlopePortalTest {
         }
 
         private void assertContinuous(PlayerState before, CrossingWord crossed) {
-            Vector3d eye = PlayerEye.eye(before, new Vector3d());
-            Vector3d ahead = PlayerEye.direction(PlayerEye.view(before), new Vector3d());
+            Vector3d eye = before.eye(new Vector3d());
+            Vector3d ahead = before.ahead(new Vector3d());
             for (int i = 0; i < crossed.length(); i++) {
                 var transform = valley.state.world().portals().transform(crossed.entry(i));
                 transform.point(eye);
@@ -109,10 +107,9 @@ class SlopePortalTest {
             }
             PlayerState now = player();
             double most = (before.velocity().length() + now.velocity().length()) * SECONDS + TURNED_METRES;
-            double jump = eye.distance(PlayerEye.eye(now, new Vector3d()));
+            double jump = eye.distance(now.eye(new Vector3d()));
             assertTrue(jump <= most, () -> "the eye jumps by " + jump + " at " + now);
-            double turn =
-                    Directions.angle(Vec3.of(ahead), Vec3.of(PlayerEye.direction(PlayerEye.view(now), new Vector3d())));
+            double turn = Directions.angle(Vec3.of(ahead), Vec3.of(now.ahead(new Vector3d())));
             assertTrue(turn <= TURNED_RADIANS, () -> "the view turns by " + turn + " at " + now);
         }
 
@@ -120,7 +117,7 @@ class SlopePortalTest {
             PlayerState now = player();
             Vec3 centre = now.centre();
             assertTrue(centre.y() > valley.ground(centre), () -> "below the ground: " + now);
-            var shape = PlayerMotion.shape(now.stance(), now.tilt().up());
+            var shape = now.stance().shape(now.tilt().up());
             Vector3d at = centre.toVector();
             double deep = solids.depth(space.openedFor(space.active(shape, at, new Vector3d())), shape, at);
             // Ground lies up to twice the unevenness behind its portal's plane, where a leg may be that came through.

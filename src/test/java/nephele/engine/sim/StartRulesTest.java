@@ -123,9 +123,9 @@ class StartRulesTest {
                 + " \"models\": [{\"id\": \"block\", \"file\": \"box_1_1.3d\"}], \"bodies\": [{\"id\": \"b\","
                 + " \"kind\": \"box\", \"centre\": [0, %s, 0], \"size\": [0.2, 0.2, 0.2], \"massKilograms\": 1}]}";
         assertEquals(List.of(), errorsBeforeUse(level(level.formatted("0.6"))));
-        List<Problem> told = errorsBeforeUse(level(level.formatted("0.4")));
-        assertEquals(1, told.size());
-        assertTrue(told.get(0).message().contains("'block'"), told.toString());
+        List<Problem> problems = errorsBeforeUse(level(level.formatted("0.4")));
+        assertEquals(1, problems.size());
+        assertTrue(problems.get(0).message().contains("'block'"), problems.toString());
     }
 
     private static nephele.engine.level.Level level(String json) {

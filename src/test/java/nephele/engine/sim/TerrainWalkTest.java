@@ -16,7 +16,6 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -39,7 +38,7 @@ class TerrainWalkTest {
                 .with(start, null)
                 .with(List.of(), List.of(), List.of(bodies))
                 .withTerrains(List.of(terrain));
-        return new Simulation(SimLevel.of(PlacedLevel.of(level, map)), SimSettings.DEFAULT, FaultLog.SILENT);
+        return new Simulation(SimLevel.of(PlacedLevel.of(level, map)), SimSettings.DEFAULT);
     }
 
     private double ground(Vec3 at) {

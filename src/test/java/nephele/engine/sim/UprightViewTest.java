@@ -7,7 +7,6 @@ import java.util.List;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.player.PlayerEye;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
@@ -127,7 +126,7 @@ final class UprightViewTest {
             }
             for (int tick = 0; tick < 20 && !lab.player().isGrounded(); tick++) {
                 Vec3 before = lab.player().velocity();
-                Basis view = PlayerEye.view(lab.player());
+                Basis view = lab.player().view();
                 Vec3 after = lab.tick(PlayerInput.FORWARD).player().velocity();
                 boolean crossed = lab.state().world().trace().playerCrossed().length() > 0;
                 Vector3d gained = after.toVector().sub(before.toVector());

@@ -12,7 +12,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.TickHashes;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
@@ -35,7 +34,7 @@ class WalkingReplayTest {
 
     private static List<String> hashes(Replay replay, int every) throws IOException {
         List<String> lines = new ArrayList<>();
-        replay.play(new Simulation(level(), replay.settings()), new TickHashes(every, replay.ticks(), lines::add));
+        replay.play(new Simulation(level(), replay.settings()), Replay.hashes(every, replay.ticks(), lines::add));
         return lines;
     }
 

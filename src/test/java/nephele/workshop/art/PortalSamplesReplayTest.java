@@ -17,7 +17,6 @@ import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -73,7 +72,7 @@ class PortalSamplesReplayTest {
     void aWalkGoesFromOneTerrainToTheOther() {
         OpenedLevel opened = new LevelName("levels/samples/terrain-portals.json").open();
         Terrain canyon = opened.level().terrains().get(1);
-        Simulation simulation = new Simulation(SimLevel.of(opened.placed()), SimSettings.DEFAULT, FaultLog.SILENT);
+        Simulation simulation = new Simulation(SimLevel.of(opened.placed()), SimSettings.DEFAULT);
         SimState state = simulation.start();
         for (int tick = 0; tick < 2 * TICKS; tick++) {
             state = simulation.step(state, PlayerInput.FORWARD);

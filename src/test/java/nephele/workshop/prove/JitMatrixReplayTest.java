@@ -10,7 +10,6 @@ import java.util.List;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.TickHashes;
 import nephele.workshop.prove.process.JitMatrixProof;
 import nephele.workshop.prove.process.JvmVariant;
 import nephele.workshop.prove.process.ReplayProcess;
@@ -61,7 +60,7 @@ class JitMatrixReplayTest {
         Path file = Files.writeString(folder.resolve("replay.json"), replay.write());
         List<String> here = new ArrayList<>();
         var simulation = new Simulation(LevelFile.open(level).level(), replay.settings());
-        replay.play(simulation, new TickHashes(EVERY, replay.ticks(), here::add));
+        replay.play(simulation, Replay.hashes(EVERY, replay.ticks(), here::add));
         for (JvmVariant variant : variants) {
             assertEquals(here, new ReplayProcess(variant, level, file, EVERY).lines(), variant.name());
         }

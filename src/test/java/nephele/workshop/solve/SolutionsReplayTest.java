@@ -16,8 +16,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -49,7 +48,7 @@ class SolutionsReplayTest {
     }
 
     private static Simulation simulation(PlacedLevel level, SimSettings settings) {
-        return new Simulation(SimLevel.of(level), settings, FaultLog.SILENT);
+        return new Simulation(SimLevel.of(level), settings);
     }
 
     private static SimState play(Replay replay, PlacedLevel level) {

@@ -10,8 +10,6 @@ import nephele.engine.named.ReplayOrigin;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.StateDump;
-import nephele.engine.sim.replay.TickHashes;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.terminal.ExitCode;
@@ -57,11 +55,11 @@ final class SimulateCommand implements Command {
     }
 
     private SimState play(OpenedLevel opened, Replay inputs, Terminal terminal) {
-        var simulation = new Simulation(SimLevel.of(opened.placed()), inputs.settings(), FaultLog.SILENT);
+        var simulation = new Simulation(SimLevel.of(opened.placed()), inputs.settings());
         var lines = new PrintStream(new BufferedOutputStream(terminal.out(), 1 << 16), false, StandardCharsets.UTF_8);
-        var last = inputs.play(simulation, new TickHashes(every, inputs.ticks(), lines::println));
+        var last = inputs.play(simulation, Replay.hashes(every, inputs.ticks(), lines::println));
         if (inputs.ticks() == 0) {
-            lines.println(TickHashes.line(last));
+            lines.println(Replay.hashLine(last));
         }
         lines.flush();
         if (last.world().exit().isReached()) {

@@ -9,8 +9,8 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.playthrough.TickInput;
 import nephele.engine.sim.player.MouseLook;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 
 /**
  * Converts keyboard, mouse and gamepad to the integer input of a tick. All motion since the last tick belongs to the next one.

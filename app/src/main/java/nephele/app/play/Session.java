@@ -23,7 +23,6 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 
@@ -138,7 +137,7 @@ final class Session implements AutoCloseable {
     /** Returns the replay since the start or the last restart, with its track: it is simulated again. */
     Replay trackedRecording() {
         var replay = recording();
-        return replay.tracked(new Simulation(world, replay.settings(), FaultLog.SILENT));
+        return replay.tracked(new Simulation(world, replay.settings()));
     }
 
     /** Returns the level as prepared. */

@@ -9,8 +9,7 @@ import nephele.editor.play.SolutionVerdict.Cause;
 import nephele.editor.play.SolutionVerdict.Deviation;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.sim.replay.Waypoint;
-import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.replay.Replay.Waypoint;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
@@ -45,7 +44,7 @@ public final class SolutionCheck {
      */
     public static SolutionVerdict of(SimLevel level, Replay solution, DoubleConsumer progress) {
         var check = new SolutionCheck(solution, progress);
-        var simulation = new Simulation(level, solution.settings(), FaultLog.SILENT);
+        var simulation = new Simulation(level, solution.settings());
         SimState last = solution.play(simulation, check::ticked);
         return check.verdict(last);
     }

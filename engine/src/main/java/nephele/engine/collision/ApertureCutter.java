@@ -1,7 +1,9 @@
 package nephele.engine.collision;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
@@ -10,6 +12,7 @@ import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
+import nephele.engine.portal.ground.GroundStep;
 
 /**
  * Cuts solids at the apertures and puts the other side's solids into the aperture volumes. The other side may have
@@ -26,13 +29,16 @@ final class ApertureCutter {
 
     private final CollisionWorld statics;
     private final Portals portals;
-    private final PortalSteps steps;
+    /** The height of each portal above the ground around it, {@link GroundStep}; NaN before it is asked for. */
+    private final double[] groundSteps;
+
     private final ItemList found = new ItemList();
 
-    ApertureCutter(CollisionWorld statics, Portals portals, PortalSteps steps) {
+    ApertureCutter(CollisionWorld statics, Portals portals) {
         this.statics = statics;
         this.portals = portals;
-        this.steps = steps;
+        groundSteps = new double[portals.size()];
+        Arrays.fill(groundSteps, Double.NaN);
     }
 
     /** A convex part of a solid. */
@@ -66,6 +72,14 @@ final class ApertureCutter {
         return statics.replacing(cut, colliders);
     }
 
+    /** Returns how far the ground around a portal lies below it, found on the first call. */
+    double groundStepMetres(int portal) {
+        if (Double.isNaN(groundSteps[portal])) {
+            groundSteps[portal] = GroundStep.below(statics.grounds(), portals.portal(portal));
+        }
+        return groundSteps[portal];
+    }
+
     private Piece piece(int item) {
         Collider solid = statics.collider(item);
         return new Piece(solid.solidId(), statics.isGround(item), solid.shape());
@@ -83,13 +97,13 @@ final class ApertureCutter {
                 .toArray();
     }
 
-    private java.util.stream.IntStream within(Aabb box) {
+    private IntStream within(Aabb box) {
         statics.overlapping(box, found);
         int[] items = new int[found.size()];
         for (int i = 0; i < items.length; i++) {
             items[i] = found.get(i);
         }
-        return java.util.Arrays.stream(items);
+        return Arrays.stream(items);
     }
 
     /** @param from the portal from which the reach is measured, or any index from the number of portals on for none */
@@ -108,7 +122,7 @@ final class ApertureCutter {
                     }
                 }
                 openings.add(new Opening(
-                        i, reach, ApertureVolume.behind(portals.portal(i), reach, steps.metres(i), shared)));
+                        i, reach, ApertureVolume.behind(portals.portal(i), reach, groundStepMetres(i), shared)));
             }
         }
         return openings;

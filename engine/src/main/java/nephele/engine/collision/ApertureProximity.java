@@ -21,7 +21,7 @@ final class ApertureProximity {
     private double leastY;
     private double mostY;
 
-    boolean isActive(Portal of, RoundedHull body, Vector3dc at, Vector3dc way) {
+    boolean isActive(Portal of, RoundedHull body, Vector3dc at, Vector3dc path) {
         portal = of;
         shape = body;
         double height = portal.inFront(at.x(), at.y(), at.z());
@@ -29,7 +29,7 @@ final class ApertureProximity {
             return false;
         }
         Vec3 n = portal.normal();
-        double lowest = height + Math.min(0, dot(n, way));
+        double lowest = height + Math.min(0, dot(n, path));
         if (lowest - shape.reachMetres() > MARGIN_METRES || lowest + shape.support(-1, n) > MARGIN_METRES) {
             return false;
         }
@@ -37,25 +37,25 @@ final class ApertureProximity {
         y = portal.upward(at.x(), at.y(), at.z());
         double halfX = portal.aperture().widthMetres() / 2 + MARGIN_METRES;
         double halfY = portal.aperture().heightMetres() / 2 + MARGIN_METRES;
-        if (!overlaps(portal.frame().right(), x, way, halfX)
-                || !overlaps(portal.frame().up(), y, way, halfY)) {
+        if (!overlaps(portal.frame().right(), x, path, halfX)
+                || !overlaps(portal.frame().up(), y, path, halfY)) {
             return false;
         }
         measureBehind(height);
-        return isPartBehind() ? isThrough() : !endsAround(height, way);
+        return isPartBehind() ? isThrough() : !endsAround(height, path);
     }
 
     /**
      * Returns true if the shape ends with its centre in front of the plane and reaches behind the plane only around the
      * wall's edge.
      */
-    private boolean endsAround(double height, Vector3dc way) {
-        double atEnd = height + dot(portal.normal(), way);
+    private boolean endsAround(double height, Vector3dc path) {
+        double atEnd = height + dot(portal.normal(), path);
         if (!(atEnd >= 0)) {
             return false;
         }
-        x += dot(portal.frame().right(), way);
-        y += dot(portal.frame().up(), way);
+        x += dot(portal.frame().right(), path);
+        y += dot(portal.frame().up(), path);
         measureBehind(atEnd);
         return isPartBehind() && !isThrough();
     }
@@ -64,8 +64,8 @@ final class ApertureProximity {
         return axis.x() * v.x() + axis.y() * v.y() + axis.z() * v.z();
     }
 
-    private boolean overlaps(Vec3 axis, double from, Vector3dc way, double half) {
-        double along = dot(axis, way);
+    private boolean overlaps(Vec3 axis, double from, Vector3dc path, double half) {
+        double along = dot(axis, path);
         return from + Math.min(0, along) + shape.support(-1, axis) <= half
                 && from + Math.max(0, along) + shape.support(1, axis) >= -half;
     }
@@ -115,11 +115,11 @@ final class ApertureProximity {
     }
 
     /** Extends the rectangle by a disc around a point between two core points. */
-    private void include(int from, int to, double share, double radius) {
+    private void include(int from, int to, double fraction, double radius) {
         Vec3 right = portal.frame().right();
         Vec3 up = portal.frame().up();
-        double across = x + core(from, right) + share * (core(to, right) - core(from, right));
-        double upward = y + core(from, up) + share * (core(to, up) - core(from, up));
+        double across = x + core(from, right) + fraction * (core(to, right) - core(from, right));
+        double upward = y + core(from, up) + fraction * (core(to, up) - core(from, up));
         leastX = Math.min(leastX, across - radius);
         mostX = Math.max(mostX, across + radius);
         leastY = Math.min(leastY, upward - radius);

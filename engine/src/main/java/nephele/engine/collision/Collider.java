@@ -1,17 +1,38 @@
 package nephele.engine.collision;
 
+import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.Gjk.SupportPoints;
+import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /**
- * A solid convex obstacle: a polyhedron, or a segment with a radius around it. It is stored relative to its own centre,
+ * A solid convex obstacle: a polyhedron, a triangle of a mesh with a flat pyramid below it, or a segment with a radius
+ * around it. It is stored relative to its own centre,
  * so that a level a thousand kilometres from the origin keeps the precision of one at the origin.
  */
 public final class Collider implements SupportPoints {
-    private final ColliderShape form;
+    /** Greatest depth of the pyramid below a triangle; less for small triangles. */
+    static final double TRIANGLE_DEPTH_METRES = 0.02;
+
+    private static final double DEPTH_FRACTION = 0.25;
+    /** The corners of the pyramid's faces, the triangle first. */
+    private static final int[][] PYRAMID_FACES = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+    /** The ends of the pyramid's edges. */
+    private static final int[] PYRAMID_EDGES = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};
+
+    /** {@code null} for a triangle, a sphere or a capsule. */
+    private final ConvexPolyhedron polyhedron;
+    /**
+     * The corners of a triangle and the apex below; {@code null} for others. There are many and few need the polyhedron,
+     * so it is built on each request.
+     */
+    private final Vec3[] pyramid;
+
     private final String solidId;
     private final Vec3 centre;
     private final double[] vertices;
@@ -24,23 +45,19 @@ public final class Collider implements SupportPoints {
 
     /** Makes a collider from a polyhedron in world coordinates, in metres. */
     public Collider(String solidId, ConvexPolyhedron shape) {
-        this(solidId, new ColliderShape.Solid(shape), shape);
+        this(solidId, shape, null, shape);
     }
 
-    /** Makes a {@link TriangleCollider} from its four corners. */
-    Collider(String solidId, Vec3[] sheet) {
-        this(solidId, new ColliderShape.Sheet(sheet), TriangleCollider.shape(sheet));
-    }
-
-    private Collider(String solidId, ColliderShape form, ConvexPolyhedron shape) {
+    private Collider(String solidId, ConvexPolyhedron polyhedron, Vec3[] pyramid, ConvexPolyhedron shape) {
         this.solidId = solidId;
-        this.form = form;
+        this.polyhedron = polyhedron;
+        this.pyramid = pyramid;
         bounds = shape.bounds();
         radiusMetres = 0;
         centre = bounds.centre();
         vertices = relativeVertices(shape.vertices(), centre);
         planes = relativePlanes(shape.faces(), centre);
-        edges = form.edges(vertices);
+        edges = pyramid == null ? edges(shape.faces()) : edges(vertices);
     }
 
     /** Makes the set of all points within a radius of a segment: a capsule, or a sphere when the ends coincide. */
@@ -48,10 +65,11 @@ public final class Collider implements SupportPoints {
         this.solidId = solidId;
         this.centre = centre;
         this.radiusMetres = radiusMetres;
-        form = new ColliderShape.Round(halfAxis);
+        polyhedron = null;
+        pyramid = null;
         vertices = new double[] {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
         planes = new double[0];
-        edges = form.edges(vertices);
+        edges = new double[] {halfAxis.x(), halfAxis.y(), halfAxis.z()};
         bounds = Aabb.around(
                         centre,
                         new Vec3(2 * Math.abs(halfAxis.x()), 2 * Math.abs(halfAxis.y()), 2 * Math.abs(halfAxis.z())))
@@ -61,6 +79,54 @@ public final class Collider implements SupportPoints {
     /** Returns a capsule about its centre, its axis from −{@code halfAxis} to +{@code halfAxis}; a sphere for zero. */
     public static Collider capsule(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
         return new Collider(solidId, centre, halfAxis, radiusMetres);
+    }
+
+    /** Returns each triangle of a mesh as a solid. */
+    static List<Collider> triangles(String id, WorldTriangles mesh) {
+        List<Collider> sheets = new ArrayList<>(mesh.count());
+        for (int i = 0; i < mesh.count(); i++) {
+            sheets.add(triangle(id, mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), mesh.faceNormal(i)));
+        }
+        return sheets;
+    }
+
+    /**
+     * Returns a triangle as a solid: a flat pyramid below it. Its sides slope inwards from the triangle's edges, so that
+     * neighbours in one plane join like abutting floors. Sweeps are continuous, so that no speed passes through it.
+     *
+     * @param normal unit normal of the side on which the corners are counter-clockwise
+     */
+    static Collider triangle(String id, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+        Vec3[] corners = {a, b, c, null};
+        corners[3] = apex(corners, normal);
+        return new Collider(id, null, corners, pyramid(corners));
+    }
+
+    /** Returns the apex below the triangle's incentre, where the three sides are equally steep. */
+    private static Vec3 apex(Vec3[] p, Vec3 normal) {
+        double a = p[2].minus(p[1]).length();
+        double b = p[0].minus(p[2]).length();
+        double c = p[1].minus(p[0]).length();
+        double around = a + b + c;
+        Vec3 doubled = p[1].minus(p[0]).cross(p[2].minus(p[0]));
+        double depth = Math.min(TRIANGLE_DEPTH_METRES, DEPTH_FRACTION * doubled.length() / around);
+        return new Vec3(
+                (a * p[0].x() + b * p[1].x() + c * p[2].x()) / around - depth * normal.x(),
+                (a * p[0].y() + b * p[1].y() + c * p[2].y()) / around - depth * normal.y(),
+                (a * p[0].z() + b * p[1].z() + c * p[2].z()) / around - depth * normal.z());
+    }
+
+    /** Returns the pyramid with four faces, the triangle first. */
+    private static ConvexPolyhedron pyramid(Vec3[] p) {
+        List<ConvexPolyhedron.Face> made = new ArrayList<>();
+        for (int i = 0; i < PYRAMID_FACES.length; i++) {
+            List<Vec3> ring = List.of(p[PYRAMID_FACES[i][0]], p[PYRAMID_FACES[i][1]], p[PYRAMID_FACES[i][2]]);
+            Vec3 n = ring.get(1).minus(ring.get(0)).cross(ring.get(2).minus(ring.get(0)));
+            Vec3 unit = Directions.unit(n.x(), n.y(), n.z());
+            made.add(new ConvexPolyhedron.Face(i, Plane.through(unit, ring.get(0)), ring));
+        }
+        List<Vec3> vertices = List.of(p);
+        return new ConvexPolyhedron(List.copyOf(made), vertices, Aabb.of(vertices));
     }
 
     private static double[] relativeVertices(List<Vec3> points, Vec3 centre) {
@@ -91,6 +157,34 @@ public final class Collider implements SupportPoints {
         return relative;
     }
 
+    /** Returns the direction of each edge of the faces, of any length: twice when two faces share it. */
+    private static double[] edges(List<ConvexPolyhedron.Face> faces) {
+        double[] directions =
+                new double[3 * faces.stream().mapToInt(f -> f.polygon().size()).sum()];
+        int at = 0;
+        for (ConvexPolyhedron.Face face : faces) {
+            for (int i = 0; i < face.polygon().size(); i++) {
+                Vec3 a = face.polygon().get(i);
+                Vec3 b = face.polygon().get((i + 1) % face.polygon().size());
+                directions[at++] = b.x() - a.x();
+                directions[at++] = b.y() - a.y();
+                directions[at++] = b.z() - a.z();
+            }
+        }
+        return directions;
+    }
+
+    /** Returns the directions of the six edges between the four corners of a pyramid. */
+    private static double[] edges(double[] vertices) {
+        double[] directions = new double[18];
+        for (int i = 0; i < 18; i++) {
+            int from = PYRAMID_EDGES[i / 3 * 2];
+            int to = PYRAMID_EDGES[i / 3 * 2 + 1];
+            directions[i] = vertices[3 * to + i % 3] - vertices[3 * from + i % 3];
+        }
+        return directions;
+    }
+
     /**
      * Returns the form used for contact points of bodies; built on the first call, which is not thread-safe.
      *
@@ -114,7 +208,11 @@ public final class Collider implements SupportPoints {
      * @throws IllegalStateException for a sphere or a capsule
      */
     public ConvexPolyhedron shape() {
-        return form.polyhedron();
+        if (polyhedron == null && pyramid == null) {
+            throw new IllegalStateException(
+                    "a sphere or a capsule has no faces; only static solids are cut or lain on");
+        }
+        return polyhedron == null ? pyramid(pyramid) : polyhedron;
     }
 
     /** Returns the bounding box in world coordinates. */
@@ -140,6 +238,16 @@ public final class Collider implements SupportPoints {
             }
         }
         return true;
+    }
+
+    /** Returns three numbers for each vertex, relative to the centre; the caller must not change them. */
+    double[] vertices() {
+        return vertices;
+    }
+
+    /** Returns four numbers for each face, as {@link #plane} gives them. */
+    double[] planes() {
+        return planes;
     }
 
     int faces() {

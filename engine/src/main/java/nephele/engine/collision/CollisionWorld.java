@@ -33,7 +33,7 @@ public final class CollisionWorld {
 
     /** Makes a world of these colliders; their indices are those in the list. */
     public CollisionWorld(List<Collider> colliders) {
-        this(new ListedColliders(colliders), null, ALL);
+        this(new ColliderSet.Listed(colliders), null, ALL);
     }
 
     private CollisionWorld(ColliderSet own, CollisionWorld base, long[] absent) {
@@ -62,11 +62,11 @@ public final class CollisionWorld {
      */
     public static CollisionWorld of(StaticShapes statics) {
         StaticColliders sorted = StaticColliders.of(statics);
-        return of(statics, new ListedColliders(sorted.listed()), sorted.ground());
+        return of(statics, new ColliderSet.Listed(sorted.listed()), sorted.ground());
     }
 
     private static CollisionWorld of(
-            StaticShapes statics, ListedColliders listed, List<StaticShape.HeightGrid> ground) {
+            StaticShapes statics, ColliderSet.Listed listed, List<StaticShape.HeightGrid> ground) {
         CollisionWorld world = new CollisionWorld(listed, null, ALL, statics);
         for (StaticShape.HeightGrid grid : ground) {
             world = world.with(grid);
@@ -88,15 +88,15 @@ public final class CollisionWorld {
             return this;
         }
         StaticColliders sorted = StaticColliders.edited(others, statics, this);
-        ListedColliders before = listed();
-        ListedColliders now = before.edited(sorted.listed());
+        ColliderSet.Listed before = listed();
+        ColliderSet.Listed now = before.edited(sorted.listed());
         boolean isSame = now == before && others.ground().equals(statics.ground());
         return isSame ? this : of(others, now, sorted.ground());
     }
 
     /** Returns the colliders that are not ground, in the world of a level. */
-    private ListedColliders listed() {
-        return base == null ? (ListedColliders) own : base.listed();
+    private ColliderSet.Listed listed() {
+        return base == null ? (ColliderSet.Listed) own : base.listed();
     }
 
     /**
@@ -114,18 +114,18 @@ public final class CollisionWorld {
         for (int i = 0; i < without.size(); i++) {
             bits[without.get(i) >> 6] |= 1L << without.get(i);
         }
-        return new CollisionWorld(new ListedColliders(added), this, bits);
+        return new CollisionWorld(new ColliderSet.Listed(added), this, bits);
     }
 
     /** Returns this world with more colliders, which get the indices from {@link #size} on. */
     public CollisionWorld with(List<Collider> added) {
-        return new CollisionWorld(new ListedColliders(added), this, ALL);
+        return new CollisionWorld(new ColliderSet.Listed(added), this, ALL);
     }
 
     /** Returns this world with ground; its triangles get the indices from {@link #size} on. */
     private CollisionWorld with(StaticShape.HeightGrid grid) {
         Math.addExact(size(), grid.field().triangles());
-        return new CollisionWorld(new HeightFieldColliders(grid.id(), grid.field()), this, ALL, statics);
+        return new CollisionWorld(new ColliderSet.Ground(grid.id(), grid.field()), this, ALL, statics);
     }
 
     /** Returns one more than the greatest index. */
@@ -144,14 +144,14 @@ public final class CollisionWorld {
 
     /** Returns true if a solid is a triangle of ground. */
     boolean isGround(int item) {
-        return item < shared() ? base.isGround(item) : own instanceof HeightFieldColliders;
+        return item < shared() ? base.isGround(item) : own instanceof ColliderSet.Ground;
     }
 
     /** Returns the fields of all ground. */
     List<HeightField> grounds() {
         List<HeightField> all = new ArrayList<>();
         for (CollisionWorld world = this; world != null; world = world.base) {
-            if (world.own instanceof HeightFieldColliders ground) {
+            if (world.own instanceof ColliderSet.Ground ground) {
                 all.add(ground.field());
             }
         }
@@ -226,7 +226,7 @@ public final class CollisionWorld {
      *
      * @param margin in metres around the shape
      */
-    void near(RoundedHull shape, Vector3dc from, Vector3dc way, double margin, ItemList found) {
+    void near(RoundedHull shape, Vector3dc from, Vector3dc path, double margin, ItemList found) {
         found.clear();
         Aabb box = new Aabb(
                 from.x() + shape.least(0) - margin,
@@ -235,7 +235,7 @@ public final class CollisionWorld {
                 from.x() + shape.greatest(0) + margin,
                 from.y() + shape.greatest(1) + margin,
                 from.z() + shape.greatest(2) + margin);
-        collectSwept(box, new Vec3(way.x(), way.y(), way.z()), found);
+        collectSwept(box, new Vec3(path.x(), path.y(), path.z()), found);
         found.sort();
     }
 

@@ -27,14 +27,8 @@ public final class ContactHull {
 
     ContactHull(Collider collider) {
         ConvexPolyhedron shape = collider.shape();
-        corners = new double[3 * shape.vertices().size()];
-        for (int i = 0; i < corners.length; i++) {
-            corners[i] = collider.vertex(i / 3, i % 3);
-        }
-        planes = new double[4 * shape.faces().size()];
-        for (int i = 0; i < planes.length; i++) {
-            planes[i] = collider.plane(i / 4, i % 4);
-        }
+        corners = collider.vertices();
+        planes = collider.planes();
         ringStart = starts(shape.faces());
         ring = rings(shape);
         sides = new double[4 * ring.length];

@@ -8,7 +8,6 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
-import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.ground.GroundStep;
 import org.joml.Vector3dc;
@@ -28,7 +27,6 @@ public final class PortalWorld {
 
     private final CollisionWorld statics;
     private final Portals portals;
-    private final PortalSteps steps;
     private final ApertureCutter cutter;
     private final long open;
     private final ApertureProximity proximity = new ApertureProximity();
@@ -38,8 +36,7 @@ public final class PortalWorld {
     private PortalWorld(CollisionWorld statics, Portals portals) {
         this.statics = statics;
         this.portals = portals;
-        steps = new PortalSteps(statics, portals);
-        cutter = new ApertureCutter(statics, portals, steps);
+        cutter = new ApertureCutter(statics, portals);
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
             mask |= portals.isOpen(i) ? 1L << i : 0;
@@ -58,18 +55,18 @@ public final class PortalWorld {
     }
 
     private static Portals withValidExits(CollisionWorld statics, Portals portals) {
-        List<Portal> all = new ArrayList<>();
-        List<Integer> partners = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>(portals.partners());
         boolean changed = false;
         for (int i = 0; i < portals.size(); i++) {
             int partner = portals.partner(i);
             boolean closed =
                     partner != Portals.CLOSED && !(isValid(statics, portals, i) && isValid(statics, portals, partner));
-            changed |= closed;
-            all.add(portals.portal(i));
-            partners.add(closed ? Portals.CLOSED : partner);
+            if (closed) {
+                changed = true;
+                partners.set(i, Portals.CLOSED);
+            }
         }
-        return changed ? new Portals(all, partners) : portals;
+        return changed ? new Portals(portals.all(), partners) : portals;
     }
 
     private static boolean isValid(CollisionWorld statics, Portals portals, int index) {
@@ -92,12 +89,12 @@ public final class PortalWorld {
 
     /** Returns how far the ground around a portal lies below it; {@link GroundStep#NO_GROUND} for one on a wall. */
     public double groundStepMetres(int portal) {
-        return steps.metres(portal);
+        return cutter.groundStepMetres(portal);
     }
 
     /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */
-    public double free(Vector3dc from, Vector3dc way) {
-        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+    public double free(Vector3dc from, Vector3dc path) {
+        var ray = new Ray(from.x(), from.y(), from.z(), path.x(), path.y(), path.z());
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }
 
@@ -108,12 +105,12 @@ public final class PortalWorld {
 
     /**
      * Returns the mask of open portals on which a shape is active while its centre moves from {@code at} by
-     * {@code way}.
+     * {@code path}.
      */
-    public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+    public long active(RoundedHull shape, Vector3dc at, Vector3dc path) {
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
-            if (portals.isOpen(i) && proximity.isActive(portals.portal(i), shape, at, way)) {
+            if (portals.isOpen(i) && proximity.isActive(portals.portal(i), shape, at, path)) {
                 mask |= 1L << i;
             }
         }
@@ -134,5 +131,26 @@ public final class PortalWorld {
             worlds.put(mask, world);
         }
         return world;
+    }
+
+    /**
+     * A cache of the last requested portal space: it is rebuilt only when the portals change, never in a tick without a
+     * shot.
+     */
+    public static final class Cache {
+        private final CollisionWorld statics;
+        private PortalWorld last;
+
+        public Cache(CollisionWorld statics) {
+            this.statics = statics;
+            last = PortalWorld.of(statics, Portals.NONE);
+        }
+
+        public PortalWorld of(Portals portals) {
+            if (last.portals() != portals) {
+                last = PortalWorld.of(statics, portals);
+            }
+            return last;
+        }
     }
 }

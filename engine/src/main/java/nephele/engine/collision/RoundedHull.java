@@ -1,5 +1,6 @@
 package nephele.engine.collision;
 
+import nephele.engine.collision.Gjk.SupportPoints;
 import nephele.engine.math.Vec3;
 
 /**

@@ -1,5 +1,8 @@
 package nephele.engine.collision;
 
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
 /**
  * The separating axis test between a shape's core and a collider (Gottschalk, Lin and Manocha 1996): the distance and
  * axis by which the core has to move to touch the collider from outside. Exact for points, segments and boxes. Axes of
@@ -14,26 +17,16 @@ final class SeparatingAxes {
     private double y;
     private double z;
     private double distance;
-    private double normalX;
-    private double normalY;
-    private double normalZ;
+    private final Vector3d normal = new Vector3d();
 
     /** Returns the greatest separation over all axes; negative: depth of the core in the collider. */
     double distance() {
         return distance;
     }
 
-    /** Returns a component of that separation's unit axis, from the collider towards the core. */
-    double normalX() {
-        return normalX;
-    }
-
-    double normalY() {
-        return normalY;
-    }
-
-    double normalZ() {
-        return normalZ;
+    /** Returns that separation's unit axis, from the collider towards the core. */
+    Vector3dc normal() {
+        return normal;
     }
 
     /**
@@ -107,9 +100,7 @@ final class SeparatingAxes {
                 + nZ * (shape.core(core, 2) + z - collider.vertex(vertex, 2));
         if (separation > distance) {
             distance = separation;
-            normalX = nX;
-            normalY = nY;
-            normalZ = nZ;
+            normal.set(nX, nY, nZ);
         }
     }
 }

@@ -1,7 +1,12 @@
 package nephele.engine.collision;
 
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
 /**
- * Signed distance between a moving shape and a collider, with the direction that increases it. Reused for every query.
+ * Signed distance between a moving shape and a collider or another moving shape, with the direction that increases it:
+ * by {@link Gjk} while their cores are apart, by {@link SeparatingAxes} when they overlap. Reused for every query.
  */
 public final class Separation {
     private final Gjk gjk = new Gjk();
@@ -9,28 +14,24 @@ public final class Separation {
     private Collider collider;
     private boolean overlapping;
     private double metres;
-    private double normalX;
-    private double normalY;
-    private double normalZ;
+    private final Vector3d normal = new Vector3d();
 
-    /** Returns the signed distance, negative when the shape overlaps the collider; never more than the true one. */
+    /**
+     * Returns the signed distance, negative when the shape overlaps the collider; outside overlapping cores never more
+     * than the true one.
+     */
     public double metres() {
         return metres;
     }
 
-    /** Returns a component of the unit vector from the collider towards the shape. */
-    public double normalX() {
-        return normalX;
+    /** Returns the unit vector from the collider towards the shape. */
+    public Vector3dc normal() {
+        return normal;
     }
 
-    /** Returns the y component of that vector. */
-    public double normalY() {
-        return normalY;
-    }
-
-    /** Returns the z component of that vector. */
-    public double normalZ() {
-        return normalZ;
+    /** Returns by how much the distance shrinks along a displacement, to first order. */
+    public double approach(Vector3dc displacement) {
+        return -(normal.x * displacement.x() + normal.y * displacement.y() + normal.z * displacement.z());
     }
 
     /**
@@ -38,17 +39,9 @@ public final class Separation {
      * is outside.
      */
     public double onCollider(int axis) {
-        double centre =
-                switch (axis) {
-                    case 0 -> collider.centre().x();
-                    case 1 -> collider.centre().y();
-                    default -> collider.centre().z();
-                };
-        return centre + (overlapping ? 0 : gjk.onCollider(collider, axis) + collider.radiusMetres() * normal(axis));
-    }
-
-    private double normal(int axis) {
-        return axis == 0 ? normalX : axis == 1 ? normalY : normalZ;
+        Vec3 centre = collider.centre();
+        double origin = axis == 0 ? centre.x() : axis == 1 ? centre.y() : centre.z();
+        return origin + (overlapping ? 0 : gjk.onCollider(collider, axis) + collider.radiusMetres() * normal.get(axis));
     }
 
     /**
@@ -81,17 +74,31 @@ public final class Separation {
         overlapping = !(gjk.distance() > 0);
         if (overlapping) {
             axes.measure(shape, localX, localY, localZ, against);
-            keep(axes.distance(), axes.normalX(), axes.normalY(), axes.normalZ());
+            metres = axes.distance();
+            normal.set(axes.normal());
         } else {
-            keep(gjk.distance(), gjk.normalX(), gjk.normalY(), gjk.normalZ());
+            metres = gjk.distance();
+            normal.set(gjk.normal());
         }
         metres -= shape.radiusMetres() + against.radiusMetres();
     }
 
-    private void keep(double distance, double nX, double nY, double nZ) {
-        metres = distance;
-        normalX = nX;
-        normalY = nY;
-        normalZ = nZ;
+    /**
+     * Measures two rounded shapes. When their cores overlap, the depth is unknown: the result is then minus the sum of
+     * the radii, along the line between the centres. There is no nearest point and no face of such a pair.
+     *
+     * @param x coordinate of the first shape's origin relative to the second's; likewise y and z
+     */
+    public void measure(RoundedHull first, double x, double y, double z, RoundedHull second) {
+        gjk.measure(first, x, y, z, second);
+        double radii = first.radiusMetres() + second.radiusMetres();
+        if (gjk.distance() > 0) {
+            metres = gjk.distance() - radii;
+            normal.set(gjk.normal());
+            return;
+        }
+        double length = Math.sqrt(x * x + y * y + z * z);
+        metres = -radii;
+        normal.set(length > 0 ? x / length : 0, length > 0 ? y / length : 1, length > 0 ? z / length : 0);
     }
 }

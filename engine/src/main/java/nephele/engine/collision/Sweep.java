@@ -32,7 +32,7 @@ public final class Sweep {
     private double fraction;
     private int collider;
 
-    /** Returns the free share of the displacement, 0 to 1. */
+    /** Returns the free fraction of the displacement, 0 to 1. */
     public double fraction() {
         return fraction;
     }
@@ -73,13 +73,12 @@ public final class Sweep {
         return collider >= 0;
     }
 
-    private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc way, double length) {
+    private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc path, double length) {
         Collider solid = world.collider(index);
         double t = 0;
         for (int i = 0; i < MAX_STEPS; i++) {
-            separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
-            double approach =
-                    -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
+            separation.measure(shape, from.x() + t * path.x(), from.y() + t * path.y(), from.z() + t * path.z(), solid);
+            double approach = separation.approach(path);
             double gap = separation.metres() - SKIN_METRES;
             if (approach <= (gap <= TOUCH_METRES ? SLIDING_METRES_PER_METRE * length : 0)) {
                 return;
@@ -102,7 +101,7 @@ public final class Sweep {
         }
         fraction = t;
         collider = index;
-        normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
+        normal.set(separation.normal());
         point.set(separation.onCollider(0), separation.onCollider(1), separation.onCollider(2));
         int face = separation.upmostFace(SAME_POINT_METRES);
         if (face >= 0) {

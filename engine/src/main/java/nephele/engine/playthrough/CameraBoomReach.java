@@ -122,9 +122,9 @@ final class CameraBoomReach {
 
     /** Returns the component along the boom of the direction away from the solid. */
     private double alongNormal() {
-        return separation.normalX() * direction.x
-                + separation.normalY() * direction.y
-                + separation.normalZ() * direction.z;
+        return separation.normal().x() * direction.x
+                + separation.normal().y() * direction.y
+                + separation.normal().z() * direction.z;
     }
 
     /** Returns the greatest length of a boom that passes a solid's point at these distances along and beside it. */

@@ -17,14 +17,13 @@ import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.replay.ReplayRecorder;
-import nephele.engine.sim.state.FallState;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.WorldState.FallState;
 import org.joml.Vector3d;
 
 /**
@@ -101,7 +100,7 @@ public final class Playthrough {
      */
     public Playthrough(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
         this.input = input;
-        simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
+        simulation = new Simulation(simLevel, beginning.settings);
         SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
         secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();
         recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);
@@ -210,7 +209,7 @@ public final class Playthrough {
         if (motion == PictureMotion.REDUCED) {
             return 0;
         }
-        double ticks = after.tick() + clock.share();
+        double ticks = after.tick() + clock.fraction();
         double leapt = 1 - (ticks - leaptInTick) * secondsPerTick / FallState.FADE_SECONDS;
         int ticksPerSecond = (int) Math.round(1 / secondsPerTick);
         return Math.max(after.world().fall().darkness(ticks, ticksPerSecond), Math.max(0, Math.min(1, leapt)));
@@ -331,7 +330,7 @@ public final class Playthrough {
 
     /** Returns the frame state between the last two ticks; always the same object. */
     public FrameState frameState() {
-        double share = clock.share();
+        double share = clock.fraction();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
@@ -401,7 +400,7 @@ public final class Playthrough {
 
     /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
     private Seen seen() {
-        double share = clock.share();
+        double share = clock.fraction();
         if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
             PlayerPose player = PlayerPose.between(before, after, share);
             boolean isOut = boom.isOut();

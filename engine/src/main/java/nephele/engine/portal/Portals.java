@@ -61,6 +61,16 @@ public final class Portals {
         return portals.get(index);
     }
 
+    /** Returns all portals, by their index. */
+    public List<Portal> all() {
+        return portals;
+    }
+
+    /** Returns the partner of each portal. */
+    public List<Integer> partners() {
+        return partners;
+    }
+
     /** Returns the index of the portal's partner, or {@link #CLOSED}. */
     public int partner(int index) {
         return partners.get(index);

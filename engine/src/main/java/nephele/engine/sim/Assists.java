@@ -6,7 +6,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.player.PlayerEye;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerInput;
@@ -113,7 +112,7 @@ public final class Assists {
 
     /** Returns true if the view is directed at the portal's centre or along the inverted portal normal. */
     private static boolean looksAt(Portal portal, PlayerState player) {
-        Vector3d ahead = PlayerEye.direction(PlayerEye.view(player), new Vector3d());
+        Vector3d ahead = player.ahead(new Vector3d());
         Vector3d to = portal.centre().toVector().sub(player.eye().toVector());
         return ahead.dot(to) >= FUNNEL_MIN_VIEW_COSINE * to.length()
                 || -ahead.dot(portal.normal().toVector()) >= FUNNEL_MIN_VIEW_COSINE;

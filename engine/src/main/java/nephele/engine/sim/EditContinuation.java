@@ -9,14 +9,13 @@ import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.carry.PortalOccupants;
-import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.HeldBody;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
-import nephele.engine.sim.state.TickTrace;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.ExitState;
+import nephele.engine.sim.state.WorldState.HeldBody;
+import nephele.engine.sim.state.WorldState.TickTrace;
 
 /**
  * Continues a running game in an edited level. The fixed portals of the edited level replace the earlier ones. A shot
@@ -25,11 +24,11 @@ import nephele.engine.sim.state.WorldState;
  */
 final class EditContinuation {
     private final SimLevel level;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     private final PortalOccupants occupants;
 
     /** @param level the edited level */
-    EditContinuation(SimLevel level, PortalWorldCache worlds) {
+    EditContinuation(SimLevel level, PortalWorld.Cache worlds) {
         this.level = level;
         this.worlds = worlds;
         occupants = new PortalOccupants(level.bodies());
@@ -47,7 +46,7 @@ final class EditContinuation {
                     "the edited level has " + level.bodies().size() + " bodies, the game "
                             + around.bodies().size() + ": begin it anew");
         }
-        List<Portal> all = fixed();
+        List<Portal> all = new ArrayList<>(level.portals().all());
         GunPortals now = GunPortals.NONE;
         GunPortals.Colour earlier = around.shots().earlier();
         now = add(kept(earlier, around), earlier, now, all);
@@ -57,14 +56,6 @@ final class EditContinuation {
         return settled == null ? null : moved(settled, now, before.portals(), after.portals());
     }
 
-    private List<Portal> fixed() {
-        List<Portal> fixed = new ArrayList<>();
-        for (int i = 0; i < level.portals().size(); i++) {
-            fixed.add(level.portals().portal(i));
-        }
-        return fixed;
-    }
-
     /** Returns a shot's portal if it is still valid, else {@code null}. */
     private Portal kept(GunPortals.Colour shot, WorldState around) {
         int index = around.shots().portal(shot);
@@ -72,7 +63,7 @@ final class EditContinuation {
             return null;
         }
         Portal portal = around.portals().portal(index);
-        return level.gun().holds(portal, fixed()) ? portal : null;
+        return level.gun().holds(portal, level.portals().all()) ? portal : null;
     }
 
     private static GunPortals add(Portal portal, GunPortals.Colour shot, GunPortals shots, List<Portal> to) {
@@ -84,9 +75,9 @@ final class EditContinuation {
     }
 
     private List<Integer> partners(int size, GunPortals shots) {
-        List<Integer> partners = new ArrayList<>();
-        for (int i = 0; i < size; i++) {
-            partners.add(i < level.portals().size() ? level.portals().partner(i) : Portals.CLOSED);
+        List<Integer> partners = new ArrayList<>(level.portals().partners());
+        while (partners.size() < size) {
+            partners.add(Portals.CLOSED);
         }
         if (shots.first() != GunPortals.UNFIRED && shots.second() != GunPortals.UNFIRED) {
             partners.set(shots.first(), shots.second());

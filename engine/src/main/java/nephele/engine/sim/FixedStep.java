@@ -37,7 +37,7 @@ public final class FixedStep {
      * Returns the fraction of the next tick that has passed, in [0, 1): the interpolation weight between the last two
      * states.
      */
-    public double share() {
+    public double fraction() {
         return rest / (double) NANOS_PER_SECOND;
     }
 

@@ -53,9 +53,9 @@ final class LandmarkRules {
     private static boolean isSeen(Vec3 eye, Place landmark, CollisionWorld world) {
         RayCast cast = new RayCast();
         for (int i = 0; i < 27; i++) {
-            Vec3 way = new Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            double unit = way.length() == 0 ? 0 : landmark.radiusMetres() / way.length();
-            Vec3 towards = landmark.position().addScaled(unit, way).minus(eye);
+            Vec3 path = new Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            double unit = path.length() == 0 ? 0 : landmark.radiusMetres() / path.length();
+            Vec3 towards = landmark.position().addScaled(unit, path).minus(eye);
             double metres = towards.length();
             double limit = metres - TOUCHING_METRES;
             if (limit <= 0 || !cast.cast(world, Ray.of(eye, towards.scaled(1 / metres)), limit)) {

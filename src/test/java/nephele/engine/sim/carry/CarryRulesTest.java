@@ -7,13 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Lab;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import org.junit.jupiter.api.Test;
 
 /** Carrying without portals: reach, weight, steadiness, dropping, throwing. */
@@ -32,7 +32,7 @@ final class CarryRulesTest {
     void whatIsInReachIsHeldBeforeTheEye() {
         Lab lab = atCube(20).press(Action.CARRY);
         assertEquals(0, lab.holding().body());
-        assertEquals(List.of(new Handled(Kind.PICKED_UP, 0)), lab.told());
+        assertEquals(List.of(new Handled(Kind.PICKED_UP, 0)), lab.events());
         lab.turn(0, 35).hold(PlayerInput.NONE, 1);
         Vec3 held = lab.body(0);
         assertEquals(0, held.x(), 1e-6);
@@ -50,7 +50,7 @@ final class CarryRulesTest {
         lab.press(Action.CARRY).hold(PlayerInput.NONE, 1.5);
         assertFalse(lab.holding().isHolding());
         assertEquals(HALF, lab.body(0).y(), 0.005);
-        assertEquals(new Handled(Kind.DROPPED, 0), lab.told().get(1));
+        assertEquals(new Handled(Kind.DROPPED, 0), lab.events().get(1));
     }
 
     @Test
@@ -59,7 +59,7 @@ final class CarryRulesTest {
             Lab lab = atCube(20).press(Action.CARRY).turn(0, 35).hold(PlayerInput.NONE, 1);
             Vec3 before = lab.body(0);
             lab.tick(PlayerInput.NONE.holding(trigger));
-            assertEquals(new Handled(Kind.THROWN, 0), lab.told().get(1));
+            assertEquals(new Handled(Kind.THROWN, 0), lab.events().get(1));
             Vec3 speed = lab.state().world().bodies().state(0).velocity();
             assertEquals(-8, speed.z(), 1e-9);
             assertEquals(-9.81 / 120, speed.y(), 1e-9);
@@ -71,9 +71,9 @@ final class CarryRulesTest {
     void handsReachNoFartherAndLiftNoMore() {
         Lab heavy = atCube(51).press(Action.CARRY);
         assertFalse(heavy.holding().isHolding());
-        assertEquals(List.of(new Handled(Kind.TOO_HEAVY, 0)), heavy.told());
+        assertEquals(List.of(new Handled(Kind.TOO_HEAVY, 0)), heavy.events());
         Lab far = Lab.hall().cube(new Vec3(0, 1.65, -2.8), 0.5, 1).press(Action.CARRY);
-        assertEquals(List.of(new TickEvent.NothingInReach()), far.told());
+        assertEquals(List.of(new TickEvent.NothingInReach()), far.events());
         Lab near = Lab.hall().cube(new Vec3(0, 1.65, -2.7), 0.5, 1).press(Action.CARRY);
         assertTrue(near.holding().isHolding());
         Lab behindPane = Lab.hall()
@@ -87,7 +87,7 @@ final class CarryRulesTest {
     @Test
     void aKeyThatStaysDownActsOnce() {
         Lab lab = atCube(20).hold(PlayerInput.NONE.holding(Action.CARRY), 0.5);
-        assertEquals(1, lab.told().size());
+        assertEquals(1, lab.events().size());
         assertTrue(lab.holding().isHolding());
     }
 
@@ -108,9 +108,9 @@ final class CarryRulesTest {
         assertEquals(0, lab.holding().ticksUnseen());
         assertTrue(lab.holding().isHolding());
         lab.set(lab.state().withPlayer(behindWall)).hold(PlayerInput.NONE, CarryRules.GRACE_SECONDS);
-        assertEquals(1, lab.told().size());
+        assertEquals(1, lab.events().size());
         lab.tick(PlayerInput.NONE);
-        assertEquals(new Handled(Kind.LOST, 0), lab.told().get(1));
+        assertEquals(new Handled(Kind.LOST, 0), lab.events().get(1));
         assertFalse(lab.holding().isHolding());
         assertTrue(lab.body(0).x() <= 0.801, "the wall holds: " + lab.body(0));
     }

@@ -16,11 +16,9 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.sim.Lab;
-import nephele.engine.sim.player.PlayerMotion;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
-import nephele.engine.sim.state.PortalWorldCache;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.PortalOpened;
@@ -38,7 +36,7 @@ final class PortalOccupantsTest {
     private static final double EDGE = 0.5;
 
     private SimLevel level;
-    private PortalWorldCache worlds;
+    private PortalWorld.Cache worlds;
 
     private static Lab withCubeAt(Lab lab, Vec3 centre) {
         Bodies bodies = lab.state().world().bodies();
@@ -59,7 +57,7 @@ final class PortalOccupantsTest {
                         .hold(PlayerInput.NONE, 0.3);
                 assertEquals(-8 + before, lab.body(0).z(), 1e-3);
                 lab.turn(90, 0).tick(PlayerInput.NONE.holding(shot));
-                assertInstanceOf(PortalOpened.class, lab.told().get(2));
+                assertInstanceOf(PortalOpened.class, lab.events().get(2));
                 assertTrue(deepest(lab) < 0.002, "in a solid by " + deepest(lab));
                 lab.hold(PlayerInput.NONE, 0.5);
                 double expected = shot == Action.FIRE_FIRST ? EDGE / 2 : before;
@@ -84,7 +82,7 @@ final class PortalOccupantsTest {
         // Aimed beside the cube, where the portal still reaches under it.
         lab.turn(-90, 5 - 50.5);
         lab.press(Action.FIRE_SECOND);
-        assertInstanceOf(PortalOpened.class, lab.told().get(1), lab.told().toString());
+        assertInstanceOf(PortalOpened.class, lab.events().get(1), lab.events().toString());
         lab.hold(PlayerInput.NONE, 1.5);
         assertTrue(lab.body(0).x() < -5, "out of the wall to the left: " + lab.body(0));
         assertEquals(6, lab.body(1).x(), 1e-3);
@@ -121,8 +119,9 @@ final class PortalOccupantsTest {
                         "seed " + seed + ", tick " + lab.state().tick() + ": " + deepest(lab));
                 assertInside(lab.player().centre(), 0.2);
             }
-            opened += lab.told().stream().filter(PortalOpened.class::isInstance).count();
-            carried += lab.told().stream()
+            opened +=
+                    lab.events().stream().filter(PortalOpened.class::isInstance).count();
+            carried += lab.events().stream()
                     .filter(TickEvent.Handled.class::isInstance)
                     .count();
             assertEquals(0, lab.state().faults());
@@ -161,13 +160,13 @@ final class PortalOccupantsTest {
         WorldState around = lab.state().world();
         if (level == null) {
             level = SimLevel.of(lab.level());
-            worlds = new PortalWorldCache(level.statics());
+            worlds = new PortalWorld.Cache(level.statics());
         }
         PortalWorld space = worlds.of(around.portals());
         PlayerState player = lab.player();
         double depth = depth(
                 space,
-                PlayerMotion.shape(player.stance(), player.tilt().up()),
+                player.stance().shape(player.tilt().up()),
                 player.centre().toVector());
         BodyTable table = level.bodies();
         for (int i = 0; i < around.bodies().size(); i++) {

@@ -29,7 +29,7 @@ final class BodyObstaclesTest {
         PortalWorld portalWorld = PortalWorld.of(level.statics(), level.portals());
         var obstacles = new BodyObstacles(level.bodies());
         obstacles.enter(portalWorld, level.bodies().start(), BodyObstacles.NO_BODY);
-        var shape = PlayerMotion.shape(PlayerDimensions.Stance.STANDING, Tilt.UPRIGHT.up());
+        var shape = PlayerDimensions.Stance.STANDING.shape(Tilt.UPRIGHT.up());
         CollisionWorld withCube = obstacles.around(0, shape, new Vector3d(0.6, 0.9, 0), STILL);
         assertTrue(obstacles.isBody(withCube.size() - 1));
         assertFalse(obstacles.isBody(withCube.size() - 2));

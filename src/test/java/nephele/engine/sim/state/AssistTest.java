@@ -8,6 +8,9 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Assists;
 import nephele.engine.sim.Lab;
+import nephele.engine.sim.state.PlayerInput.Action;
+import nephele.engine.sim.state.WorldState.Arrival;
+import nephele.engine.sim.state.WorldState.FallState;
 import org.junit.jupiter.api.Test;
 
 /** Each assist has its effect, and without it the effect is absent. */

@@ -26,7 +26,7 @@ class TiltTest {
             for (int sign = -1; sign <= 1; sign += 2) {
                 Tilt nearer = new Tilt(UP, sign * q.x, sign * q.y, sign * q.z, sign * q.w).viewTowardsUpright(step);
                 Quaterniond expected = Rotations.aroundAxis(axis, angle - step);
-                assertEquals(1, Math.abs(expected.dot(nearer.view())), 1e-12, "rotation " + i + ", sign " + sign);
+                assertEquals(1, Math.abs(expected.dot(nearer.turn())), 1e-12, "rotation " + i + ", sign " + sign);
                 Tilt there =
                         new Tilt(UP, sign * q.x, sign * q.y, sign * q.z, sign * q.w).viewTowardsUpright(angle + 1e-9);
                 assertEquals(Tilt.UPRIGHT, there);

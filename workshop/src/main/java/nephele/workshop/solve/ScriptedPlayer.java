@@ -6,9 +6,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -35,7 +34,7 @@ public final class ScriptedPlayer {
 
     /** @param levelFile the level's file name in the replay */
     public ScriptedPlayer(PlacedLevel level, String levelFile) {
-        simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT, FaultLog.SILENT);
+        simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT);
         recorder = new ReplayRecorder(levelFile, SimSettings.DEFAULT, null);
         state = simulation.start();
     }

@@ -7,8 +7,8 @@ import java.util.List;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 
 /** The solutions of the levels that have one, and the program that writes their replays: {@code gradle solutions}. */
 public final class Solutions {

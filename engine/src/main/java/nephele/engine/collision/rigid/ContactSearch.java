@@ -40,8 +40,10 @@ final class ContactSearch {
     private final SolverState motions;
     private final ContactRows rows;
     private final NarrowPhase narrow;
-    private final SweepAndPrune pairs = new SweepAndPrune();
-    private final ContactCacheIndex memory = new ContactCacheIndex();
+    private final SweepAndPrune sweepAndPrune = new SweepAndPrune();
+    private final ItemList pairs = new ItemList();
+    private final ContactCache.Index memory = new ContactCache.Index();
+    private ContactCache last = ContactCache.NONE;
     private final Manifold manifold = new Manifold();
     private final ItemList near = new ItemList();
     private final double[] offset = new double[3];
@@ -73,8 +75,10 @@ final class ContactSearch {
         return narrow;
     }
 
-    void index(ContactCache last, double nowSeconds) {
-        memory.index(last, nowSeconds);
+    /** Sets the contacts of the step before, which warm start those of this one. */
+    void index(ContactCache contacts) {
+        last = contacts;
+        memory.index(contacts);
     }
 
     /** Wakes the sleeping bodies that a moving shape is about to touch; returns true if any was woken. */
@@ -86,7 +90,10 @@ final class ContactSearch {
             anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;
         }
         if (anyAsleep) {
-            pairs.visit(poses, this::wakePair);
+            sweepAndPrune.find(poses, pairs);
+            for (int i = 0; i < pairs.size(); i += 2) {
+                wakePair(pairs.get(i), pairs.get(i + 1));
+            }
         }
         return woke;
     }
@@ -116,18 +123,19 @@ final class ContactSearch {
      */
     private boolean reaches(int a, int b, int sleeper) {
         double[] m = motions.velocity;
-        int v = 6 * poses.owner[sleeper == a ? b : a];
+        int v = SolverState.STRIDE * poses.owner[sleeper == a ? b : a];
+        int w = v + SolverState.ANGULAR;
         double towards = sleeper == a ? seconds : -seconds;
         for (int i = 0; i < manifold.count; i++) {
             for (int axis = 0; axis < 3; axis++) {
                 double fromMover = sleeper == a ? poses.centre[3 * b + axis] - poses.centre[3 * a + axis] : 0;
                 relative[axis] = manifold.point[3 * i + axis] - fromMover;
             }
-            double x = m[v] + m[v + 4] * relative[2] - m[v + 5] * relative[1];
-            double y = m[v + 1] + m[v + 5] * relative[0] - m[v + 3] * relative[2];
-            double z = m[v + 2] + m[v + 3] * relative[1] - m[v + 4] * relative[0];
-            double way = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
-            if (manifold.separation[i] <= way + WAKING_METRES) {
+            double x = m[v] + m[w + 1] * relative[2] - m[w + 2] * relative[1];
+            double y = m[v + 1] + m[w + 2] * relative[0] - m[w] * relative[2];
+            double z = m[v + 2] + m[w] * relative[1] - m[w + 1] * relative[0];
+            double path = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
+            if (manifold.separation[i] <= path + WAKING_METRES) {
                 return true;
             }
         }
@@ -165,8 +173,8 @@ final class ContactSearch {
 
     /** Returns the distance below which surfaces matter in this tick. */
     private double reach(int a, int b) {
-        int u = 6 * poses.owner[a];
-        int v = 6 * poses.owner[b];
+        int u = SolverState.STRIDE * poses.owner[a];
+        int v = SolverState.STRIDE * poses.owner[b];
         double[] m = motions.velocity;
         System.arraycopy(m, v, relative, 0, 3);
         if (poses.through[b] >= 0) {
@@ -178,25 +186,25 @@ final class ContactSearch {
         double x = m[u] - relative[0];
         double y = m[u + 1] - relative[1];
         double z = m[u + 2] - relative[2];
-        double way = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
+        double path = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
         double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
-        return reach(least, way);
+        return reach(least, path);
     }
 
-    private static double reach(double leastHalf, double way) {
-        return Math.min(REACH_METRES, leastHalf / 2) / 2 + Math.min(way, Math.max(leastHalf / 2, FAR_METRES));
+    private static double reach(double leastHalf, double path) {
+        return Math.min(REACH_METRES, leastHalf / 2) / 2 + Math.min(path, Math.max(leastHalf / 2, FAR_METRES));
     }
 
     private double reach(int body) {
         double[] m = motions.velocity;
-        int u = 6 * body;
-        double way = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
-        return reach(poses.leastHalf(body), way);
+        int u = SolverState.STRIDE * body;
+        double path = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
+        return reach(poses.leastHalf(body), path);
     }
 
     private double turning(int shape) {
         double[] m = motions.velocity;
-        int w = 6 * poses.owner[shape] + 3;
+        int w = SolverState.STRIDE * poses.owner[shape] + SolverState.ANGULAR;
         double square = m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2];
         return square < 1e-12 ? 0 : Math.sqrt(square) * poses.radius(shape);
     }
@@ -221,13 +229,16 @@ final class ContactSearch {
         }
         firstWithSolid[bodies.count] = rows.count;
         poses.count = shapes;
-        pairs.visit(poses, this::pair);
+        sweepAndPrune.find(poses, pairs);
+        for (int i = 0; i < pairs.size(); i += 2) {
+            addPair(pairs.get(i), pairs.get(i + 1));
+        }
     }
 
     /** Returns true if the solver has contacts of a body and a solid of its world. */
     boolean metSolid(int body, int solid) {
         for (int m = firstWithSolid[body]; m < firstWithSolid[body + 1]; m++) {
-            if (ContactKey.solid(rows.key[m]) == solid) {
+            if (ContactCache.solid(rows.key[m]) == solid) {
                 return true;
             }
         }
@@ -236,9 +247,9 @@ final class ContactSearch {
 
     /** Returns true if the solver has contacts of a body and another owner that do not act through a portal. */
     boolean metOther(int body, int other) {
-        long parties = ContactKey.parties(ContactKey.between(Math.min(body, other), Math.max(body, other), -1));
+        long parties = ContactCache.parties(ContactCache.between(Math.min(body, other), Math.max(body, other), -1));
         for (int m = firstWithSolid[bodies.count]; m < rows.count; m++) {
-            if (ContactKey.parties(rows.key[m]) == parties) {
+            if (ContactCache.parties(rows.key[m]) == parties) {
                 return true;
             }
         }
@@ -251,14 +262,14 @@ final class ContactSearch {
     }
 
     private void withStatics(int body, CollisionWorld world, int scratch) {
-        world.overlapping(poses.bounds, 6 * body, near);
+        world.overlapping(poses.bounds, Poses.BOUNDS * body, near);
         double reach = reach(body);
         for (int i = 0; i < near.size(); i++) {
             Collider solid = world.collider(near.get(i));
             narrow.touch(body, solid, reach, scratch, manifold);
             if (manifold.count > 0) {
                 Arrays.fill(offset, 0);
-                long key = ContactKey.withSolid(body, near.get(i));
+                long key = ContactCache.withSolid(body, near.get(i));
                 add(
                         body,
                         motions.count - 1,
@@ -271,7 +282,7 @@ final class ContactSearch {
     }
 
     /** Makes rows for a pair. The first shape is real, the second may be an image: images come last. */
-    private void pair(int a, int b) {
+    private void addPair(int a, int b) {
         int ownerA = poses.owner[a];
         int ownerB = poses.owner[b];
         boolean bodyA = ownerA < bodies.count;
@@ -298,20 +309,48 @@ final class ContactSearch {
             portalContacts.turn(portal, turn);
             turned = turn;
         }
-        add(ownerA, ownerB, turned, ContactKey.between(ownerA, ownerB, portal), friction, restitution);
+        add(ownerA, ownerB, turned, ContactCache.between(ownerA, ownerB, portal), friction, restitution);
     }
 
     private void add(int ownerA, int ownerB, double[] turned, long parties, double friction, double restitution) {
         int m = rows.add(manifold, ownerA, ownerB, offset, turned);
-        rows.key[m] = ContactKey.with(parties, manifold.code, manifold.count);
+        rows.key[m] = ContactCache.key(parties, manifold.code, manifold.count);
         rows.head[ContactRows.HEAD * m + ContactRows.FRICTION] = friction;
         rows.head[ContactRows.HEAD * m + ContactRows.RESTITUTION] = restitution;
         rows.head[ContactRows.HEAD * m + ContactRows.SLOP] = Math.min(SLOP_METRES, poses.leastHalf(ownerA) / 50);
-        memory.recall(rows, m);
+        recall(m);
+    }
+
+    /** Warm starts a manifold: copies the impulses of the step before to the rows of the same points. */
+    private void recall(int m) {
+        int entry = memory.find(rows.key[m]);
+        if (entry < 0) {
+            return;
+        }
+        double scale = last.scaleTo(seconds);
+        int known = ContactCache.points(last.key(entry));
+        int features = last.features(entry);
+        int used = 0;
+        for (int i = 0; i < rows.points[m]; i++) {
+            int wanted = rows.features[m] >>> 8 * i & 0xff;
+            for (int j = 0; j < known; j++) {
+                if ((used & 1 << j) == 0 && (features >>> 8 * j & 0xff) == wanted) {
+                    used |= 1 << j;
+                    int r = ContactRows.ROW * (rows.first[m] + i);
+                    rows.rows[r + ContactRows.IMPULSE] = scale * last.impulse(entry, j);
+                    rows.rows[r + ContactRows.GREATEST] = scale * last.impulse(entry, j);
+                    break;
+                }
+            }
+        }
+        int f = ContactRows.HEAD * m + ContactRows.FRICTION_IMPULSE;
+        for (int i = 0; i < 3; i++) {
+            rows.head[f + i] = scale * last.impulse(entry, Manifold.MOST + i);
+        }
     }
 
     /** Returns the contacts that had an impulse in this tick, and the stored ones of sleeping bodies. */
-    ContactCache remember(ContactCache last, TickBodies now, double nowSeconds) {
+    ContactCache remember(TickBodies now) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
             kept += isKept(last.key(i), now) ? 1 : 0;
@@ -328,7 +367,7 @@ final class ContactSearch {
             if (isKept(last.key(i), now)) {
                 keys[at] = last.key(i);
                 features[at] = last.features(i);
-                last.copyImpulses(i, nowSeconds, impulses, at++);
+                last.copyImpulses(i, seconds, impulses, at++);
             }
         }
         for (int m = 0; m < rows.count; m++) {
@@ -338,13 +377,13 @@ final class ContactSearch {
                 rows.writeImpulses(m, impulses, ContactCache.IMPULSES * at++);
             }
         }
-        return new ContactCache(keys, features, impulses, nowSeconds);
+        return new ContactCache(keys, features, impulses, seconds);
     }
 
     /** Returns true if the impulses are worth storing; those of a body that then went through a portal are not. */
     private boolean isCarried(int m, TickBodies now) {
-        int a = ContactKey.first(rows.key[m]);
-        int b = ContactKey.second(rows.key[m]);
+        int a = ContactCache.first(rows.key[m]);
+        int b = ContactCache.second(rows.key[m]);
         return rows.carries(m)
                 && !(a < now.count && now.hasCrossed(a))
                 && !(b >= 0 && b < now.count && now.hasCrossed(b));
@@ -352,8 +391,8 @@ final class ContactSearch {
 
     /** Returns true if neither body was awake in this tick, so that the stored contact is not among the rows. */
     private boolean isKept(long key, TickBodies now) {
-        int a = ContactKey.first(key);
-        int b = ContactKey.second(key);
+        int a = ContactCache.first(key);
+        int b = ContactCache.second(key);
         return a < now.count
                 && motions.inverseMass[a] == 0
                 && (b < 0 || b >= now.count || motions.inverseMass[b] == 0)

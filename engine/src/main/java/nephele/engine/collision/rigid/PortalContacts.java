@@ -11,7 +11,6 @@ import nephele.engine.collision.rigid.solver.SolverState;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
-import org.joml.Matrix3d;
 import org.joml.Vector3d;
 
 /**
@@ -23,7 +22,7 @@ final class PortalContacts {
     private final Poses poses;
     private final NarrowPhase narrow;
     private final Vector3d place = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private Portals portals = Portals.NONE;
     private long[] characterMasks = new long[0];
     private TickBodies bodies;
@@ -49,12 +48,13 @@ final class PortalContacts {
                 continue;
             }
             int at = Bodies.STRIDE * body;
+            int v = at + Bodies.VELOCITY;
             double[] m = bodies.motion;
             place.set(m[at], m[at + 1], m[at + 2]);
-            way.set(m[at + 7], m[at + 8], m[at + 9])
+            path.set(m[v], m[v + 1], m[v + 2])
                     .add(gravity.x() * seconds / 2, gravity.y() * seconds / 2, gravity.z() * seconds / 2)
                     .mul(bodies.isAwake(body) ? seconds : 0);
-            bodies.active[body] = surroundings.active(narrow.turnedHull(body), place, way);
+            bodies.active[body] = surroundings.active(narrow.turnedHull(body), place, path);
             if (changed && (bodies.active[body] | last.active(body)) != 0) {
                 bodies.wake(body);
             }
@@ -74,8 +74,8 @@ final class PortalContacts {
         }
         for (int i = 0; i < influences.characters(); i++) {
             BodyInfluences.Character c = influences.characterList().get(i);
-            c.velocity.mul(seconds, way);
-            characterMasks[i] = surroundings.active(c.upright, c.centre, way);
+            c.velocity.mul(seconds, path);
+            characterMasks[i] = surroundings.active(c.upright, c.centre, path);
             addImages(bodies.count + i, characterMasks[i], motions, seconds);
         }
     }
@@ -88,24 +88,24 @@ final class PortalContacts {
                 continue;
             }
             int image = poses.add(poses.kind[owner], owner, portal);
-            place.set(poses.centre[3 * owner], poses.centre[3 * owner + 1], poses.centre[3 * owner + 2]);
-            transform.point(place);
+            transform.point(poses.centre(owner, place));
             poses.place(image, place.x, place.y, place.z);
             System.arraycopy(poses.half, 3 * owner, poses.half, 3 * image, 3);
             for (int axis = 0; axis < 9; axis += 3) {
-                int from = 9 * owner + axis;
-                way.set(poses.axes[from], poses.axes[from + 1], poses.axes[from + 2]);
-                transform.direction(way);
-                poses.axes[9 * image + axis] = way.x;
-                poses.axes[9 * image + axis + 1] = way.y;
-                poses.axes[9 * image + axis + 2] = way.z;
+                int from = Poses.AXES * owner + axis;
+                path.set(poses.axes[from], poses.axes[from + 1], poses.axes[from + 2]);
+                transform.direction(path);
+                poses.axes[Poses.AXES * image + axis] = path.x;
+                poses.axes[Poses.AXES * image + axis + 1] = path.y;
+                poses.axes[Poses.AXES * image + axis + 2] = path.z;
             }
-            double[] v = motions.velocity;
-            way.set(v[6 * owner + 3], v[6 * owner + 4], v[6 * owner + 5]);
-            double turned = way.length() * seconds * poses.radius(owner);
-            way.set(v[6 * owner], v[6 * owner + 1], v[6 * owner + 2]);
-            transform.direction(way).mul(seconds);
-            poses.bound(image, way.x, way.y, way.z, turned, 2 * ContactSearch.REACH_METRES);
+            double[] m = motions.velocity;
+            int v = SolverState.STRIDE * owner;
+            int w = v + SolverState.ANGULAR;
+            double turned = path.set(m[w], m[w + 1], m[w + 2]).length() * seconds * poses.radius(owner);
+            path.set(m[v], m[v + 1], m[v + 2]);
+            transform.direction(path).mul(seconds);
+            poses.bound(image, path.x, path.y, path.z, turned, 2 * ContactSearch.REACH_METRES);
         }
     }
 
@@ -142,16 +142,7 @@ final class PortalContacts {
 
     /** Writes the rotation from the space of the real shape to that of the image's owner: nine numbers, by rows. */
     void turn(int portal, double[] out) {
-        Matrix3d r = portals.transform(portal).rotation();
-        out[0] = r.m00;
-        out[1] = r.m01;
-        out[2] = r.m02;
-        out[3] = r.m10;
-        out[4] = r.m11;
-        out[5] = r.m12;
-        out[6] = r.m20;
-        out[7] = r.m21;
-        out[8] = r.m22;
+        portals.transform(portal).rotation().get(out);
     }
 
     /**
@@ -186,7 +177,6 @@ final class PortalContacts {
     }
 
     private long through(long mask, int shape) {
-        centre.set(poses.centre[3 * shape], poses.centre[3 * shape + 1], poses.centre[3 * shape + 2]);
-        return portals.behind(mask, centre, place);
+        return portals.behind(mask, poses.centre(shape, centre), place);
     }
 }

@@ -14,8 +14,8 @@ import nephele.engine.math.Vec3;
 
 /**
  * Moves bodies by one tick: finds and solves contacts, moves bodies without contacts exactly, and puts resting bodies
- * to sleep. A long tick, or one in which a body in contact rotates far, is stepped in parts. Not thread-safe: the
- * working set is reused.
+ * to sleep. A long tick, or one in which a body in contact rotates far, is stepped in parts: contacts are linear in the
+ * motion, but the path of a point of a rotating body is curved. Not thread-safe: the working set is reused.
  */
 public final class RigidStep {
     /** Longer ticks are stepped in parts; contacts are found once in each part. */
@@ -26,6 +26,18 @@ public final class RigidStep {
     /** Limit of further parts of a part in which an impact makes a body rotate faster than before. */
     private static final int PARTS_AGAIN = 4;
 
+    /**
+     * Deviation from a straight path, of a point of a body in contact, above which contacts are found anew in between.
+     */
+    private static final double BEND_METRES = 3e-6;
+
+    private static final int MOST_BENT_PARTS = 32;
+    /** Limit of parts times awake bodies: finer parts are for few bodies. */
+    private static final int MOST_BODY_STEPS = 64;
+
+    /** Angle of rotation in a step below which the deviation is ignored. */
+    private static final double LEAST_RADIANS = 1e-3;
+
     private final BodyTable table;
     private final Vec3 gravity;
     private final TickBodies bodies = new TickBodies();
@@ -34,15 +46,18 @@ public final class RigidStep {
     private final ContactRows rows = new ContactRows(motions);
     private final ContactSearch search;
     private final StepSolver solver;
-    private final RotationSubstep bend = new RotationSubstep(poses, motions);
     private final ContinuousMotion continuousMotion;
     private final Sleep sleep = new Sleep(bodies, poses, rows);
     private boolean[] hasContactImpulse = new boolean[0];
-    private boolean[] held = new boolean[0];
+    /** True for bodies that {@link BodyInfluences} drives: a character holds them. */
+    private boolean[] driven = new boolean[0];
+
     /** True for slots on which gravity acts. */
     private boolean[] hasGravity = new boolean[0];
 
     private int awake;
+    /** Speeds of rotation of a body about each of its axes. */
+    private final double[] axisSpeeds = new double[3];
 
     /** @param gravity m/s² */
     public RigidStep(BodyTable table, Vec3 gravity) {
@@ -60,8 +75,7 @@ public final class RigidStep {
         }
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
         influences.begin();
-        Bodies after =
-                inParts(before, surroundings, influences, new Cut(parts, false, RotationSubstep.MOST_PARTS), seconds);
+        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, MOST_BENT_PARTS), seconds);
         influences.end();
         return after;
     }
@@ -121,10 +135,10 @@ public final class RigidStep {
         double most = 0;
         for (int body = 0; body < bodies.count; body++) {
             if (hasContactImpulse[body] && bodies.isAwake(body)) {
-                most = Math.max(most, bend.metres(body, seconds));
+                most = Math.max(most, bendMetres(body, seconds));
             }
         }
-        return bend.parts(most, awake);
+        return bentParts(most, awake);
     }
 
     /** Finds and solves the contacts of a part; returns false when nothing moves. */
@@ -135,7 +149,7 @@ public final class RigidStep {
         sleep.wakeNeighbours(before.contacts());
         setMasses(influences);
         search.activity().addImages(surroundings, influences, motions, seconds);
-        search.index(before.contacts(), seconds);
+        search.index(before.contacts());
         if (search.wakeTouched(bodies, influences, seconds)) {
             sleep.wakeNeighbours(before.contacts());
             setMasses(influences);
@@ -152,12 +166,12 @@ public final class RigidStep {
 
     /** Moves the bodies by the result of {@link #begin}. */
     private Bodies end(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
-        continuousMotion.begin(surroundings, influences, bodies, seconds);
+        continuousMotion.begin(surroundings, influences, bodies, hasContactImpulse, motions, seconds);
         move(before);
-        sleep.fallAsleep(hasContactImpulse, held, seconds);
+        sleep.fallAsleep(hasContactImpulse, driven, seconds);
         giveImpulses(influences);
         influences.advance(seconds);
-        ContactCache carried = search.remember(before.contacts(), bodies, seconds);
+        ContactCache carried = search.remember(bodies);
         return new Bodies(bodies.motion, bodies.rest, carried, bodies.transforms(surroundings.portals()));
     }
 
@@ -171,17 +185,17 @@ public final class RigidStep {
 
     private void drive(BodyInfluences influences) {
         int count = table.size();
-        if (held.length < count) {
-            held = new boolean[count];
+        if (driven.length < count) {
+            driven = new boolean[count];
             hasContactImpulse = new boolean[count + 64];
         }
-        Arrays.fill(held, 0, count, false);
+        Arrays.fill(driven, 0, count, false);
         for (int i = 0; i < influences.driven(); i++) {
             int body = influences.driven(i);
-            held[body] = bodies.rest[body] != Bodies.FROZEN;
-            if (held[body]) {
+            driven[body] = bodies.rest[body] != Bodies.FROZEN;
+            if (driven[body]) {
                 bodies.rest[body] = 0;
-                for (int k = 0; k < 6; k++) {
+                for (int k = 0; k < SolverState.STRIDE; k++) {
                     bodies.motion[Bodies.STRIDE * body + Bodies.VELOCITY + k] = influences.drive(i, k);
                 }
             }
@@ -195,16 +209,18 @@ public final class RigidStep {
         for (int body = 0; body < count; body++) {
             poses.add(table.kind(body), body, -1);
             int at = Bodies.STRIDE * body;
+            int q = at + Bodies.ORIENTATION;
+            int v = at + Bodies.VELOCITY;
             double[] m = bodies.motion;
             poses.place(body, m[at], m[at + 1], m[at + 2]);
             poses.halves(body, table.half(body, 0), table.half(body, 1), table.half(body, 2));
-            poses.turn(body, m[at + 3], m[at + 4], m[at + 5], m[at + 6]);
+            poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
             boolean awake = bodies.isAwake(body);
             poses.bound(
                     body,
-                    awake ? m[at + 7] * seconds + gravity.x() * fall : 0,
-                    awake ? m[at + 8] * seconds + gravity.y() * fall : 0,
-                    awake ? m[at + 9] * seconds + gravity.z() * fall : 0,
+                    awake ? m[v] * seconds + gravity.x() * fall : 0,
+                    awake ? m[v + 1] * seconds + gravity.y() * fall : 0,
+                    awake ? m[v + 2] * seconds + gravity.z() * fall : 0,
                     awake ? turnedMetres(body, seconds) : 0,
                     ContactSearch.REACH_METRES);
         }
@@ -241,24 +257,30 @@ public final class RigidStep {
         for (int body = 0; body < count; body++) {
             if (bodies.isAwake(body)) {
                 motions.inverseMass[body] = table.inverseMass(body);
-                hasGravity[body] = !held[body];
+                hasGravity[body] = !driven[body];
                 motions.turnInertia(
                         body,
                         poses.axes,
-                        9 * body,
+                        Poses.AXES * body,
                         table.inverseInertia(body, 0),
                         table.inverseInertia(body, 1),
                         table.inverseInertia(body, 2));
-                System.arraycopy(bodies.motion, Bodies.STRIDE * body + Bodies.VELOCITY, motions.velocity, 6 * body, 6);
+                System.arraycopy(
+                        bodies.motion,
+                        Bodies.STRIDE * body + Bodies.VELOCITY,
+                        motions.velocity,
+                        SolverState.STRIDE * body,
+                        SolverState.STRIDE);
             }
         }
         for (int i = 0; i < influences.characters(); i++) {
             BodyInfluences.Character c = influences.characterList().get(i);
             motions.keepUpright(count + i);
             motions.inverseMass[count + i] = 1 / c.massKilograms;
-            motions.velocity[6 * (count + i)] = c.velocity.x;
-            motions.velocity[6 * (count + i) + 1] = c.velocity.y;
-            motions.velocity[6 * (count + i) + 2] = c.velocity.z;
+            int v = SolverState.STRIDE * (count + i);
+            motions.velocity[v] = c.velocity.x;
+            motions.velocity[v + 1] = c.velocity.y;
+            motions.velocity[v + 2] = c.velocity.z;
         }
     }
 
@@ -273,15 +295,14 @@ public final class RigidStep {
     }
 
     private void move(Bodies before) {
-        continuousMotion.expect(bodies, hasContactImpulse, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
                 continue;
             }
             if (hasContactImpulse[body]) {
-                continuousMotion.advanceSolved(bodies, body, motions, !held[body]);
+                continuousMotion.advanceSolved(body, motions, !driven[body]);
             } else {
-                continuousMotion.advanceFree(bodies, body, !held[body]);
+                continuousMotion.advanceFree(body, !driven[body]);
             }
             if (!bodies.isFinite(body)) {
                 bodies.freeze(body, before);
@@ -297,9 +318,50 @@ public final class RigidStep {
 
     private void giveImpulses(BodyInfluences influences) {
         for (int i = 0; i < influences.characters(); i++) {
-            int v = 6 * (bodies.count + i);
+            int v = SolverState.STRIDE * (bodies.count + i);
             double[] m = motions.velocity;
             influences.characterList().get(i).give(m[v], m[v + 1], m[v + 2]);
         }
+    }
+
+    /** Returns the number of parts of a step with this greatest deviation. */
+    private static int bentParts(double bendMetres, int awake) {
+        double wanted = Math.ceil(Math.sqrt(bendMetres / BEND_METRES));
+        return (int) Math.max(1, Math.min(wanted, Math.min(MOST_BENT_PARTS, MOST_BODY_STEPS / Math.max(1, awake))));
+    }
+
+    /** Returns the greatest deviation of a body's points from a straight path by its rotation: r ω² t² / 2. */
+    private double bendMetres(int body, double seconds) {
+        if (poses.kind[body] == BodyTable.SPHERE) {
+            return 0;
+        }
+        double spin = findAxisSpeeds(body);
+        if (spin * seconds < LEAST_RADIANS) {
+            return 0;
+        }
+        // Rotation of a capsule about its axis does not move its surface.
+        boolean box = poses.kind[body] == BodyTable.BOX;
+        double hX = box ? poses.half[3 * body] : 0;
+        double hY = poses.half[3 * body + 1];
+        double hZ = box ? poses.half[3 * body + 2] : 0;
+        double sX = axisSpeeds[1] * hZ + axisSpeeds[2] * hY;
+        double sY = axisSpeeds[2] * hX + axisSpeeds[0] * hZ;
+        double sZ = axisSpeeds[0] * hY + axisSpeeds[1] * hX;
+        double speed = Math.sqrt(sX * sX + sY * sY + sZ * sZ);
+        return Math.min(spin * speed * seconds * seconds / 2, 2 * speed / spin);
+    }
+
+    /** Writes the speeds of rotation about each of the body's axes; returns the whole speed of rotation. */
+    private double findAxisSpeeds(int body) {
+        int w = SolverState.STRIDE * body + SolverState.ANGULAR;
+        double[] v = motions.velocity;
+        double[] x = poses.axes;
+        double square = 0;
+        for (int i = 0; i < 3; i++) {
+            int at = Poses.AXES * body + 3 * i;
+            axisSpeeds[i] = Math.abs(v[w] * x[at] + v[w + 1] * x[at + 1] + v[w + 2] * x[at + 2]);
+            square += axisSpeeds[i] * axisSpeeds[i];
+        }
+        return Math.sqrt(square);
     }
 }

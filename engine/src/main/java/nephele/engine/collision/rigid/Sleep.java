@@ -41,8 +41,8 @@ final class Sleep {
         }
         islands.reset(bodies.count);
         for (int i = 0; i < memory.size(); i++) {
-            int a = ContactKey.first(memory.key(i));
-            int b = ContactKey.second(memory.key(i));
+            int a = ContactCache.first(memory.key(i));
+            int b = ContactCache.second(memory.key(i));
             if (a < bodies.count && b >= 0 && b < bodies.count) {
                 islands.join(a, b);
             }
@@ -62,9 +62,9 @@ final class Sleep {
      * Counts each body's time at rest, and puts islands to sleep that have rested long enough.
      *
      * @param carried true for bodies with contact impulses in this step
-     * @param held true for held bodies
+     * @param driven true for bodies that a character holds
      */
-    void fallAsleep(boolean[] carried, boolean[] held, double seconds) {
+    void fallAsleep(boolean[] carried, boolean[] driven, double seconds) {
         islands.reset(bodies.count);
         for (int m = 0; m < rows.count; m++) {
             if (rows.slotA[m] < bodies.count && rows.slotB[m] < bodies.count && rows.carries(m)) {
@@ -73,7 +73,7 @@ final class Sleep {
         }
         for (int body = 0; body < bodies.count; body++) {
             if (bodies.isAwake(body)) {
-                boolean resting = carried[body] && !held[body] && isSlow(body);
+                boolean resting = carried[body] && !driven[body] && isSlow(body);
                 bodies.rest[body] = resting ? Math.min(1, bodies.rest[body] + (float) seconds) : 0;
             }
         }

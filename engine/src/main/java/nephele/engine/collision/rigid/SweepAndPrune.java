@@ -2,6 +2,7 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 import nephele.engine.collision.rigid.body.Poses;
+import nephele.engine.math.bvh.ItemList;
 
 /**
  * Pairs of shapes with overlapping bounds (Baraff 1992; Cohen et al. 1995): sorted along the axis on which the centres
@@ -9,25 +10,23 @@ import nephele.engine.collision.rigid.body.Poses;
  * starts from the last order.
  */
 final class SweepAndPrune {
-    /** Called for every pair, with the lower index first. */
-    interface PairVisitor {
-        void pair(int a, int b);
-    }
-
     private int[] order = new int[0];
     private double[] from = new double[0];
 
-    void visit(Poses poses, PairVisitor visitor) {
+    /** Lists every pair: two numbers each, the lower index first. */
+    void find(Poses poses, ItemList pairs) {
+        pairs.clear();
         int axis = widestAxis(poses);
         sort(poses, axis);
         double[] bounds = poses.bounds;
         for (int i = 0; i < poses.count; i++) {
             int a = order[i];
-            double until = bounds[6 * a + 3 + axis];
+            double until = bounds[Poses.BOUNDS * a + 3 + axis];
             for (int j = i + 1; j < poses.count && from[j] <= until; j++) {
                 int b = order[j];
                 if (poses.overlap(a, b)) {
-                    visitor.pair(Math.min(a, b), Math.max(a, b));
+                    pairs.item(Math.min(a, b));
+                    pairs.item(Math.max(a, b));
                 }
             }
         }
@@ -62,7 +61,7 @@ final class SweepAndPrune {
         }
         for (int i = 0; i < order.length; i++) {
             int shape = order[i];
-            double least = poses.bounds[6 * shape + axis];
+            double least = poses.bounds[Poses.BOUNDS * shape + axis];
             int at = i;
             while (at > 0 && (from[at - 1] > least || (from[at - 1] == least && order[at - 1] > shape))) {
                 from[at] = from[at - 1];

@@ -1,7 +1,6 @@
 package nephele.engine.sim.carry;
 
 import nephele.engine.collision.rigid.body.Bodies;
-import nephele.engine.collision.rigid.body.BodyRay;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Obstacles;
@@ -9,6 +8,7 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.MovingSurfaces;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -17,10 +17,15 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
     static final int NOTHING = -1;
 
     private final BodyTable table;
-    private final BodyRay ray;
     private final Vector3d centre = new Vector3d();
     private final Vector3d mappedFrom = new Vector3d();
-    private final Vector3d mappedWay = new Vector3d();
+    private final Vector3d mappedPath = new Vector3d();
+    /** The ray in the axes of a body. */
+    private final Vector3d origin = new Vector3d();
+
+    private final Vector3d direction = new Vector3d();
+    private final Vector3d bodyCentre = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
     private Bodies bodies = Bodies.NONE;
     private Portals portals = Portals.NONE;
     private double nearest;
@@ -29,7 +34,6 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
 
     BodyObstruction(BodyTable table) {
         this.table = table;
-        ray = new BodyRay(table);
     }
 
     BodyObstruction at(Bodies now, Portals open) {
@@ -52,21 +56,21 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
     }
 
     @Override
-    public double free(Vector3dc from, Vector3dc way) {
-        return free(from, way, 1);
+    public double free(Vector3dc from, Vector3dc path) {
+        return free(from, path, 1);
     }
 
-    /** Does the same for a line that something else ends at the fraction {@code most} of the way. */
-    double free(Vector3dc from, Vector3dc way, double most) {
+    /** Returns the part of a path before the first body, at most {@code most}, at which something else ends the line. */
+    double free(Vector3dc from, Vector3dc path, double most) {
         nearest = most;
         met = NOTHING;
         through = Portals.CLOSED;
         for (int body = 0; body < bodies.size(); body++) {
-            offer(body, Portals.CLOSED, ray.distance(bodies, body, from, way));
+            offer(body, Portals.CLOSED, entry(body, from, path));
         }
         for (int exit = 0; bodies.size() > 0 && exit < portals.size(); exit++) {
             if (portals.isOpen(exit)) {
-                meetWhatSticksOutOf(exit, from, way);
+                meetWhatSticksOutOf(exit, from, path);
             }
         }
         return nearest;
@@ -74,11 +78,11 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
 
     @Override
     public double distance(Vec3 eye, Vec3 direction, double limitMetres) {
-        double share = free(eye.toVector(), direction.toVector().mul(limitMetres));
-        return share < 1 ? share * limitMetres : Double.POSITIVE_INFINITY;
+        double fraction = free(eye.toVector(), direction.toVector().mul(limitMetres));
+        return fraction < 1 ? fraction * limitMetres : Double.POSITIVE_INFINITY;
     }
 
-    private void meetWhatSticksOutOf(int exit, Vector3dc from, Vector3dc way) {
+    private void meetWhatSticksOutOf(int exit, Vector3dc from, Vector3dc path) {
         Portal entry = portals.portal(portals.partner(exit));
         PortalTransform back = portals.transform(exit);
         boolean isMapped = false;
@@ -88,22 +92,84 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
             }
             if (!isMapped) {
                 back.point(mappedFrom.set(from));
-                back.direction(mappedWay.set(way));
+                back.direction(mappedPath.set(path));
                 isMapped = true;
             }
-            double t = ray.distance(bodies, body, mappedFrom, mappedWay);
-            mappedFrom.fma(t, mappedWay, centre);
+            double t = entry(body, mappedFrom, mappedPath);
+            mappedFrom.fma(t, mappedPath, centre);
             if (t < nearest && entry.inFront(centre.x, centre.y, centre.z) <= 0) {
                 offer(body, exit, t);
             }
         }
     }
 
-    private void offer(int body, int exit, double share) {
-        if (share < nearest) {
-            nearest = share;
+    private void offer(int body, int exit, double fraction) {
+        if (fraction < nearest) {
+            nearest = fraction;
             met = body;
             through = exit;
         }
+    }
+
+    /**
+     * Returns the ray parameter at which the body is entered, 0 for a ray that starts in it, infinity for a miss:
+     * metres for a direction of unit length.
+     */
+    private double entry(int body, Vector3dc from, Vector3dc path) {
+        bodies.orientation(body, turn);
+        bodies.centre(body, bodyCentre);
+        turn.transformInverse(from.sub(bodyCentre, origin));
+        turn.transformInverse(path, direction);
+        return switch (table.kind(body)) {
+            case BodyTable.SPHERE -> ball(0, table.half(body, 2));
+            case BodyTable.CAPSULE -> capsule(table.half(body, 1), table.half(body, 2));
+            default -> box(body);
+        };
+    }
+
+    /** Intersects the slabs of three pairs of planes (Kay and Kajiya 1986). */
+    private double box(int body) {
+        double enter = 0;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double half = table.half(body, axis);
+            double rate = direction.get(axis);
+            double at = origin.get(axis);
+            if (rate == 0) {
+                leave = Math.abs(at) > half ? Double.NEGATIVE_INFINITY : leave;
+            } else {
+                enter = Math.max(enter, (-Math.copySign(half, rate) - at) / rate);
+                leave = Math.min(leave, (Math.copySign(half, rate) - at) / rate);
+            }
+        }
+        return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+    }
+
+    /** Intersects a sphere with its centre {@code height} above the body's. */
+    private double ball(double height, double radius) {
+        double y = origin.y - height;
+        double offset = origin.x * origin.x + y * y + origin.z * origin.z - radius * radius;
+        double along = origin.x * direction.x + y * direction.y + origin.z * direction.z;
+        return entry(direction.lengthSquared(), along, offset);
+    }
+
+    /** Intersects two spheres and the tube between them. */
+    private double capsule(double halfAxis, double radius) {
+        double square = direction.x * direction.x + direction.z * direction.z;
+        double along = origin.x * direction.x + origin.z * direction.z;
+        double offset = origin.x * origin.x + origin.z * origin.z - radius * radius;
+        double tube = square > 0 ? entry(square, along, offset) : offset <= 0 ? 0 : Double.POSITIVE_INFINITY;
+        boolean between = Math.abs(origin.y + tube * direction.y) <= halfAxis;
+        return Math.min(
+                between ? tube : Double.POSITIVE_INFINITY, Math.min(ball(-halfAxis, radius), ball(halfAxis, radius)));
+    }
+
+    /** Returns the first t ≥ 0 with square t² + 2 along t + offset ≤ 0, infinity for none. */
+    private static double entry(double square, double along, double offset) {
+        if (offset <= 0) {
+            return 0;
+        }
+        double root = Math.sqrt(along * along - square * offset);
+        return along < 0 && root >= 0 ? offset / (root - along) : Double.POSITIVE_INFINITY;
     }
 }

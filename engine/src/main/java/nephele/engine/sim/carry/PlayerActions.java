@@ -8,11 +8,9 @@ import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerInput;
-import nephele.engine.sim.state.PortalWorldCache;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -20,6 +18,7 @@ import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
 import nephele.engine.sim.state.WorldState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 
 /**
  * Executes the actions of gun and hands, at the start of a tick. An action counts only if it was not held in the tick
@@ -29,20 +28,18 @@ public final class PlayerActions {
     static final double HEAVIEST_KILOGRAMS = 50;
 
     private final SimLevel level;
-    private final PortalWorldCache worlds;
+    private final PortalWorld.Cache worlds;
     private final PortalShots shots;
     private final CarryRules carry;
-    private final HeldDrive drive;
     private final PortalOccupants occupants;
 
-    public PlayerActions(SimLevel level, PortalWorldCache worlds, SimSettings settings) {
+    public PlayerActions(SimLevel level, PortalWorld.Cache worlds, SimSettings settings) {
         double secondsPerTick = 1.0 / settings.ticksPerSecond();
         this.level = level;
         this.worlds = worlds;
         var inWay = new BodyObstruction(level.bodies());
         shots = level.gun() == null ? null : new PortalShots(level.gun().with(settings.shotAids()), inWay);
         carry = new CarryRules(level.bodies(), inWay, secondsPerTick);
-        drive = new HeldDrive(level.bodies(), secondsPerTick);
         occupants = new PortalOccupants(level.bodies());
     }
 
@@ -67,7 +64,7 @@ public final class PlayerActions {
         HeldBody held = state.world().holding();
         Portals portals = state.world().portals();
         if ((is(Action.THROW, fresh) || is(Action.FIRE_FIRST, fresh)) && held.isOpen(portals)) {
-            BodyState thrown = drive.thrown(state, portals);
+            BodyState thrown = carry.thrown(state, portals);
             events.add(new Handled(Kind.THROWN, held.body()));
             WorldState around = state.world().with(held.released());
             return state.with(around.with(around.bodies().with(held.body(), thrown)));
@@ -136,7 +133,7 @@ public final class PlayerActions {
     public BodyState drive(SimState state, PlayerInput input) {
         Portals portals = state.world().portals();
         HeldBody held = state.world().holding();
-        return held.isHolding() && held.isOpen(portals) ? drive.motion(state, input, worlds.of(portals)) : null;
+        return held.isHolding() && held.isOpen(portals) ? carry.motion(state, input, worlds.of(portals)) : null;
     }
 
     /** Updates the line to the held body after everything has moved, or drops the body. */

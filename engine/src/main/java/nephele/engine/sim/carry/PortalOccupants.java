@@ -10,8 +10,6 @@ import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
-import nephele.engine.sim.player.PlayerEye;
-import nephele.engine.sim.player.PlayerMotion;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import org.joml.Quaterniond;
@@ -55,8 +53,8 @@ public final class PortalOccupants {
     }
 
     private PlayerState player(PlayerState player) {
-        PlayerEye.centre(player, centre);
-        if (!findPush(PlayerMotion.shape(player.stance(), player.tilt().up()))) {
+        player.centre(centre);
+        if (!findPush(player.stance().shape(player.tilt().up()))) {
             return null;
         }
         Vec3 feet = player.feet();

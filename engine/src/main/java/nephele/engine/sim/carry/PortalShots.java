@@ -14,7 +14,6 @@ import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.portal.placement.ShotRay;
-import nephele.engine.sim.player.PlayerEye;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
@@ -50,22 +49,20 @@ final class PortalShots {
         if (blocked != null) {
             return new PlacementResult.Refused(Refusal.OVERLAPS_OTHER, blocked);
         }
-        List<Portal> others = new ArrayList<>();
-        for (int i = 0; i < around.portals().size(); i++) {
-            if (i != own) {
-                others.add(around.portals().portal(i));
-            }
+        List<Portal> others = new ArrayList<>(around.portals().all());
+        if (own != GunPortals.UNFIRED) {
+            others.remove(own);
         }
         return placement.place(shot.portalId(), aim, others, bodies.at(around.bodies(), space.portals()));
     }
 
     /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
     private static ShotRay aim(PlayerState player, Portals portals) {
-        Vector3d centre = PlayerEye.centre(player, new Vector3d());
-        Vector3d way = PlayerEye.eye(player, new Vector3d()).sub(centre);
+        Vector3d centre = player.centre(new Vector3d());
+        Vector3d path = player.eye(new Vector3d()).sub(centre);
         var toEye = new PathTrace(portals, Obstacles.NONE);
-        toEye.trace(centre, way);
-        Basis view = PlayerEye.view(player);
+        toEye.trace(centre, path);
+        Basis view = player.view();
         return new ShotRay(
                 Vec3.of(toEye.place()),
                 new Basis(carried(toEye, view.right()), carried(toEye, view.up()), carried(toEye, view.back())));
@@ -78,12 +75,12 @@ final class PortalShots {
     /** Returns where a shot hits another portal that stands free of any wall, {@code null} if it hits none. */
     private static Vec3 portalInTheWay(ShotRay aim, int own, PortalWorld space) {
         Vector3d eye = aim.eye().toVector();
-        Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
-        way.mul(space.free(eye, way));
-        Vector3d end = new Vector3d(eye).add(way);
-        way.mul(Math.max(0, 1 - IN_WALL_METRES / way.length()));
+        Vector3d path = aim.direction().toVector().mul(FARTHEST_METRES);
+        path.mul(space.free(eye, path));
+        Vector3d end = new Vector3d(eye).add(path);
+        path.mul(Math.max(0, 1 - IN_WALL_METRES / path.length()));
         var crossing = new PortalCrossing();
-        boolean meets = crossing.find(space.portals(), eye, way, new Vector3d(), 1);
+        boolean meets = crossing.find(space.portals(), eye, path, new Vector3d(), 1);
         boolean isInTheWay = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
         return isInTheWay ? Vec3.of(crossing.place()) : null;
     }
@@ -102,12 +99,8 @@ final class PortalShots {
 
     /** Returns all portals after a shot: the fixed ones unchanged, the two of the gun linked. */
     static Portals portalsWith(Portal made, GunPortals.Colour shot, GunPortals shots, Portals before) {
-        List<Portal> portals = new ArrayList<>();
-        List<Integer> partners = new ArrayList<>();
-        for (int i = 0; i < before.size(); i++) {
-            portals.add(before.portal(i));
-            partners.add(before.partner(i));
-        }
+        List<Portal> portals = new ArrayList<>(before.all());
+        List<Integer> partners = new ArrayList<>(before.partners());
         int index = shots.portal(shot);
         if (index == portals.size()) {
             portals.add(made);

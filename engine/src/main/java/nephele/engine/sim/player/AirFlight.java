@@ -15,7 +15,6 @@ final class AirFlight {
     private final CharacterMover mover;
     private final GroundWalk walk;
     private final PlayerPortalCrossing portalCrossing;
-    private final MoveIntent intent = new MoveIntent();
     private final Vector3d displacement = new Vector3d();
     private final Vector3d acceleration = new Vector3d();
 
@@ -29,7 +28,7 @@ final class AirFlight {
     void fly(PlayerMotion player, PlayerInput input, double seconds) {
         double left = seconds;
         for (int i = 0; portalCrossing.hasPortals() && i <= 2 * PlayerPortalCrossing.MOST_HOPS; i++) {
-            intent.of(player, input);
+            player.intend(input);
             accelerate(player, left);
             double t = portalCrossing.timeToEntry(player, acceleration, left);
             if (portalCrossing.hasDropped()) {
@@ -49,7 +48,7 @@ final class AirFlight {
                 return;
             }
         }
-        intent.of(player, input);
+        player.intend(input);
         if (!flyFor(player, left)) {
             land(player, displacement.y);
         }
@@ -63,7 +62,7 @@ final class AirFlight {
     private boolean flyFor(PlayerMotion player, double seconds) {
         Vector3d velocity = player.velocity;
         displacement.set(velocity).mul(seconds);
-        steer(velocity, seconds);
+        steer(player, seconds);
         displacement.y -= GRAVITY_METRES_PER_SECOND_SQUARED * seconds * seconds / 2;
         velocity.y -= GRAVITY_METRES_PER_SECOND_SQUARED * seconds;
         double fall = displacement.y;
@@ -116,7 +115,7 @@ final class AirFlight {
     private void accelerate(PlayerMotion player, double seconds) {
         double vX = player.velocity.x;
         double vZ = player.velocity.z;
-        steer(player.velocity, seconds);
+        steer(player, seconds);
         acceleration.set(
                 (player.velocity.x - vX) / seconds,
                 -GRAVITY_METRES_PER_SECOND_SQUARED,
@@ -129,19 +128,21 @@ final class AirFlight {
      * Accelerates along the move intent up to its speed. The result is no faster than the greater of the present and
      * the intended speed; without intent the velocity stays.
      */
-    private void steer(Vector3d velocity, double seconds) {
+    private void steer(PlayerMotion player, double seconds) {
+        Vector3d velocity = player.velocity;
+        Vector3d intent = player.intent;
         double wished = intent.length();
         if (wished == 0) {
             return;
         }
-        double along = (velocity.x * intent.x() + velocity.z * intent.z()) / wished;
+        double along = (velocity.x * intent.x + velocity.z * intent.z) / wished;
         double gain = Math.min(PlayerDimensions.AIR_METRES_PER_SECOND_SQUARED * seconds, wished - along);
         if (gain <= 0) {
             return;
         }
         double before = Math.sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
-        double x = velocity.x + intent.x() / wished * gain;
-        double z = velocity.z + intent.z() / wished * gain;
+        double x = velocity.x + intent.x / wished * gain;
+        double z = velocity.z + intent.z / wished * gain;
         double limit = Math.max(before, wished);
         double scale = Math.min(1, limit / Math.sqrt(x * x + z * z));
         displacement.x += (x * scale - velocity.x) * seconds / 2;

@@ -63,7 +63,7 @@ final class BodyObstacles {
     }
 
     /** Returns the solids for an active-portal mask, with every body that the shape may hit on its way. */
-    CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
+    CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc path) {
         CollisionWorld without = portalWorld.openedFor(mask);
         firstBody = NO_BODIES;
         if (bodies.size() == 0) {
@@ -72,7 +72,7 @@ final class BodyObstacles {
         wanted.clear();
         for (int body = 0; body < bodies.size(); body++) {
             if (body != held) {
-                want(body, mask, shape, place, way);
+                want(body, mask, shape, place, path);
             }
         }
         if (wanted.size() == 0) {
@@ -82,9 +82,9 @@ final class BodyObstacles {
         return joined(without);
     }
 
-    private void want(int body, long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
+    private void want(int body, long mask, RoundedHull shape, Vector3dc place, Vector3dc path) {
         bodies.centre(body, centre);
-        if (isNear(body, shape, place, way) && !isBehindOpening(body, mask)) {
+        if (isNear(body, shape, place, path) && !isBehindOpening(body, mask)) {
             wanted.item(body * IMAGES);
         }
         Portals portals = portalWorld.portals();
@@ -94,7 +94,7 @@ final class BodyObstacles {
                 boolean sticksOut = table.mayReachThrough(body, centre, portals.portal(portals.partner(i)));
                 if (sticksOut || isBefore(portals.portal(portals.partner(i))) && (mask & 1L << i) != 0) {
                     portals.transform(portals.partner(i)).point(centre);
-                    if (isNear(body, shape, place, way)) {
+                    if (isNear(body, shape, place, path)) {
                         wanted.item(body * IMAGES + 1 + i);
                     }
                 }
@@ -120,11 +120,11 @@ final class BodyObstacles {
         return false;
     }
 
-    private boolean isNear(int body, RoundedHull shape, Vector3dc place, Vector3dc way) {
+    private boolean isNear(int body, RoundedHull shape, Vector3dc place, Vector3dc path) {
         double reach = table.reachMetres(body) + MARGIN_METRES;
         for (int axis = 0; axis < 3; axis++) {
             double from = place.get(axis);
-            double to = from + way.get(axis);
+            double to = from + path.get(axis);
             double at = centre.get(axis);
             if (at + reach < Math.min(from, to) + shape.least(axis)
                     || at - reach > Math.max(from, to) + shape.greatest(axis)) {

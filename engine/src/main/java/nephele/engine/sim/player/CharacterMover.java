@@ -56,8 +56,8 @@ final class CharacterMover {
      * Returns the static solids near a shape and its way. A portal that was near stays open until the end of the tick
      * or the next arrival.
      */
-    CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        active |= portalWorld.active(shape, place, way);
+    CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc path) {
+        active |= portalWorld.active(shape, place, path);
         return portalWorld.openedFor(active);
     }
 
@@ -79,10 +79,10 @@ final class CharacterMover {
         return planes;
     }
 
-    /** Moves {@code place} along {@code way} and slides along each surface hit, at most {@link #MAX_SLIDES}. */
-    void slide(RoundedHull shape, Vector3d place, Vector3dc way) {
+    /** Moves {@code place} along {@code path} and slides along each surface hit, at most {@link #MAX_SLIDES}. */
+    void slide(RoundedHull shape, Vector3d place, Vector3dc path) {
         planes.clear();
-        rest.set(way);
+        rest.set(path);
         for (int i = 0; i < MAX_SLIDES && rest.lengthSquared() > 0; i++) {
             boolean hit = castAndRecord(shape, place, rest);
             advance(place, rest, sweep.fraction());
@@ -95,14 +95,14 @@ final class CharacterMover {
         }
     }
 
-    private boolean cast(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        world(shape, place, way);
-        return sweep.cast(bodies.around(active, shape, place, way), shape, place, way);
+    private boolean cast(RoundedHull shape, Vector3dc place, Vector3dc path) {
+        world(shape, place, path);
+        return sweep.cast(bodies.around(active, shape, place, path), shape, place, path);
     }
 
-    /** Does the same as {@link #cast}, and records a hit body as a contact. */
-    private boolean castAndRecord(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        boolean hit = cast(shape, place, way);
+    /** Sweeps as {@link #cast} does, and records a hit body as a contact. */
+    private boolean castAndRecord(RoundedHull shape, Vector3dc place, Vector3dc path) {
+        boolean hit = cast(shape, place, path);
         if (hit && bodies.isBody(sweep.collider())) {
             pushes.met(sweep.normal(), bodies.velocity(sweep.collider(), sweep.point(), speed));
         }
@@ -110,17 +110,17 @@ final class CharacterMover {
     }
 
     /** Moves straight until a hit. Returns true if there was one. */
-    boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
-        boolean hit = castAndRecord(shape, place, way);
-        if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
-            advance(place, way, sweep.fraction());
+    boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc path) {
+        boolean hit = castAndRecord(shape, place, path);
+        if (!hit || sweep.fraction() * path.length() > AT_REST_METRES) {
+            advance(place, path, sweep.fraction());
         }
         return hit;
     }
 
     /** Returns true if anything blocks the way. */
-    boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        return cast(shape, place, way);
+    boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc path) {
+        return cast(shape, place, path);
     }
 
     /**
@@ -132,14 +132,14 @@ final class CharacterMover {
         if (!castAndRecord(shape, place, down)) {
             return false;
         }
-        double way = metres * sweep.fraction();
-        if (way > AT_REST_METRES) {
-            place.y -= way;
+        double path = metres * sweep.fraction();
+        if (path > AT_REST_METRES) {
+            place.y -= path;
         }
         return true;
     }
 
-    private static void advance(Vector3d place, Vector3dc way, double fraction) {
-        place.add(way.x() * fraction, way.y() * fraction, way.z() * fraction);
+    private static void advance(Vector3d place, Vector3dc path, double fraction) {
+        place.add(path.x() * fraction, path.y() * fraction, path.z() * fraction);
     }
 }

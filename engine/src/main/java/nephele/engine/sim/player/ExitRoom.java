@@ -40,7 +40,7 @@ final class ExitRoom {
     private final Vector3d axis = new Vector3d();
 
     /** Returns the horizontal velocity of the player's easing, m/s; zero if it has room or is away from the exit. */
-    Vector3dc easing(PlayerMotion player, MoveIntent intent, Portal exit, CollisionWorld world) {
+    Vector3dc easing(PlayerMotion player, Portal exit, CollisionWorld world) {
         easing.zero();
         if (!isAt(player, exit)) {
             return easing;
@@ -60,14 +60,14 @@ final class ExitRoom {
             Collider solid = world.collider(near.get(i));
             separation.measure(shape, at.x, at.y, at.z, solid);
             double missing = ROOM_METRES - separation.metres();
-            axis.set(separation.normalX(), 0, separation.normalZ());
+            axis.set(separation.normal().x(), 0, separation.normal().z());
             if (missing > 0 && axis.length() > LEAST_LEVEL && isBefore(exit)) {
                 raise(axis.normalize(), missing * RATE_PER_SECOND);
             }
         }
         axis.set(exit.normal().x(), 0, exit.normal().z());
         remove(axis, Math.min(0, easing.dot(axis)));
-        remove(axis.set(intent.velocity()), easing.dot(axis));
+        remove(axis.set(player.intent), easing.dot(axis));
         double speed = easing.length();
         return speed > MOST_METRES_PER_SECOND ? easing.mul(MOST_METRES_PER_SECOND / speed) : easing;
     }
@@ -93,7 +93,7 @@ final class ExitRoom {
         easing.fma(Math.max(0, least - easing.dot(along)), along);
     }
 
-    /** Removes a share of a vector from the velocity; {@code dot} is the scalar product of both that is taken out. */
+    /** Removes a fraction of a vector from the velocity; {@code dot} is the scalar product of both that is taken out. */
     private void remove(Vector3dc vector, double dot) {
         double square = vector.lengthSquared();
         if (square > 0) {

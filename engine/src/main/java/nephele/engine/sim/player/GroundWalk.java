@@ -16,7 +16,7 @@ final class GroundWalk {
      */
     private static final double MIN_EDGE_NORMAL_Y = 0.02;
 
-    /** The least share of a walk that counts as progress. */
+    /** The least fraction of a walk that counts as progress. */
     private static final double LEAST_PROGRESS = 0.5;
 
     private static final double TOUCHING_METRES = 2 * Sweep.SKIN_METRES;
@@ -32,7 +32,7 @@ final class GroundWalk {
     private final Vector3d frameGround = new Vector3d();
     private final Vector3d stepped = new Vector3d();
     private final Vector3d budget = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private final Vector3d up = new Vector3d();
     private final Vector3d wall = new Vector3d();
 
@@ -130,8 +130,8 @@ final class GroundWalk {
         walls.clear();
         budget.set(horizontal);
         for (int i = 0; i < CharacterMover.MAX_SLIDES && budget.lengthSquared() > 0; i++) {
-            alongGround(budget, way);
-            if (!mover.advanceUntilHit(shape, place, way)) {
+            alongGround(budget, path);
+            if (!mover.advanceUntilHit(shape, place, path)) {
                 break;
             }
             Sweep hit = mover.lastSweep();

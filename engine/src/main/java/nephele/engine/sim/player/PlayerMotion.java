@@ -1,18 +1,24 @@
 package nephele.engine.sim.player;
 
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.Tilt;
+import nephele.engine.sim.state.ViewAngles;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /** The mutable player during a tick. */
-public final class PlayerMotion {
+final class PlayerMotion {
     /**
-     * The greatest vertical share of a walker's speed that counts as rounding of a portal transform between level
+     * The greatest vertical fraction of a walker's speed that counts as rounding of a portal transform between level
      * portals.
      */
     private static final double LEVEL = 1e-9;
@@ -21,11 +27,15 @@ public final class PlayerMotion {
     final Vector3d place = new Vector3d();
 
     final Vector3d velocity = new Vector3d();
+    /** The move intent: the horizontal velocity that the input requests, m/s. */
+    final Vector3d intent = new Vector3d();
+
     final Vector3d ground = new Vector3d();
     boolean grounded;
     double eye;
     private Stance stance;
-    private PlayerView look;
+    private ViewAngles heading;
+    private Tilt tilt;
     private RoundedHull shape;
     private double feetBefore;
     private double centreBefore;
@@ -37,7 +47,7 @@ public final class PlayerMotion {
         place.set(s.feet().x(), centreBefore, s.feet().z());
         velocity.set(s.velocity().x(), s.velocity().y(), s.velocity().z());
         eye = s.eyeMetres();
-        look(new PlayerView(s.heading(), s.tilt()));
+        look(s.heading(), s.tilt());
         // An upward velocity lifts the player off the ground.
         grounded = s.isGrounded() && velocity.y <= 0;
         if (grounded) {
@@ -53,15 +63,19 @@ public final class PlayerMotion {
         Vec3 feet = new Vec3(place.x, feetBefore + (place.y - centreBefore), place.z);
         Vec3 speed = new Vec3(velocity.x, velocity.y, velocity.z);
         Vec3 normal = grounded ? new Vec3(ground.x, ground.y, ground.z) : null;
-        return new PlayerState(feet, speed, look.heading(), eye, stance, normal, jumpHeld, look.tilt());
+        return new PlayerState(feet, speed, heading, eye, stance, normal, jumpHeld, tilt);
     }
 
     Stance stance() {
         return stance;
     }
 
-    PlayerView look() {
-        return look;
+    ViewAngles heading() {
+        return heading;
+    }
+
+    Tilt tilt() {
+        return tilt;
     }
 
     /** Returns the capsule with its present tilt. */
@@ -69,37 +83,50 @@ public final class PlayerMotion {
         return shape;
     }
 
-    void look(PlayerView changed) {
-        look = changed;
-        shape = shape(stance, look.tilt().up());
+    /** Sets the view, and the tilt of view and body. */
+    void look(ViewAngles angles, Tilt tilted) {
+        heading = angles;
+        tilt = tilted;
+        shape = stance.shape(tilt.up());
     }
 
-    /** Returns the capsule of a stance along a body axis. */
-    public static RoundedHull shape(Stance stance, Vec3 up) {
-        if (up.equals(Tilt.UPRIGHT.up())) {
-            return stance.shape();
+    /** Sets {@link #intent} to the velocity that an input requests. */
+    void intend(PlayerInput input) {
+        double sin = StrictMath.sin(heading.yawRadians());
+        double cos = StrictMath.cos(heading.yawRadians());
+        double forward = input.forwardPercent() / 100.0;
+        double right = input.rightPercent() / 100.0;
+        intent.set(right * cos - forward * sin, 0, -right * sin - forward * cos);
+        double length = intent.length();
+        intent.mul(speed(input) / Math.max(1, length));
+    }
+
+    private double speed(PlayerInput input) {
+        if (stance == Stance.CROUCHED) {
+            return PlayerDimensions.CROUCH_METRES_PER_SECOND;
         }
-        double half = stance.heightMetres() / 2 - PlayerDimensions.RADIUS_METRES;
-        return RoundedHull.capsule(up.scaled(half), PlayerDimensions.RADIUS_METRES);
+        return input.holds(Action.RUN)
+                ? PlayerDimensions.RUN_METRES_PER_SECOND
+                : PlayerDimensions.WALK_METRES_PER_SECOND;
     }
 
     /** Changes the stance; the feet stay where they are. */
     void change(Stance wanted) {
         double rise = wanted.centreAboveFeet() - stance.centreAboveFeet();
-        Vec3 up = look.tilt().up();
+        Vec3 up = tilt.up();
         place.add(up.x() * rise, up.y() * rise, up.z() * rise);
         // The feet of an upright player keep their bits; the nominal feet of a leaning one move.
         feetBefore += rise * (up.y() - 1);
         centreBefore = place.y;
         stance = wanted;
-        look(look);
+        look(heading, tilt);
     }
 
     /** Maps the player to the exit side of a portal. */
     void enter(PortalTransform transform) {
         transform.point(place);
         transform.direction(velocity);
-        look(look.through(transform));
+        mapView(transform);
         feetBefore = place.y - stance.centreAboveFeet();
         centreBefore = place.y;
         if (!grounded) {
@@ -110,5 +137,17 @@ public final class PlayerMotion {
         if (Math.abs(velocity.y) <= LEVEL * velocity.length()) {
             velocity.y = 0;
         }
+    }
+
+    /**
+     * Maps the view exactly: the view angles hold what fits into whole thousandths of a degree, the tilt the remainder.
+     */
+    private void mapView(PortalTransform transform) {
+        Basis view = transform.basis(tilt.view(heading));
+        ViewAngles nearest = ViewAngles.nearest(view.up(), view.back());
+        Basis level = Basis.ofYawPitch(nearest.yawRadians(), nearest.pitchRadians());
+        Quaterniond rest = Rotations.ofAxes(view.right(), view.up(), view.back());
+        rest.mul(Rotations.ofAxes(level.right(), level.up(), level.back()).conjugate());
+        look(nearest, Tilt.of(transform.direction(tilt.up()), Rotations.normalised(rest)));
     }
 }

@@ -19,7 +19,7 @@ public final class PlayerPortalCrossing {
     private final CharacterMover mover;
     private final PortalCrossing crossing = new PortalCrossing();
     private final Vector3d start = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private Portals portals = Portals.NONE;
     private CrossingWord word = CrossingWord.EMPTY;
     private int hops;
@@ -73,15 +73,15 @@ public final class PlayerPortalCrossing {
         if (!hasPortals()) {
             return;
         }
-        player.place.sub(start, way);
-        while (!dropped && crossing.find(portals, start, way, NO_ACCELERATION, 1)) {
+        player.place.sub(start, path);
+        while (!dropped && crossing.find(portals, start, path, NO_ACCELERATION, 1)) {
             if (hops == MOST_HOPS) {
                 player.place.set(start);
                 dropped = true;
                 return;
             }
             portals.transform(crossing.portal()).point(start.set(crossing.place()));
-            portals.transform(crossing.portal()).direction(way.mul(1 - crossing.seconds()));
+            portals.transform(crossing.portal()).direction(path.mul(1 - crossing.seconds()));
             pass(player);
         }
         start.set(player.place);

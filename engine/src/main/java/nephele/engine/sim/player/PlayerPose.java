@@ -9,10 +9,10 @@ import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.PathTrace;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.ViewAngles;
+import nephele.engine.sim.state.WorldState.HeldBody;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -32,23 +32,23 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
     /**
      * Interpolates between two successive states.
      *
-     * @param share the fraction of the tick that has passed, 0 to 1; the yaw turns by the shorter way
+     * @param fraction the fraction of the tick that has passed, 0 to 1; the yaw turns by the shorter way
      */
-    public static PlayerPose between(SimState before, SimState after, double share) {
+    public static PlayerPose between(SimState before, SimState after, double fraction) {
         PlayerState a = before.player();
         PlayerState b = after.player();
         CrossingWord crossed = after.world().trace().playerCrossed();
         Portals portals = after.world().portals();
-        Vec3 centre = brought(a.centre(), crossed, portals).lerp(b.centre(), share);
-        Vec3 eye = brought(a.eye(), crossed, portals).lerp(b.eye(), share);
+        Vec3 centre = brought(a.centre(), crossed, portals).lerp(b.centre(), fraction);
+        Vec3 eye = brought(a.eye(), crossed, portals).lerp(b.eye(), fraction);
         Basis view = crossed.length() == 0 && a.tilt().isViewLevel() && b.tilt().isViewLevel()
-                ? level(a.heading(), b.heading(), share)
-                : turned(brought(PlayerEye.view(a), crossed, portals), PlayerEye.view(b), share);
-        Vec3 up = up(a.tilt().up(), b.tilt().up(), crossed, portals, share);
+                ? level(a.heading(), b.heading(), fraction)
+                : turned(brought(a.view(), crossed, portals), b.view(), fraction);
+        Vec3 up = up(a.tilt().up(), b.tilt().up(), crossed, portals, fraction);
         int ahead = crossingsAhead(centre, crossed, portals);
         ViewAngles from = ahead > 0 || crossed.length() == 0 ? a.heading() : b.heading();
-        double yaw = yaw(from, b.heading(), ahead > 0 ? 0 : share);
-        double pitch = pitch(from, b.heading(), ahead > 0 ? 0 : share);
+        double yaw = yaw(from, b.heading(), ahead > 0 ? 0 : fraction);
+        double pitch = pitch(from, b.heading(), ahead > 0 ? 0 : fraction);
         var there = new PlayerPose(eye, view, new Body(centre, eye, up, yaw, pitch), view);
         return portals.size() == 0 ? there : there.back(ahead, crossed, portals).toEye(portals);
     }
@@ -63,30 +63,30 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         if (!holding.isHolding() || !holding.isOpen(portals)) {
             return null;
         }
-        Vector3d way = holding.pointHere(state.world().bodies().centre(holding.body(), new Vector3d()), portals)
+        Vector3d path = holding.pointHere(state.world().bodies().centre(holding.body(), new Vector3d()), portals)
                 .sub(state.player().eye().toVector());
-        Basis view = PlayerEye.view(state.player());
+        Basis view = state.player().view();
         return new Vec3(
-                way.dot(view.right().toVector()),
-                way.dot(view.up().toVector()),
-                way.dot(view.back().toVector()));
+                path.dot(view.right().toVector()),
+                path.dot(view.up().toVector()),
+                path.dot(view.back().toVector()));
     }
 
-    private static double yaw(ViewAngles a, ViewAngles b, double share) {
-        return a.yawRadians() + share * a.yawRadiansTo(b);
+    private static double yaw(ViewAngles a, ViewAngles b, double fraction) {
+        return a.yawRadians() + fraction * a.yawRadiansTo(b);
     }
 
-    private static double pitch(ViewAngles a, ViewAngles b, double share) {
-        return a.pitchRadians() + (b.pitchRadians() - a.pitchRadians()) * share;
+    private static double pitch(ViewAngles a, ViewAngles b, double fraction) {
+        return a.pitchRadians() + (b.pitchRadians() - a.pitchRadians()) * fraction;
     }
 
-    private static Vec3 up(Vec3 a, Vec3 b, CrossingWord crossed, Portals portals, double share) {
+    private static Vec3 up(Vec3 a, Vec3 b, CrossingWord crossed, Portals portals, double fraction) {
         Vector3d earlier = a.toVector();
         for (int i = 0; i < crossed.length(); i++) {
             portals.transform(crossed.entry(i)).direction(earlier);
         }
         Vec3 from = Vec3.of(earlier);
-        return from.equals(b) ? b : Directions.slerp(from, b, share);
+        return from.equals(b) ? b : Directions.slerp(from, b, fraction);
     }
 
     /** Maps a direction of the later state's space into the eye's, in place. */
@@ -101,13 +101,13 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
                 .fma(z, view.back().toVector());
     }
 
-    private static Basis level(ViewAngles a, ViewAngles b, double share) {
-        return Basis.ofYawPitch(yaw(a, b, share), pitch(a, b, share));
+    private static Basis level(ViewAngles a, ViewAngles b, double fraction) {
+        return Basis.ofYawPitch(yaw(a, b, fraction), pitch(a, b, fraction));
     }
 
-    private static Basis turned(Basis a, Basis b, double share) {
+    private static Basis turned(Basis a, Basis b, double fraction) {
         Quaterniond turn = Rotations.slerp(
-                Rotations.ofAxes(a.right(), a.up(), a.back()), Rotations.ofAxes(b.right(), b.up(), b.back()), share);
+                Rotations.ofAxes(a.right(), a.up(), a.back()), Rotations.ofAxes(b.right(), b.up(), b.back()), fraction);
         return new Basis(
                 Vec3.of(turn.transform(new Vector3d(1, 0, 0))),
                 Vec3.of(turn.transform(new Vector3d(0, 1, 0))),

@@ -6,16 +6,18 @@ import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.Tilt;
 import nephele.engine.sim.state.ViewAngles;
 import nephele.engine.sim.state.WorldState;
 import org.joml.Vector3d;
@@ -25,15 +27,28 @@ import org.joml.Vector3d;
  * simulation.
  */
 public final class PlayerStep {
-    /** In m/s. A slower player without move intent stops, as the exponential would never end. */
+    /** The speed in m/s below which a player without move intent stops, as the exponential would never end. */
     private static final double AT_REST_METRES_PER_SECOND = 1e-4;
 
-    /** In metres. */
+    /** The radius of the sphere that keeps the eye clear of ceilings, metres. */
     private static final double HEAD_RADIUS_METRES = 0.1;
 
     private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS_METRES);
 
+    private static final double UPRIGHT_RADIANS_PER_SECOND = 2 * Math.PI;
+    /**
+     * The greatest angle of one rotation step. The head, 0.6 m from the centre, moves 3 cm in it: a tenth of the
+     * capsule's radius.
+     */
+    private static final double MOST_TURN_RADIANS = Math.PI / 60;
+
+    private static final double TURN_AHEAD_SECONDS = 0.3;
+
     private final double seconds;
+    /** The angles by which body and view turn upright in a tick. */
+    private final double uprightRadians;
+
+    private final double viewUprightRadians;
     private final ExponentialApproach groundDamping;
     private final ExponentialApproach eyeDamping;
     private final CharacterMover mover;
@@ -45,11 +60,10 @@ public final class PlayerStep {
 
     private final ExitRoom exitRoom = new ExitRoom();
     private final Depenetration depenetration = new Depenetration();
-    private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
-    private final MoveIntent intent = new MoveIntent();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
     private final Vector3d head = new Vector3d();
+    private final Vector3d raised = new Vector3d();
 
     public PlayerStep(BodyTable bodies, SimSettings settings) {
         double seconds = 1.0 / settings.ticksPerSecond();
@@ -61,7 +75,9 @@ public final class PlayerStep {
         walkIn = settings.assists().contains(Assist.WALK_IN) ? new WalkIn() : null;
         groundDamping = ExponentialApproach.of(PlayerDimensions.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = ExponentialApproach.of(PlayerDimensions.EYE_RATE_PER_SECOND, seconds);
-        uprighting = new Uprighting(mover, depenetration, settings);
+        uprightRadians = UPRIGHT_RADIANS_PER_SECOND * seconds;
+        boolean isAsBody = settings.uprightDegreesPerSecond() == SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
+        viewUprightRadians = isAsBody ? uprightRadians : Math.toRadians(settings.uprightDegreesPerSecond()) * seconds;
     }
 
     /** @param around the world state; its bodies are obstacles, except the one that does not collide with the player */
@@ -73,7 +89,7 @@ public final class PlayerStep {
         portalCrossing.begin(world.portals(), player.place);
         changeStance(input.holds(Action.CROUCH));
         if (recover()) {
-            uprighting.turn(player);
+            turnUpright();
             portalCrossing.follow(player);
             settle();
             if (around.arrival().isRecent()) {
@@ -111,7 +127,7 @@ public final class PlayerStep {
 
     private void load(PlayerState before, ViewAngles heading, boolean isEmpty) {
         player.load(before);
-        player.look(new PlayerView(heading, before.tilt()));
+        player.look(heading, before.tilt());
         if (!player.grounded && isEmpty) {
             // Without any static geometry the player hovers.
             player.grounded = true;
@@ -129,9 +145,9 @@ public final class PlayerStep {
             return;
         }
         double rise = wanted.heightMetres() - player.stance().heightMetres();
-        var up = player.look().tilt().up();
-        way.set(up.x() * rise, up.y() * rise, up.z() * rise);
-        if (wantsCrouch || !mover.isBlocked(player.shape(), player.place, way)) {
+        var up = player.tilt().up();
+        path.set(up.x() * rise, up.y() * rise, up.z() * rise);
+        if (wantsCrouch || !mover.isBlocked(player.shape(), player.place, path)) {
             player.change(wanted);
         }
     }
@@ -139,19 +155,91 @@ public final class PlayerStep {
     /** Pushes the player out of solids, a little each tick. Returns false while it is still inside. */
     private boolean recover() {
         RoundedHull shape = player.shape();
-        depenetration.find(mover.world(shape, player.place), shape, player.place, way);
-        double needed = way.length();
+        depenetration.find(mover.world(shape, player.place), shape, player.place, path);
+        double needed = path.length();
         if (needed == 0) {
             return true;
         }
         double pushed = Math.min(needed, PlayerDimensions.DEPENETRATION_METRES_PER_TICK);
-        player.place.add(way.mul(pushed / needed));
+        player.place.add(path.mul(pushed / needed));
         if (pushed < needed) {
             player.velocity.zero();
             player.grounded = false;
             return false;
         }
         return true;
+    }
+
+    /**
+     * Turns a player upright that came out of a portal tilted. The view turns at once, at a rate that the player can
+     * choose. The body turns about its centre as far as there is room, never into a solid; in an aperture it waits
+     * while turning would make it hit the rim.
+     */
+    private void turnUpright() {
+        Tilt tilt = player.tilt();
+        if (tilt.isUpright()) {
+            return;
+        }
+        ViewAngles heading = player.heading();
+        player.look(heading, tilt.viewTowardsUpright(viewUprightRadians));
+        int left = (int) Math.ceil(uprightRadians / MOST_TURN_RADIANS);
+        double angle = uprightRadians / left;
+        while (left > 0 && turnBody(heading, angle)) {
+            left--;
+        }
+    }
+
+    /** Turns the body by an angle too small to skip an obstacle. Returns false if it is upright or has no room. */
+    private boolean turnBody(ViewAngles heading, double angle) {
+        Tilt tilt = player.tilt();
+        if (tilt.isBodyUpright()) {
+            return false;
+        }
+        Vec3 up = tilt.bodyTowardsUpright(angle, forward(heading));
+        RoundedHull turned = player.stance().shape(up);
+        if (!standsUp(turned) && !hasRoom(turned)) {
+            return false;
+        }
+        player.look(heading, tilt.withBody(up));
+        return true;
+    }
+
+    private static Vec3 forward(ViewAngles heading) {
+        return new Vec3(-StrictMath.sin(heading.yawRadians()), 0, -StrictMath.cos(heading.yawRadians()));
+    }
+
+    private boolean hasRoom(RoundedHull turned) {
+        if (!depenetration.isFree(mover.world(turned, player.place), turned, player.place)) {
+            return false;
+        }
+        if (mover.active() == 0) {
+            return true;
+        }
+        path.set(player.velocity).mul(TURN_AHEAD_SECONDS);
+        mover.isBlocked(player.shape(), player.place, path);
+        double free = mover.lastSweep().fraction();
+        mover.isBlocked(turned, player.place, path);
+        return mover.lastSweep().fraction() >= free;
+    }
+
+    /**
+     * Raises a grounded player by as much as its capsule reaches further down after the turn. Returns true if that
+     * makes room.
+     */
+    private boolean standsUp(RoundedHull turned) {
+        double rise = player.shape().least(1) - turned.least(1);
+        if (!(rise > 0) || !player.grounded) {
+            return false;
+        }
+        raised.set(player.place);
+        if (mover.advanceUntilHit(player.shape(), raised, path.set(0, rise, 0))) {
+            return false;
+        }
+        boolean free = depenetration.isFree(mover.world(turned, raised), turned, raised);
+        if (free) {
+            player.place.set(raised);
+        }
+        return free;
     }
 
     /** Grounds a player that was placed onto ground, at once. */
@@ -164,20 +252,20 @@ public final class PlayerStep {
 
     /** Eases a player that has come out of a portal off what is close; one on the ground only as far as ground is below. */
     private void ease(Portal exit, PlayerInput input) {
-        intent.of(player, input);
+        player.intend(input);
         RoundedHull shape = player.shape();
-        exitRoom.easing(player, intent, exit, mover.world(shape, player.place)).mul(seconds, way);
-        if (way.lengthSquared() == 0) {
+        exitRoom.easing(player, exit, mover.world(shape, player.place)).mul(seconds, path);
+        if (path.lengthSquared() == 0) {
             return;
         }
         if (!player.grounded) {
-            mover.slide(shape, player.place, way);
+            mover.slide(shape, player.place, path);
             return;
         }
         head.set(player.place);
-        boolean stands = walk.walk(shape, player.place, way, player.ground);
-        way.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
-        if (stands && mover.isBlocked(HEAD, player.place, way)) {
+        boolean stands = walk.walk(shape, player.place, path, player.ground);
+        path.set(0, -player.stance().heightMetres() / 2 - PlayerDimensions.STEP_METRES / 2, 0);
+        if (stands && mover.isBlocked(HEAD, player.place, path)) {
             player.ground.set(walk.ground());
         } else {
             player.place.set(head);
@@ -191,24 +279,27 @@ public final class PlayerStep {
     }
 
     private void walkOnGround(PlayerInput input, Portals portals) {
-        intent.of(player, input);
-        boolean isLed = walkIn != null && walkIn.lead(player, intent, portals, seconds);
+        player.intend(input);
+        boolean isLed = walkIn != null && walkIn.lead(player, portals, seconds);
         Vector3d velocity = player.velocity;
-        way.set(
-                groundDamping.displacement(velocity.x, intent.x()),
+        path.set(
+                groundDamping.displacement(velocity.x, player.intent.x),
                 0,
-                groundDamping.displacement(velocity.z, intent.z()));
-        velocity.set(groundDamping.approach(velocity.x, intent.x()), 0, groundDamping.approach(velocity.z, intent.z()));
-        if (intent.velocity().lengthSquared() == 0 && velocity.length() < AT_REST_METRES_PER_SECOND) {
+                groundDamping.displacement(velocity.z, player.intent.z));
+        velocity.set(
+                groundDamping.approach(velocity.x, player.intent.x),
+                0,
+                groundDamping.approach(velocity.z, player.intent.z));
+        if (player.intent.lengthSquared() == 0 && velocity.length() < AT_REST_METRES_PER_SECOND) {
             velocity.zero();
-            way.zero();
+            path.zero();
         }
         mover.pushes().intent(velocity);
         double height = player.place.y;
-        double slope = -(player.ground.x * way.x + player.ground.z * way.z) / player.ground.y;
+        double slope = -(player.ground.x * path.x + player.ground.z * path.z) / player.ground.y;
         player.grounded = isLed
-                ? walk.walkOverFrames(player.shape(), player.place, way, player.ground)
-                : walk.walk(player.shape(), player.place, way, player.ground);
+                ? walk.walkOverFrames(player.shape(), player.place, path, player.ground)
+                : walk.walk(player.shape(), player.place, path, player.ground);
         player.ground.set(walk.ground());
         walk.walls().removeComponentsInto(velocity);
         smoothEye(player.place.y - height - slope);
@@ -222,11 +313,37 @@ public final class PlayerStep {
         player.eye = Math.max(PlayerDimensions.RADIUS_METRES, player.eye - suddenRise);
         double inHead = player.stance().heightMetres() - HEAD_RADIUS_METRES;
         if (player.eye > inHead) {
-            way.set(0, player.eye - inHead, 0);
+            path.set(0, player.eye - inHead, 0);
             double headAboveCentre = inHead - player.stance().centreAboveFeet();
             head.set(player.place.x, player.place.y + headAboveCentre, player.place.z);
-            mover.isBlocked(HEAD, head, way);
-            player.eye = inHead + mover.lastSweep().fraction() * way.y;
+            mover.isBlocked(HEAD, head, path);
+            player.eye = inHead + mover.lastSweep().fraction() * path.y;
+        }
+    }
+
+    /**
+     * The exponential approach to a target over one tick, in closed form: v' = k (target − v) has v(t) = target + (v₀ −
+     * target) exp(−k t), with the displacement target · t + (v₀ − target)(1 − exp(−k t)) / k. It never overshoots, and two
+     * half ticks equal a whole one.
+     *
+     * @param fraction 1 − exp(−k t), the part of the difference that a tick removes
+     * @param displacementPerSpeed (1 − exp(−k t)) / k, in seconds
+     * @param seconds the tick's length
+     */
+    public record ExponentialApproach(double fraction, double displacementPerSpeed, double seconds) {
+        public static ExponentialApproach of(double ratePerSecond, double seconds) {
+            double fraction = -StrictMath.expm1(-ratePerSecond * seconds);
+            return new ExponentialApproach(fraction, ratePerSecond > 0 ? fraction / ratePerSecond : seconds, seconds);
+        }
+
+        /** Returns the value after the tick. */
+        public double approach(double value, double target) {
+            return target + (value - target) * (1 - fraction);
+        }
+
+        /** Returns the integral of the value over the tick. */
+        public double displacement(double value, double target) {
+            return target * seconds + (value - target) * displacementPerSpeed;
         }
     }
 }

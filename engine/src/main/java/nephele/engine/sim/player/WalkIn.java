@@ -61,11 +61,12 @@ final class WalkIn {
      *
      * @param seconds of the tick: what is reached within it counts as near
      */
-    boolean lead(PlayerMotion player, MoveIntent intent, Portals portals, double seconds) {
+    boolean lead(PlayerMotion player, Portals portals, double seconds) {
+        Vector3d intent = player.intent;
         int best = -1;
         double bestCosine = 0;
         for (int i = 0; i < portals.size(); i++) {
-            double cosine = portals.isOpen(i) ? cosine(player, intent, portals.portal(i), seconds) : 0;
+            double cosine = portals.isOpen(i) ? cosine(player, portals.portal(i), seconds) : 0;
             if (cosine > bestCosine) {
                 bestCosine = cosine;
                 best = i;
@@ -74,20 +75,21 @@ final class WalkIn {
         if (best < 0) {
             return false;
         }
-        cosine(player, intent, portals.portal(best), seconds);
+        cosine(player, portals.portal(best), seconds);
         if (isBeside(intent.length() * seconds)) {
-            double along = intent.x() * alongX + intent.z() * alongZ;
-            intent.turn(turned.set(along * alongX, 0, along * alongZ));
+            double along = intent.x * alongX + intent.z * alongZ;
+            intent.set(turned.set(along * alongX, 0, along * alongZ));
         } else {
-            intent.turn(turned(intent.x(), intent.z()));
+            intent.set(turned(intent.x, intent.z));
             player.velocity.set(turned(player.velocity.x, player.velocity.z));
         }
         return true;
     }
 
     /** Returns the cosine of the angle by which the move intent would be turned for a portal; 0 for none. */
-    private double cosine(PlayerMotion player, MoveIntent intent, Portal portal, double seconds) {
+    private double cosine(PlayerMotion player, Portal portal, double seconds) {
         Vec3 n = portal.normal();
+        Vector3d intent = player.intent;
         double speed = intent.length();
         if (Math.abs(n.y()) > MOST_LEAN || speed == 0) {
             return 0;
@@ -99,8 +101,8 @@ final class WalkIn {
         alongZ = intoX;
         Vector3d at = player.place;
         height = portal.inFront(at.x, at.y, at.z) / level;
-        double into = (intent.x() * intoX + intent.z() * intoZ) / speed;
-        double along = (intent.x() * alongX + intent.z() * alongZ) / speed;
+        double into = (intent.x * intoX + intent.z * intoZ) / speed;
+        double along = (intent.x * alongX + intent.z * alongZ) / speed;
         double step = speed * seconds;
         if (into < LEAST_SINE
                 || height < 0

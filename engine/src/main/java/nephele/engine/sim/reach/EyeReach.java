@@ -19,7 +19,7 @@ public record EyeReach(List<Part> parts) {
     /** The reach of an eye that can be anywhere. */
     public static final EyeReach ANYWHERE = new EyeReach(List.of());
 
-    /** How the eye comes to a place. */
+    /** The means by which the eye comes to a place. */
     public enum Means {
         WALKING("on foot"),
         PORTALS("through the level's portals"),

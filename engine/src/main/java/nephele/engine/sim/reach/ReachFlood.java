@@ -45,7 +45,6 @@ final class ReachFlood {
     private final ReachGrid grid;
     private final RayCast cast = new RayCast();
     private final Ray ray = Ray.reusable();
-    private final CellQueue queue;
     /** Height of an eye that stands on the ground below a cell; NaN before it is known. */
     private final double[] standing;
     /** A bit for each side of a cell whether it is known if an eye passes there, and whether it does. */
@@ -63,7 +62,6 @@ final class ReachFlood {
         this.domain = domain;
         world = CollisionWorld.of(statics);
         grid = new ReachGrid(domain);
-        queue = new CellQueue(grid.cells());
         standing = new double[grid.cells()];
         Arrays.fill(standing, Double.NaN);
         asked = new byte[grid.cells()];
@@ -187,20 +185,20 @@ final class ReachFlood {
     }
 
     /** Opens ways and goes on from every cell that is reached. */
-    private void open(Means by, List<Passage> ways) {
+    private void open(Means by, List<Passage> paths) {
         means = by;
         if (by == Means.SHOTS) {
             double head = greatestHead();
-            for (Passage way : ways) {
-                enter(way.to(), Math.max(head, way.to().y() + JUMP_METRES));
+            for (Passage path : paths) {
+                enter(path.to(), Math.max(head, path.to().y() + JUMP_METRES));
             }
             run();
             return;
         }
-        passages = ways;
+        passages = paths;
         for (int cell = 0; cell < grid.cells(); cell++) {
             if (grid.isReached(cell)) {
-                queue.add(cell);
+                grid.enqueue(cell);
             }
         }
         run();
@@ -233,7 +231,7 @@ final class ReachFlood {
         boolean isHigher = !grid.isReached(cell) || most > grid.head(cell) + LEAST_GAIN_METRES;
         if (isHigher && grid.centre(cell).y() <= most + grid.cellMetres() / 2) {
             grid.reach(cell, most, means);
-            queue.add(cell);
+            grid.enqueue(cell);
         }
     }
 
@@ -242,7 +240,7 @@ final class ReachFlood {
     }
 
     private void run() {
-        for (int cell = queue.next(); cell >= 0; cell = queue.next()) {
+        for (int cell = grid.next(); cell >= 0; cell = grid.next()) {
             Vec3 at = grid.centre(cell);
             double head = Math.max(grid.head(cell), standing(cell, at) + JUMP_METRES);
             grid.reach(cell, head, means);
@@ -252,8 +250,8 @@ final class ReachFlood {
                     raise(next, head);
                 }
             }
-            for (Passage way : passages) {
-                pass(way, at, head);
+            for (Passage path : passages) {
+                pass(path, at, head);
             }
         }
     }
@@ -262,10 +260,10 @@ final class ReachFlood {
         return !grid.isReached(cell) || head > grid.head(cell) + LEAST_GAIN_METRES;
     }
 
-    private void pass(Passage way, Vec3 at, double head) {
-        double nearMetres = way.radiusMetres() + grid.cellMetres();
-        if (at.minus(way.from()).length() <= nearMetres && isFree(at, way.from())) {
-            enter(way.to(), head - way.from().y() + way.to().y());
+    private void pass(Passage path, Vec3 at, double head) {
+        double nearMetres = path.radiusMetres() + grid.cellMetres();
+        if (at.minus(path.from()).length() <= nearMetres && isFree(at, path.from())) {
+            enter(path.to(), head - path.from().y() + path.to().y());
         }
     }
 

@@ -19,6 +19,12 @@ final class ReachGrid {
     private final int[] size = new int[3];
     private final float[] headMetres;
     private final byte[] means;
+    /** The cells that wait to be visited, each once at a time, in a ring. */
+    private final int[] ring;
+
+    private final boolean[] isWaiting;
+    private int first;
+    private int waiting;
 
     ReachGrid(Aabb domain) {
         box = domain;
@@ -35,6 +41,8 @@ final class ReachGrid {
         size[2] = Math.max(1, (int) Math.ceil(z / cell));
         headMetres = new float[size[0] * size[1] * size[2]];
         means = new byte[headMetres.length];
+        ring = new int[headMetres.length];
+        isWaiting = new boolean[headMetres.length];
         Arrays.fill(headMetres, Float.NEGATIVE_INFINITY);
     }
 
@@ -166,5 +174,26 @@ final class ReachGrid {
                 box.minX() + toX * cellMetres,
                 box.minY() + (y + 1) * cellMetres,
                 box.minZ() + (z + 1) * cellMetres);
+    }
+
+    /** Lets a cell wait to be visited, in the order in which they came; one that already waits keeps its turn. */
+    void enqueue(int cell) {
+        if (!isWaiting[cell]) {
+            isWaiting[cell] = true;
+            ring[(first + waiting) % ring.length] = cell;
+            waiting++;
+        }
+    }
+
+    /** Takes the next cell; −1 if none waits. */
+    int next() {
+        if (waiting == 0) {
+            return -1;
+        }
+        int cell = ring[first];
+        first = (first + 1) % ring.length;
+        waiting--;
+        isWaiting[cell] = false;
+        return cell;
     }
 }

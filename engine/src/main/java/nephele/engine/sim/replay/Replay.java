@@ -2,20 +2,26 @@ package nephele.engine.sim.replay;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.Range;
+import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.RecordFile;
+import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
 
 /**
  * A recorded input sequence of a level, tick by tick: with the level it repeats a game exactly.
@@ -100,10 +106,10 @@ public record Replay(
      * @param simulation of the level that it was recorded in, with the settings of this replay
      */
     public Replay tracked(Simulation simulation) {
-        List<Waypoint> way = new ArrayList<>();
+        List<Waypoint> places = new ArrayList<>();
         play(simulation, state -> {
             if (Waypoint.isDue(state)) {
-                way.add(Waypoint.of(state));
+                places.add(Waypoint.of(state));
             }
         });
         return new Replay(
@@ -115,7 +121,7 @@ public record Replay(
                 uprightDegreesPerSecond,
                 start,
                 inputs,
-                List.copyOf(way));
+                List.copyOf(places));
     }
 
     /** Returns a replay without input, of a player standing at the level's start. */
@@ -154,21 +160,68 @@ public record Replay(
     }
 
     /** Plays all inputs from the start and returns the last state; the listener receives the state after each tick. */
-    public SimState play(Simulation simulation, TickListener listener) {
+    public SimState play(Simulation simulation, Consumer<SimState> listener) {
         SimState state = startIn(simulation);
         for (Run run : inputs) {
             PlayerInput input = run.input();
             for (int i = 0; i < run.ticks(); i++) {
                 state = simulation.step(state, input);
-                listener.ticked(state);
+                listener.accept(state);
             }
         }
         return state;
     }
 
-    /** Receives every state of a replay, after each tick. */
-    @FunctionalInterface
-    public interface TickListener {
-        void ticked(SimState state);
+    /**
+     * Returns a listener of {@link #play} that gives the lines of {@code simulate}: {@code tick hash}, for every n-th
+     * tick.
+     *
+     * @param last the last tick, which always has a line
+     */
+    public static Consumer<SimState> hashes(long every, long last, Consumer<String> lines) {
+        return state -> {
+            if (state.tick() % every == 0 || state.tick() == last) {
+                lines.accept(hashLine(state));
+            }
+        };
+    }
+
+    /** Returns the line of a state; the hash has sixteen hexadecimal digits. */
+    public static String hashLine(SimState state) {
+        return String.format(Locale.ROOT, "%d %016x", state.tick(), state.hash());
+    }
+
+    /**
+     * The player's place after a tick of a recording.
+     *
+     * @param tick the number of ticks since the start
+     * @param opened the shots that placed a portal in this tick
+     */
+    public record Waypoint(
+            @Written(required = true) @Range(min = 1, max = Integer.MAX_VALUE) int tick,
+            @Written(required = true, spatial = Spatial.POINT) @Range Vec3 feet,
+            @Written(most = 2) List<GunPortals.Colour> opened) {
+        /** Number of ticks between two places, a quarter of a second at the usual rate. */
+        private static final int INTERVAL_TICKS = 30;
+
+        /** Returns true for the states that a track lists: at regular intervals, and where a portal opened or the level ended. */
+        static boolean isDue(SimState state) {
+            return state.tick() % INTERVAL_TICKS == 0
+                    || state.world().trace().events().stream()
+                            .anyMatch(event ->
+                                    event instanceof TickEvent.PortalOpened || event instanceof TickEvent.ExitReached);
+        }
+
+        static Waypoint of(SimState state) {
+            return new Waypoint((int) state.tick(), state.player().feet(), opened(state));
+        }
+
+        /** Returns the shots that placed a portal in a state's last tick. */
+        public static List<GunPortals.Colour> opened(SimState state) {
+            return state.world().trace().events().stream()
+                    .filter(TickEvent.PortalOpened.class::isInstance)
+                    .map(event -> ((TickEvent.PortalOpened) event).shot())
+                    .toList();
+        }
     }
 }

@@ -11,10 +11,10 @@ import nephele.engine.level.json.RecordFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.WorldState.HeldBody;
 
 /** A state in a form for people and scripts: the output of {@code simulate --dump}. */
 public record StateDump(

@@ -2,6 +2,7 @@ package nephele.engine.sim.state;
 
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
+import nephele.engine.math.Vec3;
 
 /** The dimensions and abilities of the player, in metres and seconds. */
 public final class PlayerDimensions {
@@ -11,14 +12,14 @@ public final class PlayerDimensions {
     public static final double MASS_KILOGRAMS = 80;
     /** The gravitational acceleration, m/s². */
     public static final double GRAVITY_METRES_PER_SECOND_SQUARED = 9.81;
-    /** In m/s, as are the two below. */
+    /** The speed of walking, m/s; those of running and crouching follow. */
     public static final double WALK_METRES_PER_SECOND = 4;
 
     public static final double RUN_METRES_PER_SECOND = 6;
     public static final double CROUCH_METRES_PER_SECOND = 2;
-    /** In metres, the rise of the feet. */
+    /** The rise of the feet in a jump, metres. */
     public static final double JUMP_METRES = 1;
-    /** In metres, the highest step that is walked up or down. */
+    /** The height of the highest step that is walked up or down, metres. */
     public static final double STEP_METRES = 0.4;
     /**
      * The least upward component of a unit normal of walkable ground: cos 50°, less 1e-9 so that a slope of exactly 50°
@@ -28,7 +29,7 @@ public final class PlayerDimensions {
     /** The walking velocity approaches the move intent by 1 − exp(−k t) with this k. */
     public static final double GROUND_RATE_PER_SECOND = 12;
 
-    /** In m/s². */
+    /** The acceleration of steering in the air, m/s². */
     public static final double AIR_METRES_PER_SECOND_SQUARED = 8;
 
     public static final double EYE_RATE_PER_SECOND = 15;
@@ -65,6 +66,13 @@ public final class PlayerDimensions {
         /** Returns the upright capsule, around its centre. */
         public RoundedHull shape() {
             return shape;
+        }
+
+        /** Returns the capsule along a body axis of unit length, around its centre. */
+        public RoundedHull shape(Vec3 up) {
+            return up.equals(Tilt.UPRIGHT.up())
+                    ? shape
+                    : RoundedHull.capsule(up.scaled(heightMetres / 2 - RADIUS_METRES), RADIUS_METRES);
         }
 
         /**

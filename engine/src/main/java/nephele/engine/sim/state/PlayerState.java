@@ -1,8 +1,10 @@
 package nephele.engine.sim.state;
 
+import nephele.engine.math.Basis;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
+import org.joml.Vector3d;
 
 /**
  * The player after a tick.
@@ -76,6 +78,31 @@ public record PlayerState(
         double above = eyeMetres - stance.centreAboveFeet();
         Vec3 up = tilt.up();
         return centre.addScaled(above, up);
+    }
+
+    /** Sets {@code out} to the body's centre and returns it. */
+    public Vector3d centre(Vector3d out) {
+        return set(centre(), out);
+    }
+
+    /** Sets {@code out} to the eye, as if no portal were between it and the centre, and returns it. */
+    public Vector3d eye(Vector3d out) {
+        return set(eye(), out);
+    }
+
+    private static Vector3d set(Vec3 v, Vector3d out) {
+        return out.set(v.x(), v.y(), v.z());
+    }
+
+    /** Returns the camera basis of the view, in the space of the centre. */
+    public Basis view() {
+        return tilt.view(heading);
+    }
+
+    /** Sets {@code out} to the unit view direction, in the space of the centre, and returns it. */
+    public Vector3d ahead(Vector3d out) {
+        Vec3 back = view().back();
+        return out.set(-back.x(), -back.y(), -back.z());
     }
 
     public boolean isFinite() {

@@ -3,6 +3,7 @@ package nephele.engine.sim.state;
 import java.util.List;
 import java.util.Objects;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
@@ -14,6 +15,11 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.sim.state.WorldState.Arrival;
+import nephele.engine.sim.state.WorldState.ExitState;
+import nephele.engine.sim.state.WorldState.FallState;
+import nephele.engine.sim.state.WorldState.HeldBody;
+import nephele.engine.sim.state.WorldState.TickTrace;
 
 /**
  * The part of a level that the simulation uses: the static geometry, and the initial portals and bodies.
@@ -82,7 +88,7 @@ public record SimLevel(
     }
 
     /** Returns the world state at tick 0. */
-    public WorldState begin(PortalWorldCache worlds) {
+    public WorldState begin(PortalWorld.Cache worlds) {
         ExitState exit = ExitState.start(exits);
         if (bodies.size() == 0 && portals.size() == 0) {
             return WorldState.NOTHING.with(exit);

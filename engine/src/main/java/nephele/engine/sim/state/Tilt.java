@@ -1,10 +1,12 @@
 package nephele.engine.sim.state;
 
+import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
+import org.joml.Vector3d;
 
 /**
  * The deviation of the player from upright that a portal has left. Body and view have separate ones, as the body turns
@@ -28,8 +30,20 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
     }
 
     /** Returns the rotation from the directions of the view angles' basis to world directions. */
-    public Quaterniond view() {
+    public Quaterniond turn() {
         return new Quaterniond(x, y, z, w);
+    }
+
+    /** Returns the camera basis of these view angles with this tilt, in world directions. */
+    public Basis view(ViewAngles heading) {
+        Basis level = Basis.ofYawPitch(heading.yawRadians(), heading.pitchRadians());
+        Quaterniond turn = turn();
+        return new Basis(turned(turn, level.right()), turned(turn, level.up()), turned(turn, level.back()));
+    }
+
+    private static Vec3 turned(Quaterniond turn, Vec3 v) {
+        Vector3d turned = turn.transform(v.toVector());
+        return new Vec3(turned.x, turned.y, turned.z);
     }
 
     public boolean isBodyUpright() {
@@ -73,7 +87,7 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         if (angle <= radians) {
             return new Tilt(up, 0, 0, 0, 1);
         }
-        Quaterniond nearer = Rotations.slerp(view(), new Quaterniond(), radians / angle);
+        Quaterniond nearer = Rotations.slerp(turn(), new Quaterniond(), radians / angle);
         return new Tilt(up, nearer.x, nearer.y, nearer.z, nearer.w);
     }
 

@@ -1,5 +1,7 @@
 package nephele.engine.sim.state;
 
+import nephele.engine.math.Vec3;
+
 /**
  * The view angles, in thousandths of a degree: integers neither drift nor round, however long the game runs.
  *
@@ -10,6 +12,8 @@ public record ViewAngles(int yawMillidegrees, int pitchMillidegrees) {
     private static final int HALF_TURN_MILLIDEGREES = 180_000;
     private static final int FULL_TURN_MILLIDEGREES = 360_000;
     private static final int MAX_PITCH_MILLIDEGREES = 89_900;
+    /** The horizontal part of the view direction at the steepest pitch. */
+    private static final double STEEP_COSINE = StrictMath.cos(Math.toRadians(89.9));
 
     public ViewAngles {
         yawMillidegrees = Math.floorMod(yawMillidegrees + (long) HALF_TURN_MILLIDEGREES, FULL_TURN_MILLIDEGREES)
@@ -20,6 +24,21 @@ public record ViewAngles(int yawMillidegrees, int pitchMillidegrees) {
     /** Returns the nearest view angles; values that are not finite count as 0. */
     public static ViewAngles ofDegrees(double yawDegrees, double pitchDegrees) {
         return new ViewAngles((int) rounded(yawDegrees % 360), (int) rounded(pitchDegrees % 360));
+    }
+
+    /**
+     * Returns the view angles nearest to a view. A view steeper than the steepest pitch takes its yaw from the up vector.
+     *
+     * @param back unit vector opposite to the view direction
+     */
+    public static ViewAngles nearest(Vec3 up, Vec3 back) {
+        double flat = Math.sqrt(back.x() * back.x() + back.z() * back.z());
+        double pitch = StrictMath.atan2(-back.y(), flat);
+        double yaw = StrictMath.atan2(back.x(), back.z());
+        if (flat < STEEP_COSINE) {
+            yaw = back.y() < 0 ? StrictMath.atan2(up.x(), up.z()) : StrictMath.atan2(-up.x(), -up.z());
+        }
+        return ofDegrees(Math.toDegrees(yaw), Math.toDegrees(pitch));
     }
 
     private static long rounded(double degrees) {

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimState;
 
 /**

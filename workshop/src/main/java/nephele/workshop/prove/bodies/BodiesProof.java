@@ -6,7 +6,6 @@ import java.util.Locale;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -115,8 +114,7 @@ public final class BodiesProof implements Proof {
 
     /** Returns a run in which a tick is a whole tick of the simulation, with an idle player. */
     private static BodyCost.Course played(Level level, Vec3 feet) {
-        var simulation =
-                new Simulation(SimLevel.of(level), new SimSettings((int) TICKS_A_SECOND, List.of()), FaultLog.SILENT);
+        var simulation = new Simulation(SimLevel.of(level), new SimSettings((int) TICKS_A_SECOND, List.of()));
         SimState start = simulation.start();
         SimState[] state = {start.withPlayer(start.player().withFeet(feet))};
         return new BodyCost.Course(level.bodies().size(), () -> state[0] = simulation.step(state[0], PlayerInput.NONE));

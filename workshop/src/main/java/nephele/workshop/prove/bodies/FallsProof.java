@@ -14,7 +14,6 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
@@ -98,8 +97,7 @@ public final class FallsProof implements Proof {
                         floor(),
                         new PlayerStart(new Vec3(-3, HEIGHT_METRES - Stance.STANDING.centreAboveFeet(), 0), 0, 0),
                         portals()),
-                new SimSettings(rate, List.of()),
-                FaultLog.SILENT);
+                new SimSettings(rate, List.of()));
     }
 
     private static CollisionWorld floor() {

@@ -69,7 +69,7 @@ final class Supports {
     private void visit(RoundedHull hull, Collider against, int other, Visitor visitor) {
         separation.measure(hull, centre.x, centre.y, centre.z, against);
         if (separation.metres() < TOUCHING_METRES) {
-            visitor.touches(other, normal.set(separation.normalX(), separation.normalY(), separation.normalZ()));
+            visitor.touches(other, normal.set(separation.normal()));
         }
     }
 }

@@ -86,7 +86,7 @@ public final class SeparationProof implements Proof {
         /** Returns true if a core that moves out by its depth and the band no longer touches the solid. */
         private boolean parts(SeparationSample pair, double measured, double extent) {
             double way = Math.max(0, -measured) + 2 * BAND * extent;
-            var normal = new Vector3d(separation.normalX(), separation.normalY(), separation.normalZ());
+            var normal = new Vector3d(separation.normal());
             double gap = pair.distance(normal.mul(way));
             stuck = Math.max(stuck, 2 * BAND - gap / extent);
             return gap > BAND * extent;

@@ -9,7 +9,6 @@ import nephele.engine.collision.Sweep;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -39,7 +38,7 @@ public final class SkinProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         CollisionWorld world = ObstacleCourse.at(Vec3.ZERO);
-        var simulation = new Simulation(world, new PlayerStart(Vec3.ZERO, 0, 0), SimSettings.DEFAULT, FaultLog.SILENT);
+        var simulation = new Simulation(world, new PlayerStart(Vec3.ZERO, 0, 0), SimSettings.DEFAULT);
         List<String> failures = new ArrayList<>();
         double least = Double.POSITIVE_INFINITY;
         for (long unit = from; unit < from + count; unit++) {

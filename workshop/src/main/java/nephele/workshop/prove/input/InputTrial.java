@@ -30,9 +30,8 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.WorldRules;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -166,7 +165,7 @@ final class InputTrial {
 
     /** Walks, and fires both portals if there is a gun. */
     private static void simulated(PlacedLevel placed) throws Fault {
-        Simulation simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT, FaultLog.SILENT);
+        Simulation simulation = new Simulation(SimLevel.of(placed), SimSettings.DEFAULT);
         SimState state = simulation.start();
         for (int tick = 0; tick < TICKS; tick++) {
             Action fired = tick < TICKS / 2 ? Action.FIRE_FIRST : Action.FIRE_SECOND;

@@ -9,7 +9,6 @@ import nephele.engine.collision.Sweep;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerState;
@@ -100,7 +99,7 @@ public final class ClosedRoomProof implements Proof {
         Tester(long roomNumber) {
             this.roomNumber = roomNumber;
             room = ClosedRoom.of(new SplittableRandom(roomNumber));
-            simulation = new Simulation(room.world(), FAR_AWAY, SimSettings.DEFAULT, FaultLog.SILENT);
+            simulation = new Simulation(room.world(), FAR_AWAY, SimSettings.DEFAULT);
         }
 
         void test(long unit, Findings findings) {

@@ -8,10 +8,9 @@ import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -42,7 +41,7 @@ final class CrossingPlayers {
         SimLevel level = SimLevel.of(place.world(), new PlayerStart(place.origin(), 0, 0), place.portals());
         mostTicks = settings.ticksPerSecond() / 3;
         ticksAfter = (int) Math.ceil(SECONDS_AFTER * settings.ticksPerSecond());
-        simulation = new Simulation(level, settings, FaultLog.SILENT);
+        simulation = new Simulation(level, settings);
     }
 
     /** Draws starts until a player goes through, and returns true if one did. */

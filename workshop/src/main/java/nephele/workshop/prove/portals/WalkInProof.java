@@ -21,11 +21,10 @@ import nephele.engine.named.LevelCatalogue;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -382,8 +381,8 @@ public final class WalkInProof implements Proof {
 
         Site(WalkInPlace place) {
             this.place = place;
-            aided = new Simulation(place.level, new SimSettings(TICKS_PER_SECOND, Assist.USUAL), FaultLog.SILENT);
-            plain = new Simulation(place.level, new SimSettings(TICKS_PER_SECOND, List.of()), FaultLog.SILENT);
+            aided = new Simulation(place.level, new SimSettings(TICKS_PER_SECOND, Assist.USUAL));
+            plain = new Simulation(place.level, new SimSettings(TICKS_PER_SECOND, List.of()));
         }
 
         WalkInPlace.Shot draw(SplittableRandom random) {

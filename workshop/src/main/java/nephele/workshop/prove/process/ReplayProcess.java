@@ -8,8 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.replay.TickHashes;
-import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 
 /** A replay played in a process of its own. */
@@ -23,8 +22,8 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
         var opened = new LevelName(arguments[0]).open();
         var replay = LevelName.replay(arguments[1]);
         var level = SimLevel.of(opened.placed());
-        var hashes = new TickHashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
-        replay.play(new Simulation(level, replay.settings(), FaultLog.SILENT), hashes);
+        var hashes = Replay.hashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
+        replay.play(new Simulation(level, replay.settings()), hashes);
     }
 
     /**

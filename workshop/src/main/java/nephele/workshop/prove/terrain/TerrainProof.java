@@ -17,7 +17,6 @@ import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
@@ -118,7 +117,7 @@ public final class TerrainProof implements Proof {
             this.number = number;
             this.findings = findings;
             valley = Valley.of(number);
-            simulation = new Simulation(valley.world(), FAR_AWAY, SimSettings.DEFAULT, FaultLog.SILENT);
+            simulation = new Simulation(valley.world(), FAR_AWAY, SimSettings.DEFAULT);
         }
 
         void test(long unit) {

@@ -1,17 +1,24 @@
 package nephele.engine.collision.rigid.body;
 
+import java.util.Arrays;
 import nephele.engine.math.Hash64;
 
 /**
  * The contact cache: impulses of a tick's contacts, for warm starting (Catto 2005). One entry for each manifold: the
  * two shapes, the features of its points and the impulses in N s – up to four along the normal, two along the tangents
  * – and one angular impulse about the normal in N m s. Immutable.
+ *
+ * <p>A manifold's key has 64 bits: its two shapes, the portal between them, the touching features and the number of
+ * points.
  */
 public final class ContactCache {
     public static final ContactCache NONE = new ContactCache(new long[0], new int[0], new float[0], 1);
 
     /** Number of impulses of an entry. */
     public static final int IMPULSES = 7;
+
+    /** Bits of a key below its shapes: eight for the touching features, three for the number of points. */
+    private static final int FEATURE_BITS = 11;
 
     private final long[] keys;
     private final int[] features;
@@ -65,5 +72,107 @@ public final class ContactCache {
             hash = Hash64.combine(hash, Float.floatToIntBits(impulse));
         }
         return hash;
+    }
+
+    /**
+     * Returns the part of a key that names its shapes: a body and a solid.
+     *
+     * @param collider index in the world of the owner
+     */
+    public static long withSolid(int owner, int collider) {
+        return (((long) owner << 33) | ((long) (collider & 0xffffff) << 8)) << FEATURE_BITS;
+    }
+
+    /**
+     * Returns the part of a key that names its shapes: two bodies or characters.
+     *
+     * @param portal through which the contact acts, or −1
+     */
+    public static long between(int a, int b, int portal) {
+        return (((long) a << 33) | (1L << 32) | ((long) (b & 0xffffff) << 8) | ((portal + 1) & 0xff)) << FEATURE_BITS;
+    }
+
+    /** Returns the whole key: the shapes, the identifier of the touching features and the number of points. */
+    public static long key(long parties, int code, int points) {
+        return parties | ((long) (code & 0xff) << 3) | points;
+    }
+
+    /** Returns the part of a key that names its shapes. */
+    public static long parties(long key) {
+        return key >>> FEATURE_BITS << FEATURE_BITS;
+    }
+
+    private static boolean isSameFeatures(long a, long b) {
+        return ((a ^ b) & 0x7f8) == 0;
+    }
+
+    /** Returns the number of points of a key's manifold. */
+    public static int points(long key) {
+        return (int) (key & 7);
+    }
+
+    /** Returns the first owner of a key. */
+    public static int first(long key) {
+        return (int) (key >>> 33 + FEATURE_BITS);
+    }
+
+    /** Returns the solid's index in its world, for a key with a solid. */
+    public static int solid(long key) {
+        return (int) (key >>> 8 + FEATURE_BITS & 0xffffff);
+    }
+
+    /** Returns the second owner of a key, or −1 for a solid. */
+    public static int second(long key) {
+        long parties = key >>> FEATURE_BITS;
+        return (parties & (1L << 32)) == 0 ? -1 : (int) (parties >>> 8 & 0xffffff);
+    }
+
+    /** Finds manifolds in a contact cache by their shapes, in a hash table with linear probing. Reused. */
+    public static final class Index {
+        private static final int NOTHING = -1;
+
+        private ContactCache cache = ContactCache.NONE;
+        private int[] table = new int[16];
+        private int mask = 15;
+
+        /** Sets the cache. */
+        public void index(ContactCache last) {
+            cache = last;
+            int size = Integer.highestOneBit(Math.max(8, last.size())) * 4;
+            if (table.length < size) {
+                table = new int[size];
+            }
+            mask = size - 1;
+            Arrays.fill(table, 0, size, NOTHING);
+            for (int i = 0; i < last.size(); i++) {
+                int at = slot(parties(last.key(i)));
+                while (table[at] != NOTHING) {
+                    at = at + 1 & mask;
+                }
+                table[at] = i;
+            }
+        }
+
+        private int slot(long parties) {
+            long mixed = parties * 0x9e3779b97f4a7c15L;
+            return (int) (mixed >>> 32) & mask;
+        }
+
+        private int placeOf(long parties) {
+            int at = slot(parties);
+            while (table[at] != NOTHING) {
+                if (parties(cache.key(table[at])) == parties) {
+                    return table[at];
+                }
+                at = at + 1 & mask;
+            }
+            return NOTHING;
+        }
+
+        /** Returns the entry with the shapes and touching features of a key, −1 for none. */
+        public int find(long key) {
+            int entry = placeOf(parties(key));
+            return entry != NOTHING && isSameFeatures(cache.keys[entry], key) ? entry : NOTHING;
+        }
     }
 }

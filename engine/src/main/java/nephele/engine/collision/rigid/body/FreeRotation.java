@@ -12,9 +12,9 @@ public final class FreeRotation {
     private static final double STEP_RADIANS = 0.04;
     private static final int MOST_STEPS = 256;
     /** Weight of the rotation about the axis of the least moment in the limit {@link #STEP_RADIANS}. */
-    private static final double FAST_SHARE = 0.1;
+    private static final double FAST_FRACTION = 0.1;
 
-    private static final double NEGLIGIBLE_SHARE = 1e-9;
+    private static final double NEGLIGIBLE_FRACTION = 1e-9;
     /** Yoshida's outer and middle weights: 1 / (2 − ∛2), and 1 minus twice that. */
     private static final double OUTER = 1.3512071919596578;
 
@@ -78,11 +78,11 @@ public final class FreeRotation {
     private int steps(double seconds, double fast, double slow, double all, double ball) {
         double slowRate = slow * all;
         double change = slowRate * all * seconds;
-        if (fast * change * change < NEGLIGIBLE_SHARE * ball * all * all) {
+        if (fast * change * change < NEGLIGIBLE_FRACTION * ball * all * all) {
             return 1;
         }
         double fastRate = fast * Math.min(all, Math.abs(momentum[least]) + change);
-        double rate = Math.max(Math.sqrt(slowRate * (slowRate + fastRate)), FAST_SHARE * fastRate);
+        double rate = Math.max(Math.sqrt(slowRate * (slowRate + fastRate)), FAST_FRACTION * fastRate);
         return (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(rate * seconds / STEP_RADIANS)));
     }
 

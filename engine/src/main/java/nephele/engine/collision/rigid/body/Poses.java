@@ -1,12 +1,18 @@
 package nephele.engine.collision.rigid.body;
 
 import java.util.Arrays;
+import org.joml.Vector3d;
 
 /**
  * The poses of all shapes of a tick: the bodies, then the characters, then images of both beyond portals, then one
  * scratch place for a static box. Flat arrays, because hundreds are read in every tick.
  */
 public final class Poses {
+    /** Numbers of {@link #axes} for each shape. */
+    public static final int AXES = 9;
+    /** Numbers of {@link #bounds} for each shape. */
+    public static final int BOUNDS = 6;
+
     public int count;
     /** {@link BodyTable#SPHERE}, {@link BodyTable#CAPSULE} or {@link BodyTable#BOX}. */
     public int[] kind = new int[0];
@@ -43,9 +49,14 @@ public final class Poses {
         owner = Arrays.copyOf(owner, capacity);
         through = Arrays.copyOf(through, capacity);
         centre = Arrays.copyOf(centre, 3 * capacity);
-        axes = Arrays.copyOf(axes, 9 * capacity);
+        axes = Arrays.copyOf(axes, AXES * capacity);
         half = Arrays.copyOf(half, 3 * capacity);
-        bounds = Arrays.copyOf(bounds, 6 * capacity);
+        bounds = Arrays.copyOf(bounds, BOUNDS * capacity);
+    }
+
+    /** Sets {@code out} to the centre of a shape and returns it. */
+    public Vector3d centre(int shape, Vector3d out) {
+        return out.set(centre[3 * shape], centre[3 * shape + 1], centre[3 * shape + 2]);
     }
 
     public void place(int shape, double x, double y, double z) {
@@ -62,7 +73,7 @@ public final class Poses {
 
     /** Sets the axes from a unit quaternion. */
     public void turn(int shape, double x, double y, double z, double w) {
-        int at = 9 * shape;
+        int at = AXES * shape;
         axes[at] = 1 - 2 * (y * y + z * z);
         axes[at + 1] = 2 * (x * y + w * z);
         axes[at + 2] = 2 * (x * z - w * y);
@@ -81,7 +92,7 @@ public final class Poses {
     /** Returns the half extent of the shape along a world axis. */
     public double extent(int shape, int axis) {
         int h = 3 * shape;
-        int a = 9 * shape + axis;
+        int a = AXES * shape + axis;
         if (kind[shape] == BodyTable.BOX) {
             return half[h] * Math.abs(axes[a])
                     + half[h + 1] * Math.abs(axes[a + 3])
@@ -101,17 +112,17 @@ public final class Poses {
         bound(shape, 2, wayZ, turned, margin);
     }
 
-    private void bound(int shape, int axis, double way, double turned, double margin) {
+    private void bound(int shape, int axis, double path, double turned, double margin) {
         double still = extent(shape, axis);
         double reach = Math.max(still, Math.min(still + turned, radius(shape))) + margin;
         double c = centre[3 * shape + axis];
-        bounds[6 * shape + axis] = c - reach + Math.min(0, way);
-        bounds[6 * shape + 3 + axis] = c + reach + Math.max(0, way);
+        bounds[BOUNDS * shape + axis] = c - reach + Math.min(0, path);
+        bounds[BOUNDS * shape + 3 + axis] = c + reach + Math.max(0, path);
     }
 
     public boolean overlap(int a, int b) {
-        int i = 6 * a;
-        int j = 6 * b;
+        int i = BOUNDS * a;
+        int j = BOUNDS * b;
         return bounds[i] <= bounds[j + 3]
                 && bounds[j] <= bounds[i + 3]
                 && bounds[i + 1] <= bounds[j + 4]

@@ -78,9 +78,9 @@ final class BoxBoxContact {
         double[] x = poses.axes;
         double[] h = poses.half;
         for (int i = 0; i < 3; i++) {
-            int p = 9 * a + 3 * i;
+            int p = Poses.AXES * a + 3 * i;
             for (int j = 0; j < 3; j++) {
-                int q = 9 * b + 3 * j;
+                int q = Poses.AXES * b + 3 * j;
                 double dot = x[p] * x[q] + x[p + 1] * x[q + 1] + x[p + 2] * x[q + 2];
                 dots[3 * i + j] = dot;
                 size[3 * i + j] = Math.abs(dot);
@@ -96,7 +96,7 @@ final class BoxBoxContact {
             }
         }
         for (int j = 0; j < 3; j++) {
-            int q = 9 * b + 3 * j;
+            int q = Poses.AXES * b + 3 * j;
             along[3 + j] = x[q] * dX + x[q + 1] * dY + x[q + 2] * dZ;
             gap[3 + j] = Math.abs(along[3 + j])
                     - h[3 * b + j]
@@ -159,7 +159,7 @@ final class BoxBoxContact {
         double[] h = poses.half;
         // From the reference box to the other one.
         double sign = (along[face] < 0) == ofFirst ? -1 : 1;
-        int r = 9 * reference + 3 * i;
+        int r = Poses.AXES * reference + 3 * i;
         double nX = sign * x[r];
         double nY = sign * x[r + 1];
         double nZ = sign * x[r + 2];
@@ -169,7 +169,7 @@ final class BoxBoxContact {
         double rZ = ofFirst ? 0 : dZ;
         for (int k = 1; k < 3; k++) {
             int axis = (i + k) % 3;
-            int s = 9 * reference + 3 * axis;
+            int s = Poses.AXES * reference + 3 * axis;
             double centre = rX * x[s] + rY * x[s + 1] + rZ * x[s + 2];
             clip.side(x[s], x[s + 1], x[s + 2], centre + h[3 * reference + axis], 2 * k);
             clip.side(-x[s], -x[s + 1], -x[s + 2], h[3 * reference + axis] - centre, 2 * k + 1);
@@ -194,14 +194,14 @@ final class BoxBoxContact {
             double best = ofFirst ? size[3 * referenceAxis + j] : size[3 * j + referenceAxis];
             j = now > best + 1e-9 ? k : j;
         }
-        int q = 9 * incident + 3 * j;
+        int q = Poses.AXES * incident + 3 * j;
         double sign = x[q] * nX + x[q + 1] * nY + x[q + 2] * nZ > 0 ? -1 : 1;
         double reach = sign * h[3 * incident + j];
         double cX = (ofFirst ? dX : 0) + reach * x[q];
         double cY = (ofFirst ? dY : 0) + reach * x[q + 1];
         double cZ = (ofFirst ? dZ : 0) + reach * x[q + 2];
-        int u = 9 * incident + 3 * ((j + 1) % 3);
-        int v = 9 * incident + 3 * ((j + 2) % 3);
+        int u = Poses.AXES * incident + 3 * ((j + 1) % 3);
+        int v = Poses.AXES * incident + 3 * ((j + 2) % 3);
         double hu = h[3 * incident + (j + 1) % 3];
         double hv = h[3 * incident + (j + 2) % 3];
         clip.start(tolerance);
@@ -225,8 +225,8 @@ final class BoxBoxContact {
         int i = edge / 3;
         int j = edge % 3;
         double[] x = poses.axes;
-        int p = 9 * a + 3 * i;
-        int q = 9 * b + 3 * j;
+        int p = Poses.AXES * a + 3 * i;
+        int q = Poses.AXES * b + 3 * j;
         double nX = x[p + 1] * x[q + 2] - x[p + 2] * x[q + 1];
         double nY = x[p + 2] * x[q] - x[p] * x[q + 2];
         double nZ = x[p] * x[q + 1] - x[p + 1] * x[q];
@@ -283,5 +283,69 @@ final class BoxBoxContact {
                 onFirst.middle(other, 2) + s * onFirst.along(2) - half * out.nZ,
                 gap,
                 onFirst.side(other) + 4 * onSecond.side(which >= 2));
+    }
+
+    /** The edge of a box farthest along a normal, and the adjacent parallel edge that is next farthest. Reused. */
+    private static final class BoxEdge {
+        private final double[] axis = new double[3];
+        private final double[] nearest = new double[3];
+        private final double[] next = new double[3];
+        private int nearestSide;
+        private int nextSide;
+
+        /** Distance in metres by which the other edge is farther back along the normal. */
+        double rise;
+
+        /**
+         * Finds both edges.
+         *
+         * @param sign 1 if the manifold's normal points out of the box, −1 if into it
+         */
+        void take(Poses poses, int box, int ofAxis, Manifold manifold, double sign) {
+            double[] x = poses.axes;
+            double least = Double.POSITIVE_INFINITY;
+            int flipped = 0;
+            nearestSide = 0;
+            for (int c = 0; c < 3; c++) {
+                axis[c] = x[Poses.AXES * box + 3 * ofAxis + c];
+                nearest[c] = 0;
+            }
+            for (int k = 1; k < 3; k++) {
+                int at = Poses.AXES * box + 3 * ((ofAxis + k) % 3);
+                double h = poses.half[3 * box + (ofAxis + k) % 3];
+                double dot = sign * (x[at] * manifold.nX + x[at + 1] * manifold.nY + x[at + 2] * manifold.nZ);
+                double side = dot < 0 ? -h : h;
+                nearestSide += dot < 0 ? 0 : k;
+                for (int c = 0; c < 3; c++) {
+                    nearest[c] += side * x[at + c];
+                }
+                if (2 * h * Math.abs(dot) < least) {
+                    least = 2 * h * Math.abs(dot);
+                    flipped = dot < 0 ? k : -k;
+                    for (int c = 0; c < 3; c++) {
+                        next[c] = -2 * side * x[at + c];
+                    }
+                }
+            }
+            rise = least;
+            nextSide = nearestSide + flipped;
+            for (int c = 0; c < 3; c++) {
+                next[c] += nearest[c];
+            }
+        }
+
+        double along(int component) {
+            return axis[component];
+        }
+
+        /** Returns the middle of the nearest or the other edge, relative to the box's centre. */
+        double middle(boolean other, int component) {
+            return other ? next[component] : nearest[component];
+        }
+
+        /** Returns the number, 0 to 3, of the edge among the four parallel ones. */
+        int side(boolean other) {
+            return other ? nextSide : nearestSide;
+        }
     }
 }

@@ -77,7 +77,7 @@ final class BoxHullContact {
     }
 
     private double axis(int i, int component) {
-        return poses.axes[9 * box + 3 * i + component];
+        return poses.axes[Poses.AXES * box + 3 * i + component];
     }
 
     private double radius(double nX, double nY, double nZ) {

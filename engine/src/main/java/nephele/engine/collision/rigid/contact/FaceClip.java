@@ -9,8 +9,8 @@ final class FaceClip {
 
     private static final double EDGE_METRES = 1e-3;
 
-    /** Share of half the thickness of the thinner shape. */
-    private static final double EDGE_SHARE = 0.6;
+    /** Fraction of half the thickness of the thinner shape. */
+    private static final double EDGE_FRACTION = 0.6;
 
     private double[] p = new double[3 * CAPACITY];
     private double[] spare = new double[3 * CAPACITY];
@@ -27,7 +27,7 @@ final class FaceClip {
      * edge, a different one each tick, it would rock for ever.
      */
     static double edgeMargin(double leastHalfMetres) {
-        return Math.min(EDGE_METRES, EDGE_SHARE * leastHalfMetres);
+        return Math.min(EDGE_METRES, EDGE_FRACTION * leastHalfMetres);
     }
 
     /**

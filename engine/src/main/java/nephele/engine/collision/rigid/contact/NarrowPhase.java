@@ -41,7 +41,7 @@ public final class NarrowPhase {
 
     /** Returns a body's shape in its present orientation; changed by the next call for the same body. */
     public RoundedHull turnedHull(int body) {
-        turned[body].turn(upright[body], poses.axes, 9 * body);
+        turned[body].turn(upright[body], poses.axes, Poses.AXES * body);
         return turned[body];
     }
 

@@ -41,8 +41,8 @@ final class RoundedContact {
         double dY = poses.centre[3 * b + 1] - poses.centre[3 * a + 1];
         double dZ = poses.centre[3 * b + 2] - poses.centre[3 * a + 2];
         double[] x = poses.axes;
-        int p = 9 * a + 3;
-        int q = 9 * b + 3;
+        int p = Poses.AXES * a + 3;
+        int q = Poses.AXES * b + 3;
         double ha = poses.half[3 * a + 1];
         double hb = poses.half[3 * b + 1];
         double dot = x[p] * x[q] + x[p + 1] * x[q + 1] + x[p + 2] * x[q + 2];
@@ -75,8 +75,8 @@ final class RoundedContact {
             Poses poses, int a, int b, double s, double t, double radii, double reach, int id, Manifold out) {
         double[] x = poses.axes;
         double[] c = poses.centre;
-        int p = 9 * a + 3;
-        int q = 9 * b + 3;
+        int p = Poses.AXES * a + 3;
+        int q = Poses.AXES * b + 3;
         double nX = c[3 * a] + s * x[p] - c[3 * b] - t * x[q];
         double nY = c[3 * a + 1] + s * x[p + 1] - c[3 * b + 1] - t * x[q + 1];
         double nZ = c[3 * a + 2] + s * x[p + 2] - c[3 * b + 2] - t * x[q + 2];
@@ -113,7 +113,7 @@ final class RoundedContact {
         x = poses.centre[c] - m.x();
         y = poses.centre[c + 1] - m.y();
         z = poses.centre[c + 2] - m.z();
-        collect(poses, a, poses.axes, 9 * a + 3, out);
+        collect(poses, a, poses.axes, Poses.AXES * a + 3, out);
     }
 
     private void begin(Collider itsSolid, double itsReach, Manifold out) {
@@ -140,11 +140,11 @@ final class RoundedContact {
         double dZ = poses.centre[3 * a + 2] - poses.centre[3 * box + 2];
         double[] axes = poses.axes;
         for (int i = 0; i < 9; i++) {
-            int own = 9 * a + 3 * (i / 3);
-            int its = 9 * box + 3 * (i % 3);
+            int own = Poses.AXES * a + 3 * (i / 3);
+            int its = Poses.AXES * box + 3 * (i % 3);
             axesInBox[i] = axes[own] * axes[its] + axes[own + 1] * axes[its + 1] + axes[own + 2] * axes[its + 2];
         }
-        int b = 9 * box;
+        int b = Poses.AXES * box;
         x = dX * axes[b] + dY * axes[b + 1] + dZ * axes[b + 2];
         y = dX * axes[b + 3] + dY * axes[b + 4] + dZ * axes[b + 5];
         z = dX * axes[b + 6] + dY * axes[b + 7] + dZ * axes[b + 8];
@@ -186,7 +186,10 @@ final class RoundedContact {
         uX = axes[at] * halfAxis;
         uY = axes[at + 1] * halfAxis;
         uZ = axes[at + 2] * halfAxis;
-        out.normal(separation.normalX(), separation.normalY(), separation.normalZ());
+        out.normal(
+                separation.normal().x(),
+                separation.normal().y(),
+                separation.normal().z());
         out.code = 1;
         double rise = uX * out.nX + uY * out.nY + uZ * out.nZ;
         if (halfAxis > 0) {

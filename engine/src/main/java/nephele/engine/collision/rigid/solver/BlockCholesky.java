@@ -11,7 +11,9 @@ final class BlockCholesky {
     /** Limit of the nodes: the graph's rows are bit masks. */
     static final int MOST_NODES = 64;
 
-    private static final int SIZE = 6;
+    /** Rows and columns of a block: six numbers of velocity a body. */
+    static final int SIZE = SolverState.STRIDE;
+
     private static final int BLOCK = SIZE * SIZE;
 
     private final long[] linked = new long[MOST_NODES];

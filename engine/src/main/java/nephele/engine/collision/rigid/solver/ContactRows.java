@@ -32,6 +32,12 @@ public final class ContactRows {
     public static final int SLOP = 57;
 
     public static final int ROW = 17;
+    /** Arm × normal of both owners, then both multiplied by the inverse inertia. */
+    static final int ANGULAR_A = 0;
+
+    static final int ANGULAR_B = 3;
+    static final int TURNED_A = 6;
+    static final int TURNED_B = 9;
     static final int ROW_MASS = 12;
     public static final int IMPULSE = 13;
     static final int GAP = 14;
@@ -109,7 +115,7 @@ public final class ContactRows {
             cZ += manifold.point[3 * i + 2] / manifold.count;
             arms(manifold.point[3 * i], manifold.point[3 * i + 1], manifold.point[3 * i + 2], offset, turn);
             int r = ROW * rowCount++;
-            double mass = angular(h + N_A, h + N_B, rows, r, m);
+            double mass = angular(h + N_A, h + N_B, rows, r + ANGULAR_A, m);
             rows[r + ROW_MASS] = mass;
             rows[r + IMPULSE] = 0;
             rows[r + GAP] = manifold.separation[i];
@@ -136,9 +142,9 @@ public final class ContactRows {
 
     /** Writes two unit directions perpendicular to the normal: the first also to the world axis farthest from it. */
     private void tangents(int h) {
-        double x = head[h];
-        double y = head[h + 1];
-        double z = head[h + 2];
+        double x = head[h + N_A];
+        double y = head[h + N_A + 1];
+        double z = head[h + N_A + 2];
         double aX = Math.abs(x);
         double aY = Math.abs(y);
         double aZ = Math.abs(z);
@@ -234,7 +240,7 @@ public final class ContactRows {
 
     private void turned(int slot, double[] v, int from, int to) {
         double[] i = motions.inverseInertia;
-        int k = 6 * slot;
+        int k = SolverState.INERTIA * slot;
         double x = v[from];
         double y = v[from + 1];
         double z = v[from + 2];
@@ -280,15 +286,15 @@ public final class ContactRows {
     double partingSpeed(int m, int row) {
         double[] v = motions.velocity;
         int h = HEAD * m;
-        int a = 6 * slotA[m];
-        int b = 6 * slotB[m];
+        int a = SolverState.STRIDE * slotA[m];
+        int b = SolverState.STRIDE * slotB[m];
         int r = ROW * row;
         double speed = 0;
         for (int i = 0; i < 3; i++) {
             speed += head[h + N_A + i] * v[a + i]
-                    + rows[r + i] * v[a + 3 + i]
+                    + rows[r + ANGULAR_A + i] * v[a + SolverState.ANGULAR + i]
                     - head[h + N_B + i] * v[b + i]
-                    - rows[r + 3 + i] * v[b + 3 + i];
+                    - rows[r + ANGULAR_B + i] * v[b + SolverState.ANGULAR + i];
         }
         return speed;
     }

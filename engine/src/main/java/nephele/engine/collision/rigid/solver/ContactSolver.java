@@ -17,8 +17,8 @@ final class ContactSolver {
     /** Greatest bias velocity that reduces overlap. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** Share of the overlap that a substep corrects. */
-    private static final double PUSH_SHARE = 0.1;
+    /** Fraction of the overlap that a substep corrects. */
+    private static final double PUSH_FRACTION = 0.1;
 
     private static final double BOUNCE_ABOVE_METRES_PER_SECOND = 0.3;
 
@@ -32,8 +32,8 @@ final class ContactSolver {
     private final SolverState motions;
     private final ContactRows contacts;
     private boolean deep;
-    private final double[] va = new double[6];
-    private final double[] vb = new double[6];
+    private final double[] va = new double[SolverState.STRIDE];
+    private final double[] vb = new double[SolverState.STRIDE];
     private final double[] aim = new double[Manifold.MOST];
     private int[] chosen = new int[0];
     private int count;
@@ -66,11 +66,11 @@ final class ContactSolver {
             load(m);
             double f = head[h + ContactRows.FRICTION_IMPULSE];
             if (f != 0) {
-                apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + 6, m, f);
+                apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + ContactRows.TURNED_A, m, f);
             }
             f = head[h + ContactRows.FRICTION_IMPULSE + 1];
             if (f != 0) {
-                apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + 6, m, f);
+                apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + ContactRows.TURNED_A, m, f);
             }
             f = head[h + ContactRows.FRICTION_IMPULSE + 2];
             if (f != 0) {
@@ -80,7 +80,7 @@ final class ContactSolver {
             for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
                 double impulse = rows[r + ContactRows.IMPULSE];
                 if (impulse != 0) {
-                    apply(head, h + ContactRows.N_A, rows, r + 6, m, impulse);
+                    apply(head, h + ContactRows.N_A, rows, r + ContactRows.TURNED_A, m, impulse);
                 }
             }
             store(m);
@@ -122,13 +122,13 @@ final class ContactSolver {
     }
 
     private void load(int m) {
-        System.arraycopy(motions.velocity, 6 * contacts.slotA[m], va, 0, 6);
-        System.arraycopy(motions.velocity, 6 * contacts.slotB[m], vb, 0, 6);
+        System.arraycopy(motions.velocity, SolverState.STRIDE * contacts.slotA[m], va, 0, SolverState.STRIDE);
+        System.arraycopy(motions.velocity, SolverState.STRIDE * contacts.slotB[m], vb, 0, SolverState.STRIDE);
     }
 
     private void store(int m) {
-        System.arraycopy(va, 0, motions.velocity, 6 * contacts.slotA[m], 6);
-        System.arraycopy(vb, 0, motions.velocity, 6 * contacts.slotB[m], 6);
+        System.arraycopy(va, 0, motions.velocity, SolverState.STRIDE * contacts.slotA[m], SolverState.STRIDE);
+        System.arraycopy(vb, 0, motions.velocity, SolverState.STRIDE * contacts.slotB[m], SolverState.STRIDE);
     }
 
     private void solveFriction(int m) {
@@ -152,8 +152,8 @@ final class ContactSolver {
             u *= scale;
             w *= scale;
         }
-        apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + 6, m, u - head[f]);
-        apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + 6, m, w - head[f + 1]);
+        apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + ContactRows.TURNED_A, m, u - head[f]);
+        apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + ContactRows.TURNED_A, m, w - head[f + 1]);
         head[f] = u;
         head[f + 1] = w;
     }
@@ -184,7 +184,7 @@ final class ContactSolver {
             if (gap > 0) {
                 aim[i] = gap * perSecond;
             } else if (push) {
-                aim[i] = Math.max(PUSH_SHARE * perSecond * Math.min(0, gap + slop), -PUSH_METRES_PER_SECOND);
+                aim[i] = Math.max(PUSH_FRACTION * perSecond * Math.min(0, gap + slop), -PUSH_METRES_PER_SECOND);
             } else {
                 aim[i] = 0;
             }
@@ -199,15 +199,17 @@ final class ContactSolver {
         double[] v = motions.velocity;
         double[] n = contacts.head;
         double[] rows = contacts.rows;
-        int a = 6 * contacts.slotA[m];
-        int b = 6 * contacts.slotB[m];
+        int a = SolverState.STRIDE * contacts.slotA[m];
+        int b = SolverState.STRIDE * contacts.slotB[m];
         int h = ContactRows.HEAD * m;
-        double nax = n[h];
-        double nay = n[h + 1];
-        double naz = n[h + 2];
-        double nbx = n[h + 3];
-        double nby = n[h + 4];
-        double nbz = n[h + 5];
+        int normalA = h + ContactRows.N_A;
+        int normalB = h + ContactRows.N_B;
+        double nax = n[normalA];
+        double nay = n[normalA + 1];
+        double naz = n[normalA + 2];
+        double nbx = n[normalB];
+        double nby = n[normalB + 1];
+        double nbz = n[normalB + 2];
         double ia = motions.inverseMass[contacts.slotA[m]];
         double ib = motions.inverseMass[contacts.slotB[m]];
         // The relative linear velocity along the normal, and its change for a unit impulse.
@@ -241,12 +243,12 @@ final class ContactSolver {
                 rows[r + ContactRows.GREATEST] = Math.max(rows[r + ContactRows.GREATEST], then);
                 sum += change;
                 parting += lightness * change;
-                wax += change * rows[r + 6];
-                way += change * rows[r + 7];
-                waz += change * rows[r + 8];
-                wbx -= change * rows[r + 9];
-                wby -= change * rows[r + 10];
-                wbz -= change * rows[r + 11];
+                wax += change * rows[r + ContactRows.TURNED_A];
+                way += change * rows[r + ContactRows.TURNED_A + 1];
+                waz += change * rows[r + ContactRows.TURNED_A + 2];
+                wbx -= change * rows[r + ContactRows.TURNED_B];
+                wby -= change * rows[r + ContactRows.TURNED_B + 1];
+                wbz -= change * rows[r + ContactRows.TURNED_B + 2];
             }
         }
         v[a] += sum * ia * nax;
@@ -268,8 +270,8 @@ final class ContactSolver {
         double[] d = motions.moved;
         double[] n = contacts.head;
         double[] rows = contacts.rows;
-        int a = 6 * contacts.slotA[m];
-        int b = 6 * contacts.slotB[m];
+        int a = SolverState.STRIDE * contacts.slotA[m];
+        int b = SolverState.STRIDE * contacts.slotB[m];
         return n[h] * d[a]
                 + n[h + 1] * d[a + 1]
                 + n[h + 2] * d[a + 2]
@@ -325,12 +327,12 @@ final class ContactSolver {
         }
     }
 
-    /** Applies Newton's restitution once, after the substeps: surfaces separate at a share of their approach speed. */
+    /** Applies Newton's restitution once, after the substeps: surfaces separate at a fraction of their approach speed. */
     void bounce() {
         double[] rows = contacts.rows;
         for (int m = 0; m < contacts.count; m++) {
-            double share = contacts.head[ContactRows.HEAD * m + ContactRows.RESTITUTION];
-            if (share == 0) {
+            double fraction = contacts.head[ContactRows.HEAD * m + ContactRows.RESTITUTION];
+            if (fraction == 0) {
                 continue;
             }
             load(m);
@@ -342,10 +344,10 @@ final class ContactSolver {
                     continue;
                 }
                 double now = rows[r + ContactRows.IMPULSE];
-                double speed = speed(contacts.head, h, rows, r) + share * approach;
+                double speed = speed(contacts.head, h, rows, r) + fraction * approach;
                 double impulse = Math.max(0, now - rows[r + ContactRows.ROW_MASS] * speed);
                 rows[r + ContactRows.IMPULSE] = impulse;
-                apply(contacts.head, h, rows, r + 6, m, impulse - now);
+                apply(contacts.head, h, rows, r + ContactRows.TURNED_A, m, impulse - now);
             }
             store(m);
         }

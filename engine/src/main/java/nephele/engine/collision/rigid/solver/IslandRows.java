@@ -8,11 +8,13 @@ import java.util.Arrays;
  * normal. Reused.
  */
 final class IslandRows {
-    /** Compliance of a row as a share of its reciprocal effective mass: almost rigid, yet far above rounding. */
-    static final double COMPLIANCE_SHARE = 1e-8;
+    /** Compliance of a row as a fraction of its reciprocal effective mass: almost rigid, yet far above rounding. */
+    static final double COMPLIANCE_FRACTION = 1e-8;
 
     /** Six doubles for each of the two bodies. */
     static final int JACOBIAN = 12;
+    /** Offset of the second body's part. */
+    static final int JACOBIAN_B = SolverState.STRIDE;
 
     static final int FRICTION_ROWS = 3;
 
@@ -66,7 +68,7 @@ final class IslandRows {
             int r = ContactRows.ROW * (contacts.first[m] + i);
             writeRow(h + ContactRows.N_A, from, r, a, b);
             bias[rows] = from[r + ContactRows.IMPULSE];
-            stiffness[rows++] = from[r + ContactRows.ROW_MASS] / COMPLIANCE_SHARE;
+            stiffness[rows++] = from[r + ContactRows.ROW_MASS] / COMPLIANCE_FRACTION;
         }
         double grip = Math.min(head[h + ContactRows.MASS], head[h + ContactRows.MASS + 1]);
         writeRow(h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR, a, b);
@@ -81,14 +83,14 @@ final class IslandRows {
     private void finishFriction(int h, int row, double effectiveMass) {
         bias[rows] = contacts.head[h + ContactRows.FRICTION_IMPULSE + row];
         target[rows] = 0;
-        stiffness[rows++] = effectiveMass / COMPLIANCE_SHARE;
+        stiffness[rows++] = effectiveMass / COMPLIANCE_FRACTION;
     }
 
     private void writeRow(int linear, double[] angular, int at, int a, int b) {
         int to = JACOBIAN * rows;
         for (int i = 0; i < 3; i++) {
             jacobian[to + i] = contacts.head[linear + i];
-            jacobian[to + 6 + i] = -contacts.head[linear + 3 + i];
+            jacobian[to + JACOBIAN_B + i] = -contacts.head[linear + 3 + i];
         }
         writeAngular(angular, at, a, b);
     }
@@ -96,8 +98,8 @@ final class IslandRows {
     private void writeAngular(double[] angular, int at, int a, int b) {
         int to = JACOBIAN * rows;
         for (int i = 0; i < 3; i++) {
-            jacobian[to + 3 + i] = a < 0 || isUpright[a] ? 0 : angular[at + i];
-            jacobian[to + 9 + i] = b < 0 || isUpright[b] ? 0 : -angular[at + 3 + i];
+            jacobian[to + SolverState.ANGULAR + i] = a < 0 || isUpright[a] ? 0 : angular[at + i];
+            jacobian[to + JACOBIAN_B + SolverState.ANGULAR + i] = b < 0 || isUpright[b] ? 0 : -angular[at + 3 + i];
         }
     }
 
@@ -137,11 +139,11 @@ final class IslandRows {
     void multiply(double[] v, double[] out) {
         for (int c = 0; c < manifolds; c++) {
             int end = end(c);
-            int a = 6 * nodeA[c];
-            int b = 6 * nodeB[c];
+            int a = SolverState.STRIDE * nodeA[c];
+            int b = SolverState.STRIDE * nodeB[c];
             for (int row = firstRow[c]; row < end; row++) {
                 double sum = a < 0 ? 0 : dot(JACOBIAN * row, v, a);
-                out[row] = b < 0 ? sum : sum + dot(JACOBIAN * row + 6, v, b);
+                out[row] = b < 0 ? sum : sum + dot(JACOBIAN * row + JACOBIAN_B, v, b);
             }
         }
     }

@@ -16,18 +16,18 @@ final class IslandSolver {
 
     private static final int MOST_NEWTON_STEPS = 40;
     private static final int MOST_LINE_STEPS = 30;
-    /** A line search ends when the slope is this share of the initial one. */
-    private static final double SLOPE_SHARE = 0.05;
+    /** A line search ends when the slope is this fraction of the initial one. */
+    private static final double SLOPE_FRACTION = 0.05;
 
     private static final double SETTLED_METRES_PER_SECOND = 1e-6;
     /** Greatest speed at which overlap is reduced. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** Greatest share of a gap, in metres, that moving by the mean of two velocities may lose. */
+    /** Greatest fraction of a gap, in metres, that moving by the mean of two velocities may lose. */
     private static final double SMOOTH_METRES = 2e-5;
 
-    /** Share of an overlap that a part corrects, however short it is: a curved path makes new overlap in every part. */
-    private static final double PUSH_SHARE = 1 / 3.0;
+    /** Fraction of an overlap that a part corrects, however short it is: a curved path makes new overlap in every part. */
+    private static final double PUSH_FRACTION = 1 / 3.0;
 
     /**
      * Greatest displacement by overlap correction, as a multiple of the overlap: a body stuck in two solids would be
@@ -40,7 +40,7 @@ final class IslandSolver {
     private final BlockCholesky matrix = new BlockCholesky();
     private final IslandSystem system;
     private final IslandRows rows;
-    private final double[] step = new double[6 * BlockCholesky.MOST_NODES];
+    private final double[] step = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
     private int[] nodeOf = new int[0];
 
     IslandSolver(ContactRows contacts, SolverState motions) {
@@ -108,12 +108,22 @@ final class IslandSolver {
     void solve(Vec3 gravity, boolean[] weighs, double seconds) {
         for (int node = 0; node < system.nodes; node++) {
             int slot = system.slot[node];
-            System.arraycopy(motions.velocity, 6 * slot, system.free, 6 * node, 6);
-            System.arraycopy(motions.velocity, 6 * slot, system.velocity, 6 * node, 6);
+            System.arraycopy(
+                    motions.velocity,
+                    SolverState.STRIDE * slot,
+                    system.free,
+                    SolverState.STRIDE * node,
+                    SolverState.STRIDE);
+            System.arraycopy(
+                    motions.velocity,
+                    SolverState.STRIDE * slot,
+                    system.velocity,
+                    SolverState.STRIDE * node,
+                    SolverState.STRIDE);
             double fall = weighs[slot] ? seconds : 0;
-            system.free[6 * node] += fall * gravity.x();
-            system.free[6 * node + 1] += fall * gravity.y();
-            system.free[6 * node + 2] += fall * gravity.z();
+            system.free[SolverState.STRIDE * node] += fall * gravity.x();
+            system.free[SolverState.STRIDE * node + 1] += fall * gravity.y();
+            system.free[SolverState.STRIDE * node + 2] += fall * gravity.z();
         }
         boolean overlapping = setTargets(seconds, false);
         bound();
@@ -139,7 +149,7 @@ final class IslandSolver {
         }
     }
 
-    /** Moves by the velocities that correct overlap; by a share of them if overlaps contradict each other. */
+    /** Moves by the velocities that correct overlap; by a fraction of them if overlaps contradict each other. */
     private void takePushedWay(double seconds) {
         double greatest = 0;
         for (int c = 0; c < rows.manifolds; c++) {
@@ -151,12 +161,12 @@ final class IslandSolver {
         for (int node = 0; node < system.nodes; node++) {
             fastest = Math.max(fastest, system.speedBeyond(node, motions.moved, 1 / seconds));
         }
-        double share = Math.min(1, MOST_LEVER * greatest / fastest);
+        double fraction = Math.min(1, MOST_LEVER * greatest / fastest);
         for (int node = 0; node < system.nodes; node++) {
-            int at = 6 * system.slot[node];
-            for (int i = 0; i < 6; i++) {
-                double pushed = seconds * system.velocity[6 * node + i];
-                motions.moved[at + i] += share * (pushed - motions.moved[at + i]);
+            int at = SolverState.STRIDE * system.slot[node];
+            for (int i = 0; i < SolverState.STRIDE; i++) {
+                double pushed = seconds * system.velocity[SolverState.STRIDE * node + i];
+                motions.moved[at + i] += fraction * (pushed - motions.moved[at + i]);
             }
         }
     }
@@ -190,8 +200,8 @@ final class IslandSolver {
     /** Moves by the mean of the velocities before and after: second order in time without impacts. */
     private void takeMeanWay(double seconds) {
         for (int node = 0; node < system.nodes; node++) {
-            int at = 6 * system.slot[node];
-            for (int i = at; i < at + 6; i++) {
+            int at = SolverState.STRIDE * system.slot[node];
+            for (int i = at; i < at + SolverState.STRIDE; i++) {
                 motions.moved[i] += (motions.velocity[i] * seconds - motions.moved[i]) / 2;
             }
         }
@@ -207,7 +217,7 @@ final class IslandSolver {
                 double gap = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GAP];
                 double over = Math.max(0, -gap - slop);
                 overlapping |= over > 0;
-                double pushed = push ? Math.min(PUSH_SHARE * over / seconds, PUSH_METRES_PER_SECOND) : 0;
+                double pushed = push ? Math.min(PUSH_FRACTION * over / seconds, PUSH_METRES_PER_SECOND) : 0;
                 rows.target[rows.firstRow[c] + i] = gap > 0 ? -gap / seconds : pushed;
             }
         }
@@ -241,7 +251,7 @@ final class IslandSolver {
             }
             double now = friction(c, system.impulse);
             // A change of a bound acts on the lighter body directly, without compliance between.
-            double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_SHARE * rows.stiffness[friction]);
+            double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_FRACTION * rows.stiffness[friction]);
             settled &= change <= 1e-4 || now >= rows.bound[c] && sticks(c, friction);
             rows.bound[c] = relaxed ? (now + rows.bound[c]) / 2 : now;
         }
@@ -263,10 +273,10 @@ final class IslandSolver {
             matrix.factorise();
             newtonStep();
             system.along(step);
-            double share = lineSearch();
-            system.go(step, share);
+            double fraction = lineSearch();
+            system.go(step, fraction);
             system.findImpulses();
-            if (share == 1 && (pattern == system.pattern && !system.slides || isSmall())) {
+            if (fraction == 1 && (pattern == system.pattern && !system.slides || isSmall())) {
                 refine();
                 return;
             }
@@ -283,14 +293,14 @@ final class IslandSolver {
     }
 
     private void newtonStep() {
-        for (int k = 0; k < 6 * system.nodes; k++) {
+        for (int k = 0; k < SolverState.STRIDE * system.nodes; k++) {
             step[k] = -system.gradient[k];
         }
         matrix.solve(step);
     }
 
     private boolean isSmall() {
-        for (int k = 0; k < 6 * system.nodes; k++) {
+        for (int k = 0; k < SolverState.STRIDE * system.nodes; k++) {
             if (!(Math.abs(step[k]) < SETTLED_METRES_PER_SECOND)) {
                 return false;
             }
@@ -298,38 +308,39 @@ final class IslandSolver {
         return true;
     }
 
-    /** Returns the share of the step that nearly minimises the function; the whole step if that is good enough. */
+    /** Returns the fraction of the step that nearly minimises the function; the whole step if that is good enough. */
     private double lineSearch() {
         double first = system.slope(0);
         if (!(first < 0)) {
             return 1;
         }
         double slope = system.slope(1);
-        if (slope <= -SLOPE_SHARE * first) {
+        if (slope <= -SLOPE_FRACTION * first) {
             return 1;
         }
         double low = 0;
         double high = 1;
-        double share = 1;
-        for (int i = 0; i < MOST_LINE_STEPS && Math.abs(slope) > -SLOPE_SHARE * first; i++) {
+        double fraction = 1;
+        for (int i = 0; i < MOST_LINE_STEPS && Math.abs(slope) > -SLOPE_FRACTION * first; i++) {
             if (slope > 0) {
-                high = share;
+                high = fraction;
             } else {
-                low = share;
+                low = fraction;
             }
-            share -= slope / system.curvature;
-            if (!(share > low && share < high)) {
-                share = (low + high) / 2;
+            fraction -= slope / system.curvature;
+            if (!(fraction > low && fraction < high)) {
+                fraction = (low + high) / 2;
             }
-            slope = system.slope(share);
+            slope = system.slope(fraction);
         }
-        return share;
+        return fraction;
     }
 
     private void write(double[] out, double factor) {
         for (int node = 0; node < system.nodes; node++) {
-            for (int i = 0; i < 6; i++) {
-                out[6 * system.slot[node] + i] = factor * system.velocity[6 * node + i];
+            for (int i = 0; i < SolverState.STRIDE; i++) {
+                out[SolverState.STRIDE * system.slot[node] + i] =
+                        factor * system.velocity[SolverState.STRIDE * node + i];
             }
         }
     }

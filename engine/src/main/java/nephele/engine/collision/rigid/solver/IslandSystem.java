@@ -18,11 +18,11 @@ final class IslandSystem {
 
     private final double[] mass = new double[BlockCholesky.MOST_NODES];
     /** World axes, symmetric: xx, xy, xz, yy, yz, zz. */
-    private final double[] inertia = new double[6 * BlockCholesky.MOST_NODES];
+    private final double[] inertia = new double[SolverState.INERTIA * BlockCholesky.MOST_NODES];
 
-    final double[] free = new double[6 * BlockCholesky.MOST_NODES];
-    final double[] velocity = new double[6 * BlockCholesky.MOST_NODES];
-    final double[] gradient = new double[6 * BlockCholesky.MOST_NODES];
+    final double[] free = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
+    final double[] velocity = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
+    final double[] gradient = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
 
     /** Impulse of each row, N s. */
     double[] impulse = new double[64];
@@ -39,10 +39,10 @@ final class IslandSystem {
 
     private double slope0;
     private double curvature0;
-    private final double[] stepMomentum = new double[6 * BlockCholesky.MOST_NODES];
-    private final double[] zero = new double[6 * BlockCholesky.MOST_NODES];
+    private final double[] stepMomentum = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
+    private final double[] zero = new double[SolverState.STRIDE * BlockCholesky.MOST_NODES];
 
-    /** Curvature at the share of the last call of {@link #slope}. */
+    /** Curvature at the fraction of the last call of {@link #slope}. */
     double curvature;
 
     IslandSystem(ContactRows contacts, SolverState motions, BlockCholesky matrix) {
@@ -61,7 +61,12 @@ final class IslandSystem {
         int node = nodes++;
         slot[node] = itsSlot;
         mass[node] = 1 / motions.inverseMass[itsSlot];
-        System.arraycopy(motions.inertia, 6 * itsSlot, inertia, 6 * node, 6);
+        System.arraycopy(
+                motions.inertia,
+                SolverState.INERTIA * itsSlot,
+                inertia,
+                SolverState.INERTIA * node,
+                SolverState.INERTIA);
         rows.keepUpright(node, motions.isUpright(itsSlot));
         return node;
     }
@@ -127,17 +132,17 @@ final class IslandSystem {
 
     private void give(int row, int a, int b, double amount) {
         int j = IslandRows.JACOBIAN * row;
-        for (int i = 0; a >= 0 && i < 6; i++) {
-            gradient[6 * a + i] += amount * rows.jacobian[j + i];
+        for (int i = 0; a >= 0 && i < SolverState.STRIDE; i++) {
+            gradient[SolverState.STRIDE * a + i] += amount * rows.jacobian[j + i];
         }
-        for (int i = 0; b >= 0 && i < 6; i++) {
-            gradient[6 * b + i] += amount * rows.jacobian[j + 6 + i];
+        for (int i = 0; b >= 0 && i < SolverState.STRIDE; i++) {
+            gradient[SolverState.STRIDE * b + i] += amount * rows.jacobian[j + IslandRows.JACOBIAN_B + i];
         }
     }
 
     /** Multiplies a body's mass matrix by a difference of velocities. */
     private void momentum(int node, double[] v, double[] less, double[] out) {
-        int at = 6 * node;
+        int at = SolverState.STRIDE * node;
         double x = v[at + 3] - less[at + 3];
         double y = v[at + 4] - less[at + 4];
         double z = v[at + 5] - less[at + 5];
@@ -151,12 +156,12 @@ final class IslandSystem {
 
     /** Returns the speed, rotation included, of a body's velocity relative to another one: sqrt(Δvᵀ M Δv / m), m/s. */
     double speedBeyond(int node, double[] other, double factor) {
-        for (int i = 0; i < 6; i++) {
-            zero[6 * node + i] = factor * other[6 * slot[node] + i];
+        for (int i = 0; i < SolverState.STRIDE; i++) {
+            zero[SolverState.STRIDE * node + i] = factor * other[SolverState.STRIDE * slot[node] + i];
         }
         momentum(node, velocity, zero, stepMomentum);
         double square = 0;
-        for (int i = 6 * node; i < 6 * node + 6; i++) {
+        for (int i = SolverState.STRIDE * node; i < SolverState.STRIDE * (node + 1); i++) {
             square += stepMomentum[i] * (velocity[i] - zero[i]);
             zero[i] = 0;
         }
@@ -169,16 +174,19 @@ final class IslandSystem {
         double[] m = matrix.values();
         for (int node = 0; node < nodes; node++) {
             int d = matrix.diagonal(node);
-            int i = 6 * node;
-            m[d] = mass[node];
-            m[d + 7] = mass[node];
-            m[d + 14] = mass[node];
-            m[d + 21] = inertia[i];
-            m[d + 27] = inertia[i + 1];
-            m[d + 28] = inertia[i + 3];
-            m[d + 33] = inertia[i + 2];
-            m[d + 34] = inertia[i + 4];
-            m[d + 35] = inertia[i + 5];
+            int i = SolverState.STRIDE * node;
+            for (int axis = 0; axis < 3; axis++) {
+                m[d + (BlockCholesky.SIZE + 1) * axis] = mass[node];
+            }
+            int x = d + BlockCholesky.SIZE * SolverState.ANGULAR + SolverState.ANGULAR;
+            int y = x + BlockCholesky.SIZE;
+            int z = y + BlockCholesky.SIZE;
+            m[x] = inertia[i];
+            m[y] = inertia[i + 1];
+            m[y + 1] = inertia[i + 3];
+            m[z] = inertia[i + 2];
+            m[z + 1] = inertia[i + 4];
+            m[z + 2] = inertia[i + 5];
         }
         for (int c = 0; c < rows.manifolds; c++) {
             int friction = rows.firstRow[c] + rows.points(c);
@@ -224,20 +232,27 @@ final class IslandSystem {
             addProduct(m, matrix.diagonal(a), k, j, at, at, true);
         }
         if (b >= 0) {
-            addProduct(m, matrix.diagonal(b), k, j, at + 6, at + 6, true);
+            addProduct(m, matrix.diagonal(b), k, j, at + IslandRows.JACOBIAN_B, at + IslandRows.JACOBIAN_B, true);
         }
         if (a >= 0 && b >= 0) {
             boolean rowsOfA = matrix.hasRowsOf(a, b);
-            addProduct(m, matrix.between(a, b), k, j, rowsOfA ? at : at + 6, rowsOfA ? at + 6 : at, false);
+            addProduct(
+                    m,
+                    matrix.between(a, b),
+                    k,
+                    j,
+                    rowsOfA ? at : at + IslandRows.JACOBIAN_B,
+                    rowsOfA ? at + IslandRows.JACOBIAN_B : at,
+                    false);
         }
     }
 
     private static void addProduct(double[] m, int to, double k, double[] j, int left, int right, boolean lowerOnly) {
-        for (int i = 0; i < 6; i++) {
+        for (int i = 0; i < SolverState.STRIDE; i++) {
             double factor = k * j[left + i];
             int end = lowerOnly ? i + 1 : 6;
             for (int l = 0; l < end; l++) {
-                m[to + 6 * i + l] += factor * j[right + l];
+                m[to + BlockCholesky.SIZE * i + l] += factor * j[right + l];
             }
         }
     }
@@ -250,40 +265,40 @@ final class IslandSystem {
         for (int node = 0; node < nodes; node++) {
             momentum(node, step, zero, stepMomentum);
         }
-        for (int i = 0; i < 6 * nodes; i++) {
+        for (int i = 0; i < SolverState.STRIDE * nodes; i++) {
             slope0 += stepMomentum[i] * (velocity[i] - free[i]);
             curvature0 += stepMomentum[i] * step[i];
         }
     }
 
-    /** Returns the derivative of the function at a share of the step. */
-    double slope(double share) {
-        double slope = slope0 + share * curvature0;
+    /** Returns the derivative of the function at a fraction of the step. */
+    double slope(double fraction) {
+        double slope = slope0 + fraction * curvature0;
         curvature = curvature0;
         for (int c = 0; c < rows.manifolds; c++) {
             int friction = rows.firstRow[c] + rows.points(c);
             for (int row = rows.firstRow[c]; row < friction; row++) {
                 double d = change[row];
-                double pressed = rows.bias[row] - rows.stiffness[row] * (speed[row] + share * d - rows.target[row]);
+                double pressed = rows.bias[row] - rows.stiffness[row] * (speed[row] + fraction * d - rows.target[row]);
                 if (pressed > 0) {
                     slope -= pressed * d;
                     curvature += rows.stiffness[row] * d * d;
                 }
             }
-            slope -= frictionSlope(c, friction, share);
+            slope -= frictionSlope(c, friction, fraction);
         }
         return slope;
     }
 
-    private double frictionSlope(int c, int row, double share) {
+    private double frictionSlope(int c, int row, double fraction) {
         if (rows.bound[c] == 0) {
             return 0;
         }
         double k = rows.stiffness[row];
         double du = change[row];
         double dw = change[row + 1];
-        double u = rows.bias[row] - k * (speed[row] + share * du);
-        double w = rows.bias[row + 1] - k * (speed[row + 1] + share * dw);
+        double u = rows.bias[row] - k * (speed[row] + fraction * du);
+        double w = rows.bias[row + 1] - k * (speed[row + 1] + fraction * dw);
         double length = Math.sqrt(u * u + w * w);
         double scale = length > rows.bound[c] ? rows.bound[c] / length : 1;
         if (scale == 1) {
@@ -294,7 +309,7 @@ final class IslandSystem {
         }
         double dt = change[row + 2];
         double most = rows.turnBound(c);
-        double turn = rows.bias[row + 2] - rows.stiffness[row + 2] * (speed[row + 2] + share * dt);
+        double turn = rows.bias[row + 2] - rows.stiffness[row + 2] * (speed[row + 2] + fraction * dt);
         if (Math.abs(turn) <= most) {
             curvature += rows.stiffness[row + 2] * dt * dt;
         } else {
@@ -303,13 +318,13 @@ final class IslandSystem {
         return scale * (u * du + w * dw) + turn * dt;
     }
 
-    /** Applies a share of the step. */
-    void go(double[] step, double share) {
-        for (int i = 0; i < 6 * nodes; i++) {
-            velocity[i] += share * step[i];
+    /** Applies a fraction of the step. */
+    void go(double[] step, double fraction) {
+        for (int i = 0; i < SolverState.STRIDE * nodes; i++) {
+            velocity[i] += fraction * step[i];
         }
         for (int row = 0; row < rows.rows; row++) {
-            speed[row] += share * change[row];
+            speed[row] += fraction * change[row];
         }
     }
 }

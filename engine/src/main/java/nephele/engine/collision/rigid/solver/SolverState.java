@@ -7,6 +7,13 @@ import java.util.Arrays;
  * angular) and six of displacement since the tick began, with reciprocal masses in world axes.
  */
 public final class SolverState {
+    /** Numbers of velocity or displacement for each slot: linear, then angular. */
+    public static final int STRIDE = 6;
+    /** Offset of the angular part. */
+    public static final int ANGULAR = 3;
+    /** Numbers of a symmetric matrix for each slot: xx, xy, xz, yy, yz, zz. */
+    static final int INERTIA = 6;
+
     public double[] velocity = new double[0];
     public double[] moved = new double[0];
     public double[] inverseMass = new double[0];
@@ -20,36 +27,36 @@ public final class SolverState {
     public void resize(int slots) {
         count = slots;
         if (inverseMass.length < slots) {
-            velocity = new double[6 * slots];
-            moved = new double[6 * slots];
+            velocity = new double[STRIDE * slots];
+            moved = new double[STRIDE * slots];
             inverseMass = new double[slots];
-            inverseInertia = new double[6 * slots];
-            inertia = new double[6 * slots];
+            inverseInertia = new double[INERTIA * slots];
+            inertia = new double[INERTIA * slots];
         }
-        Arrays.fill(velocity, 0, 6 * slots, 0);
-        Arrays.fill(moved, 0, 6 * slots, 0);
+        Arrays.fill(velocity, 0, STRIDE * slots, 0);
+        Arrays.fill(moved, 0, STRIDE * slots, 0);
         Arrays.fill(inverseMass, 0, slots, 0);
-        Arrays.fill(inverseInertia, 0, 6 * slots, 0);
+        Arrays.fill(inverseInertia, 0, INERTIA * slots, 0);
     }
 
     /** Sets a slot's inertia from reciprocal moments along the axes of its body. */
     public void turnInertia(int slot, double[] axes, int at, double iX, double iY, double iZ) {
-        turn(inverseInertia, 6 * slot, axes, at, iX, iY, iZ);
-        turn(inertia, 6 * slot, axes, at, 1 / iX, 1 / iY, 1 / iZ);
+        turn(inverseInertia, INERTIA * slot, axes, at, iX, iY, iZ);
+        turn(inertia, INERTIA * slot, axes, at, 1 / iX, 1 / iY, 1 / iZ);
     }
 
     /** Prevents the rotation of a slot. */
     public void keepUpright(int slot) {
-        int k = 6 * slot;
-        Arrays.fill(inverseInertia, k, k + 6, 0);
-        Arrays.fill(inertia, k, k + 6, 0);
+        int k = INERTIA * slot;
+        Arrays.fill(inverseInertia, k, k + INERTIA, 0);
+        Arrays.fill(inertia, k, k + INERTIA, 0);
         inertia[k] = 1;
         inertia[k + 3] = 1;
         inertia[k + 5] = 1;
     }
 
     boolean isUpright(int slot) {
-        int k = 6 * slot;
+        int k = INERTIA * slot;
         return inverseInertia[k] == 0 && inverseInertia[k + 3] == 0 && inverseInertia[k + 5] == 0;
     }
 

@@ -30,7 +30,7 @@ public final class StepSolver {
     private final Vec3 gravity;
     private final SolverState motions;
     private final ContactRows rows;
-    private final IslandGroups groups;
+    private final Islands islands = new Islands();
     private final IslandSolver exact;
     private final ContactSolver sequential;
     /** True for slots that the substeps move. */
@@ -43,7 +43,6 @@ public final class StepSolver {
         this.gravity = gravity;
         this.motions = motions;
         this.rows = rows;
-        groups = new IslandGroups(rows, motions);
         exact = new IslandSolver(rows, motions);
         sequential = new ContactSolver(motions, rows);
     }
@@ -59,7 +58,7 @@ public final class StepSolver {
             return;
         }
         rows.rememberApproach();
-        groups.find(slots);
+        islands.sort(rows, motions, slots);
         if (stepped.length < slots + 1) {
             stepped = new boolean[slots + 64];
         }
@@ -67,10 +66,10 @@ public final class StepSolver {
         if (left.length < rows.count) {
             left = new int[2 * rows.count];
         }
-        int[] order = groups.order();
+        int[] order = islands.order();
         int count = 0;
-        for (int i = 0; i < groups.count(); ) {
-            int end = groups.end(i);
+        for (int i = 0; i < islands.count(); ) {
+            int end = islands.end(i);
             boolean isExact = awake <= FEW_BODIES || isHard(order, i, end);
             if (isExact && exact.begin(order, i, end, MOST_PRODUCTS_A_BODY)) {
                 exact.solve(gravity, weighs, seconds);
@@ -130,16 +129,16 @@ public final class StepSolver {
     private void weigh(int slots, boolean[] weighs, double h) {
         for (int slot = 0; slot < slots; slot++) {
             if (stepped[slot] && weighs[slot]) {
-                motions.velocity[6 * slot] += gravity.x() * h;
-                motions.velocity[6 * slot + 1] += gravity.y() * h;
-                motions.velocity[6 * slot + 2] += gravity.z() * h;
+                motions.velocity[SolverState.STRIDE * slot] += gravity.x() * h;
+                motions.velocity[SolverState.STRIDE * slot + 1] += gravity.y() * h;
+                motions.velocity[SolverState.STRIDE * slot + 2] += gravity.z() * h;
             }
         }
     }
 
     private void advance(int slots, double h) {
         for (int slot = 0; slot < slots; slot++) {
-            for (int i = 6 * slot; stepped[slot] && i < 6 * slot + 6; i++) {
+            for (int i = SolverState.STRIDE * slot; stepped[slot] && i < SolverState.STRIDE * (slot + 1); i++) {
                 motions.moved[i] += h * motions.velocity[i];
             }
         }
