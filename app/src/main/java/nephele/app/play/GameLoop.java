@@ -393,6 +393,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void begin() {
         current.isPlayed(display::firstViewMillis);
+        display.rehearse(current.session());
         lastNanos = System.nanoTime();
         counter.restart();
         slow.restart();
