@@ -125,10 +125,17 @@ final class Display implements AutoCloseable {
         return gl.limits().software();
     }
 
-    /** Draws one frame of the title over its level, which stands still. */
-    void drawTitle(Session session, HudContent content, Shot shot) {
+    /**
+     * Draws one frame of the title over its level, which stands still, or over nothing before it has been drawn.
+     *
+     * @param mayWork whether the level may be drawn, which takes a while
+     */
+    void drawTitle(Session session, HudContent content, Shot shot, boolean mayWork) {
         var picture = target();
-        title.draw(session, aspect(), picture);
+        if (!title.draw(session, aspect(), picture, mayWork)) {
+            picture.bind();
+            picture.clear(EMPTY_RED, EMPTY_GREEN, EMPTY_BLUE);
+        }
         drawOverlay(content, picture, shot);
         window.show();
     }

@@ -341,7 +341,7 @@ public final class GameLoop implements AutoCloseable {
         } else if (stages.in(GameStage.STARTING)) {
             window.title(TITLE + " – " + loading.progress(language()));
             window.waitForEvents(PREPARATION_WAIT_SECONDS);
-        } else if (stages.in(GameStage.TITLE) && loading != null && loading.isDone()) {
+        } else if (stages.in(GameStage.TITLE) && loading != null && loading.isDone() && menu.rests()) {
             loadBehindTitle();
         } else if (stages.in(GameStage.RESTARTING)) {
             current.restart();
