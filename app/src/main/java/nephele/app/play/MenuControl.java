@@ -58,7 +58,8 @@ final class MenuControl {
         openedUnasked = nanos.getAsLong();
     }
 
-    private boolean isDeaf() {
+    /** Returns true while a page that opened by itself takes no input. */
+    boolean isDeaf() {
         isUnasked &= nanos.getAsLong() - openedUnasked < UNASKED_NANOS;
         return isUnasked;
     }
