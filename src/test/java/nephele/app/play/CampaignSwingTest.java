@@ -214,7 +214,6 @@ class CampaignSwingTest {
         second.expect("exit 02-first-shot.json");
         hand("up W");
         second.expect("menu ended");
-        untilTheEndHears();
         hand("picture " + PICTURES.resolve("3-practice.png"));
         hand("key UP");
         hand("key ENTER");
@@ -231,7 +230,6 @@ class CampaignSwingTest {
         byHand.expect("exit 02-first-shot.json");
         hand("up W");
         byHand.expect("menu ended");
-        untilTheEndHears();
         hand("picture " + PICTURES.resolve("3-end.png"));
         hand("click 320 " + firstEntry());
         byHand.expect("loading 03-momentum.json");
@@ -259,10 +257,5 @@ class CampaignSwingTest {
         hand("key UP");
         hand("key ENTER");
         third.expectEnd();
-    }
-
-    /** Waits until the page of the end takes keys: what is pressed earlier is meant for the game. */
-    private static void untilTheEndHears() throws InterruptedException {
-        TimeUnit.NANOSECONDS.sleep(MenuControl.UNASKED_NANOS + 300_000_000);
     }
 }

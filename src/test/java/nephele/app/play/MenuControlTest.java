@@ -52,6 +52,18 @@ class MenuControlTest {
     }
 
     @Test
+    void aPlayerRestsSomeTimeAfterAKeyOrAMotionOfThePointer() {
+        assertTrue(control.rests(), "who has not begun holds nothing up");
+        control.choiceOf(Control.BACK);
+        assertFalse(control.rests());
+        nanos += MenuControl.REST_NANOS;
+        assertTrue(control.rests());
+        input.point(3, 4);
+        control.choiceOf(AREA, 1);
+        assertFalse(control.rests());
+    }
+
+    @Test
     void escapeContinues() {
         assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.MENU));
     }

@@ -9,6 +9,7 @@ import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
 import nephele.engine.compare.Wipe;
+import nephele.engine.playthrough.Rehearsal;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -56,6 +57,8 @@ final class Display implements AutoCloseable {
     private final TitlePicture title;
     private RenderTarget target;
     private Area area;
+    /** The picture that was rehearsed last, compared by identity. */
+    private SessionPicture rehearsed;
 
     /** @param message shows the files of screenshots */
     Display(GameWindow window, GlContext gl, Screenshots screenshots, Message message) {
@@ -122,10 +125,17 @@ final class Display implements AutoCloseable {
         return gl.limits().software();
     }
 
-    /** Draws one frame of the title over its level, which stands still. */
-    void drawTitle(Session session, HudContent content, Shot shot) {
+    /**
+     * Draws one frame of the title over its level, which stands still, or over nothing before it has been drawn.
+     *
+     * @param mayWork whether the level may be drawn, which takes a while
+     */
+    void drawTitle(Session session, HudContent content, Shot shot, boolean mayWork) {
         var picture = target();
-        title.draw(session, aspect(), picture);
+        if (!title.draw(session, aspect(), picture, mayWork)) {
+            picture.bind();
+            picture.clear(EMPTY_RED, EMPTY_GREEN, EMPTY_BLUE);
+        }
         drawOverlay(content, picture, shot);
         window.show();
     }
@@ -149,6 +159,23 @@ final class Display implements AutoCloseable {
         }
         session.picture().forget();
         return least;
+    }
+
+    /**
+     * Draws a frame of what shots bring into the level, and shows it to nobody, so that the first shot and the first view
+     * through portals wait for no program. Does nothing if this picture has been rehearsed.
+     */
+    void rehearse(Session session) {
+        if (rehearsed == session.picture()) {
+            return;
+        }
+        rehearsed = session.picture();
+        View view = session.walk().view(aspect());
+        Rehearsal.of(session.level(), view, session.walk().frameState()).ifPresent(all -> {
+            session.picture().draw(view, all, Wipe.MIDDLE, target(), StepListener.NONE);
+            session.picture().forget();
+            gl.finish();
+        });
     }
 
     private void drawOverlay(HudContent content, RenderTarget picture, Shot shot) {

@@ -333,7 +333,7 @@ public final class GameLoop implements AutoCloseable {
         } else if (stages.in(GameStage.STARTING)) {
             window.title(TITLE + " – " + loading.progress(language()));
             window.waitForEvents(PREPARATION_WAIT_SECONDS);
-        } else if (stages.in(GameStage.TITLE) && loading != null && loading.isDone()) {
+        } else if (stages.in(GameStage.TITLE) && loading != null && loading.isDone() && menu.rests()) {
             loadBehindTitle();
         } else if (stages.in(GameStage.RESTARTING)) {
             current.restart();
@@ -385,6 +385,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void begin() {
         current.isPlayed(display::firstViewMillis);
+        display.rehearse(current.session());
         lastNanos = System.nanoTime();
         counter.restart();
         slow.restart();

@@ -143,7 +143,7 @@ final class GamePicture {
         var listener = current.figures().frameBegins();
         boolean isKept = stage == GameStage.TITLE && display.keepsTitle();
         if (isKept) {
-            display.drawTitle(session, content, shot);
+            display.drawTitle(session, content, shot, menu.rests());
         } else if (stage == GameStage.TITLE) {
             display.drawTitle(session, titleSeconds(), content, listener, shot);
         } else {

@@ -18,17 +18,27 @@ final class MenuControl {
      */
     static final long UNASKED_NANOS = 700_000_000;
 
+    /** The time after a key or a motion of the pointer in which another one is likely. */
+    static final long REST_NANOS = 1_500_000_000;
+
     private final Input input;
     private final LongSupplier nanos;
     private final Deque<Menu> pages = new ArrayDeque<>();
     private List<Menu> closed = List.of();
     private long openedUnasked;
     private boolean isUnasked;
+    private long usedLast;
 
     /** @param nanos the clock, as {@link System#nanoTime} */
     MenuControl(Input input, LongSupplier nanos) {
         this.input = input;
         this.nanos = nanos;
+        usedLast = nanos.getAsLong() - REST_NANOS;
+    }
+
+    /** Returns true if the player has used neither keys nor pointer for a while: work may hold up the next frame. */
+    boolean rests() {
+        return nanos.getAsLong() - usedLast >= REST_NANOS;
     }
 
     /** Opens a page with no other below it. */
@@ -48,7 +58,8 @@ final class MenuControl {
         openedUnasked = nanos.getAsLong();
     }
 
-    private boolean isDeaf() {
+    /** Returns true while a page that opened by itself takes no input. */
+    boolean isDeaf() {
         isUnasked &= nanos.getAsLong() - openedUnasked < UNASKED_NANOS;
         return isUnasked;
     }
@@ -101,6 +112,7 @@ final class MenuControl {
 
     /** Returns the choice made with this key, or null. */
     Menu.Choice choiceOf(Control key) {
+        usedLast = nanos.getAsLong();
         if (isDeaf()) {
             return null;
         }
@@ -141,6 +153,7 @@ final class MenuControl {
             panel = new MenuPanel(page(), area);
         }
         if (input.takePointerMoved() || rows != 0) {
+            usedLast = nanos.getAsLong();
             pointAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
         }
         var click = input.takeClick();

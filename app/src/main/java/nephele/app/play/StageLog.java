@@ -12,9 +12,9 @@ final class StageLog {
         this.err = err;
     }
 
-    /** Writes the state that the picture shows, if it is another one than before. */
+    /** Writes the state that the picture shows, if it is another one than before; a menu once it takes input. */
     void shown(GameStage stage, MenuControl menu, Loading loading, CurrentLevel current) {
-        if (err == null) {
+        if (err == null || menu.page() != null && menu.isDeaf()) {
             return;
         }
         switch (stage) {

@@ -307,6 +307,12 @@ public final class FrameState {
             double travelRadians,
             double airborne,
             double carrying) {
+        /** Returns the same posture at another place. */
+        public Posture at(Vec3 other) {
+            return new Posture(
+                    other, up, yawRadians, pitchRadians, heightMetres, step, stride, travelRadians, airborne, carrying);
+        }
+
         /** Returns the same posture mapped by a portal transform. */
         public Posture through(PortalTransform transform) {
             Vec3 turned = transform.direction(up);
