@@ -307,6 +307,7 @@ public enum Phrase {
     STEP_EXPOSURE("exposure", "exposição", "exposição"),
     STEP_GUN("gun", "pistola", "pistola"),
     STEP_GUN_OPENING("gun.opening", "pistola no portal", "pistola no portal"),
+    STEP_MUZZLE("muzzle", "luz do disparo", "luz do disparo"),
     STEP_IMPOSTOR("impostor", "impostores", "impostores"),
     STEP_LIGHTNING("lightning", "relâmpagos", "relâmpagos"),
     STEP_PARTICLE("particle", "partículas", "partículas"),
