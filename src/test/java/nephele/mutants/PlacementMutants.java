@@ -25,7 +25,7 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "a portal on uneven ground is in the way of flat shots beyond it",
-                    ENGINE + "sim/carry/PortalShots.java",
+                    ENGINE + "sim/carry/PlayerActions.java",
                     " && !isOnGround(space, crossing.portal(), end)",
                     "",
                     "GroundPortalTest"),

@@ -10,6 +10,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.ground.GroundStep;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
@@ -24,6 +25,8 @@ public final class PortalWorld {
 
     /** Distance in front of an exit's centre at which a solid makes the exit unusable. */
     private static final double EXIT_CLEARANCE_METRES = 1e-3;
+
+    private static final Vector3dc STILL = new Vector3d();
 
     private final CollisionWorld statics;
     private final Portals portals;
@@ -115,6 +118,11 @@ public final class PortalWorld {
             }
         }
         return mask;
+    }
+
+    /** Returns the mask of open portals on which a shape is active while its centre stays at a place. */
+    public long active(RoundedHull shape, Vector3dc at) {
+        return active(shape, at, STILL);
     }
 
     /**

@@ -16,10 +16,12 @@ public final class Sweep {
     /** Distance at which the shape rests from what it touches. */
     public static final double SKIN_METRES = 1e-3;
 
-    private static final double TOUCH_METRES = 1e-8;
+    /** The difference to the wanted distance that counts as reached. */
+    public static final double TOUCH_METRES = 1e-8;
+
     private static final int MAX_STEPS = 64;
     /** Approach per metre travelled below which the shape is sliding: the rounding error of a tangent direction. */
-    private static final double SLIDING_METRES_PER_METRE = 1e-9;
+    public static final double SLIDING_METRES_PER_METRE = 1e-9;
 
     private static final double SAME_POINT_METRES = 1e-6;
 

@@ -15,6 +15,7 @@ import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
+import nephele.engine.sim.carry.PortalOccupants;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerState;
@@ -41,10 +42,6 @@ import org.joml.Vector3dc;
  * portal. A held body stays with the player.
  */
 final class FallReturn {
-    /** Bodies that rest on each other penetrate by less than this. */
-    private static final double SUNK_METRES = 2e-3;
-
-    private static final Vector3dc STILL = new Vector3d();
     private static final Vector3dc ONTO_GROUND = new Vector3d(0, -2 * Sweep.SKIN_METRES, 0);
 
     private final boolean returnsPlayer;
@@ -131,7 +128,7 @@ final class FallReturn {
         return player.tilt().isBodyUpright()
                 && player.tilt().isViewLevel()
                 && hasGround(player)
-                && worlds.of(state.world().portals()).active(player.stance().shape(), centre, STILL) == 0
+                && worlds.of(state.world().portals()).active(player.stance().shape(), centre) == 0
                 && isFree(player);
     }
 
@@ -179,7 +176,7 @@ final class FallReturn {
         Vector3d at = table.body(body).centre().toVector();
         Collider home = table.collider(body, at, new Quaterniond());
         PortalWorld world = worlds.of(state.world().portals());
-        Place place = new Place(home, world, world.active(table.uprightHull(body), at, STILL));
+        Place place = new Place(home, world, world.active(table.uprightHull(body), at));
         if (isIn(place, state.player())) {
             return false;
         }
@@ -237,7 +234,7 @@ final class FallReturn {
             return true;
         }
         Portals portals = place.world.portals();
-        long active = place.world.active(shape, at, STILL);
+        long active = place.world.active(shape, at);
         for (int entry = 0; entry < portals.size(); entry++) {
             if (place.isBeyond(entry, active)) {
                 PortalTransform transform = portals.transform(entry);
@@ -253,6 +250,6 @@ final class FallReturn {
     /** Returns true if a shape at {@link #centre} is in the place. */
     private boolean isIn(Place place, RoundedHull shape) {
         separation.measure(shape, centre.x, centre.y, centre.z, place.home);
-        return separation.metres() < -SUNK_METRES;
+        return separation.metres() < -PortalOccupants.SUNK_METRES;
     }
 }

@@ -57,7 +57,6 @@ final class StartRules {
     };
 
     private final Level level;
-    private static final Vector3dc STILL = new Vector3d();
     private static final Quaterniond UPRIGHT = new Quaterniond();
     private static final int NO_BODY = -1;
 
@@ -102,7 +101,7 @@ final class StartRules {
         index = SpatialIndex.of(colliders.stream().map(Collider::bounds).toList());
         playerCentre =
                 level.player() == null ? null : playerCentre(level.player().feet());
-        playerActive = playerCentre == null ? 0 : world.active(playerShape, playerCentre.toVector(), STILL);
+        playerActive = playerCentre == null ? 0 : world.active(playerShape, playerCentre.toVector());
     }
 
     private static void report(int body, List<String> overlaps, Consumer<Problem> report) {
@@ -154,7 +153,7 @@ final class StartRules {
     Overlap deepestSolid(int body) {
         RoundedHull hull = table.uprightHull(body);
         Vector3d at = centre(body).toVector();
-        CollisionWorld around = world.openedFor(world.active(hull, at, STILL));
+        CollisionWorld around = world.openedFor(world.active(hull, at));
         around.overlapping(colliders.get(body).bounds(), near);
         Overlap deepest = Overlap.NONE;
         for (int i = 0; i < near.size(); i++) {
@@ -178,7 +177,7 @@ final class StartRules {
                 deepest = deepest.orDeeper(depth(hull, at, colliders.get(near.get(i))), near.get(i), false);
             }
         }
-        long active = world.active(hull, at, STILL);
+        long active = world.active(hull, at);
         for (int entry = 0; active != 0 && entry < portals.size(); entry++) {
             if (isIn(active, entry)) {
                 deepest = beyondPortal(deepest, body, entry);
@@ -211,7 +210,7 @@ final class StartRules {
     private boolean meetsAt(int exit, int other, int comer) {
         RoundedHull hull = table.uprightHull(other);
         Vector3d at = centre(other).toVector();
-        return isIn(world.active(hull, at, STILL), exit) ? other < comer : isBefore(portals.portal(exit), hull, at);
+        return isIn(world.active(hull, at), exit) ? other < comer : isBefore(portals.portal(exit), hull, at);
     }
 
     private static boolean isBefore(Portal portal, RoundedHull hull, Vector3dc at) {
@@ -227,7 +226,7 @@ final class StartRules {
         Vector3d player = playerCentre.toVector();
         Vector3d at = centre(body).toVector();
         Overlap deepest = Overlap.NONE.orDeeper(depth(playerShape, player, colliders.get(body)), NO_BODY, false);
-        long active = world.active(table.uprightHull(body), at, STILL);
+        long active = world.active(table.uprightHull(body), at);
         for (int entry = 0; (active | playerActive) != 0 && entry < portals.size(); entry++) {
             int exit = portals.partner(entry);
             if (portals.isOpen(entry) && (isIn(active, entry) || isIn(playerActive, exit))) {

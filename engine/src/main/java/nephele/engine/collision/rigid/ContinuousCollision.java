@@ -6,6 +6,7 @@ import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Separation;
+import nephele.engine.collision.Sweep;
 import nephele.engine.collision.rigid.body.BodyInfluences;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.collision.rigid.body.Poses;
@@ -23,13 +24,6 @@ import org.joml.Vector3dc;
  * their orientation at the start of the tick. Reused.
  */
 final class ContinuousCollision {
-    /**
-     * Inward motion per metre of displacement below which the body is sliding: the rounding error of a tangent
-     * direction.
-     */
-    private static final double SLIDING_METRES_PER_METRE = 1e-9;
-
-    private static final double TOUCH_METRES = 1e-8;
     private static final int MOST_STEPS_TO_SOLID = 64;
     private static final int MOST_STEPS_TO_BODY = 32;
 
@@ -206,13 +200,13 @@ final class ContinuousCollision {
         for (int i = 0; i < mostSteps; i++) {
             measure(t);
             double gap = metres + depth;
-            boolean touches = gap <= TOUCH_METRES;
+            boolean touches = gap <= Sweep.TOUCH_METRES;
             if (touches && i > 0) {
                 return t;
             }
             // A body deep inside at the start is not stopped by another that follows it: the other one is.
             double inward = touches && solid == null ? Math.min(approach, -away.dot(displacement)) : approach;
-            if (inward <= (touches ? SLIDING_METRES_PER_METRE * relative.length() : 0)) {
+            if (inward <= (touches ? Sweep.SLIDING_METRES_PER_METRE * relative.length() : 0)) {
                 return 1;
             }
             if (touches) {

@@ -31,7 +31,6 @@ final class ContinuousRotation {
     private final double[] before = new double[4];
     private final double[] after = new double[4];
     private final double[] axes = new double[9];
-    private final Vector3d still = new Vector3d();
     private final Quaterniond orientation = new Quaterniond();
     private final Vector3d spinInBody = new Vector3d();
     /** The body's numbers from {@link #at} on, {@link Bodies#STRIDE}; its centre is at {@link #place}. */
@@ -186,8 +185,7 @@ final class ContinuousRotation {
         poses.turn(body, turned[q], turned[q + 1], turned[q + 2], turned[q + 3]);
         var hull = narrow.turnedHull(body);
         Portals portals = surroundings.portals();
-        CollisionWorld world =
-                surroundings.openedFor(portals.size() == 0 ? 0 : surroundings.active(hull, place, still));
+        CollisionWorld world = surroundings.openedFor(portals.size() == 0 ? 0 : surroundings.active(hull, place));
         return collision.gap(world, hull, place);
     }
 

@@ -1,16 +1,25 @@
 package nephele.engine.sim.carry;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.rigid.body.BodyState;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.PortalCrossing;
 import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.ShotRay;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
+import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
@@ -19,17 +28,30 @@ import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.TickEvent.Handled.Kind;
 import nephele.engine.sim.state.WorldState;
 import nephele.engine.sim.state.WorldState.HeldBody;
+import org.joml.Vector3d;
 
 /**
  * Executes the actions of gun and hands, at the start of a tick. An action counts only if it was not held in the tick
  * before. While a body is held, the first trigger throws it.
+ *
+ * <p>A shot goes straight from the eye along the view to the first surface and through no portal, as in the games of the
+ * genre, so a portal is always placed in sight of its own surroundings. The gun's two portals are linked as soon as both
+ * exist.
  */
 public final class PlayerActions {
     static final double HEAVIEST_KILOGRAMS = 50;
+    private static final double FARTHEST_METRES = 1e5;
+    /**
+     * A portal this near the surface counts as part of it; the placement decides whether another one fits beside it.
+     */
+    private static final double IN_WALL_METRES = 0.01;
 
     private final SimLevel level;
     private final PortalWorld.Cache worlds;
-    private final PortalShots shots;
+    /** {@code null} without a gun. */
+    private final Placement placement;
+
+    private final BodyObstruction obstruction;
     private final CarryRules carry;
     private final PortalOccupants occupants;
 
@@ -37,9 +59,9 @@ public final class PlayerActions {
         double secondsPerTick = 1.0 / settings.ticksPerSecond();
         this.level = level;
         this.worlds = worlds;
-        var inWay = new BodyObstruction(level.bodies());
-        shots = level.gun() == null ? null : new PortalShots(level.gun().with(settings.shotAids()), inWay);
-        carry = new CarryRules(level.bodies(), inWay, secondsPerTick);
+        obstruction = new BodyObstruction(level.bodies());
+        placement = level.gun() == null ? null : level.gun().with(settings.shotAids());
+        carry = new CarryRules(level.bodies(), obstruction, secondsPerTick);
         occupants = new PortalOccupants(level.bodies());
     }
 
@@ -89,9 +111,22 @@ public final class PlayerActions {
 
     /** Returns what a shot would do now, for the portal preview; {@code null} without a gun. */
     public PlacementResult aim(SimState state, GunPortals.Colour shot) {
-        return shots == null
-                ? null
-                : shots.aim(state, shot, worlds.of(state.world().portals()));
+        if (placement == null) {
+            return null;
+        }
+        WorldState around = state.world();
+        PortalWorld space = worlds.of(around.portals());
+        int own = around.shots().portal(shot);
+        ShotRay ray = ray(state.player(), space.portals());
+        Vec3 blocked = portalInTheWay(ray, own, space);
+        if (blocked != null) {
+            return new PlacementResult.Refused(Refusal.OVERLAPS_OTHER, blocked);
+        }
+        List<Portal> others = new ArrayList<>(around.portals().all());
+        if (own != GunPortals.UNFIRED) {
+            others.remove(own);
+        }
+        return placement.place(shot.portalId(), ray, others, obstruction.at(around.bodies(), space.portals()));
     }
 
     /** Returns true if the player holds nothing and would pick up a body now. */
@@ -104,15 +139,12 @@ public final class PlayerActions {
     }
 
     private SimState fire(SimState state, GunPortals.Colour shot, List<TickEvent> events) {
-        if (shots == null) {
-            return state;
-        }
         PlacementResult placed = aim(state, shot);
         if (placed instanceof PlacementResult.Fits fits) {
             WorldState around = state.world();
-            GunPortals now = PortalShots.shotsWith(shot, around);
+            GunPortals now = shotsWith(shot, around);
             PortalWorld old = worlds.of(around.portals());
-            PortalWorld next = worlds.of(PortalShots.portalsWith(fits.portal(), shot, now, around.portals()));
+            PortalWorld next = worlds.of(portalsWith(fits.portal(), shot, now, around.portals()));
             SimState settled = occupants.settle(state, old, next);
             if (settled != null) {
                 events.add(new TickEvent.PortalOpened(shot, now.portal(shot)));
@@ -152,5 +184,65 @@ public final class PlayerActions {
             events.add(new Handled(Kind.LOST, held.body()));
         }
         return moved.with(around.with(kept));
+    }
+
+    /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
+    private static ShotRay ray(PlayerState player, Portals portals) {
+        Vector3d centre = player.centre(new Vector3d());
+        Vector3d path = player.eye(new Vector3d()).sub(centre);
+        var toEye = new PathTrace(portals, Obstacles.NONE);
+        toEye.trace(centre, path);
+        Basis view = player.view();
+        return new ShotRay(
+                Vec3.of(toEye.place()),
+                new Basis(carried(toEye, view.right()), carried(toEye, view.up()), carried(toEye, view.back())));
+    }
+
+    private static Vec3 carried(PathTrace along, Vec3 direction) {
+        return Vec3.of(along.carryDirection(direction.toVector()));
+    }
+
+    /** Returns where a shot hits another portal that stands free of any wall, {@code null} if it hits none. */
+    private static Vec3 portalInTheWay(ShotRay aim, int own, PortalWorld space) {
+        Vector3d eye = aim.eye().toVector();
+        Vector3d path = aim.direction().toVector().mul(FARTHEST_METRES);
+        path.mul(space.free(eye, path));
+        Vector3d end = new Vector3d(eye).add(path);
+        path.mul(Math.max(0, 1 - IN_WALL_METRES / path.length()));
+        var crossing = new PortalCrossing();
+        boolean meets = crossing.find(space.portals(), eye, path, new Vector3d(), 1);
+        boolean isInTheWay = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
+        return isInTheWay ? Vec3.of(crossing.place()) : null;
+    }
+
+    /** Returns true if a portal lies on the ground that a shot hits; a flat shot crosses it far before the ground. */
+    private static boolean isOnGround(PortalWorld space, int portal, Vector3d hit) {
+        double step = space.groundStepMetres(portal);
+        return step >= 0 && space.portals().portal(portal).inFront(hit.x, hit.y, hit.z) >= -step - IN_WALL_METRES;
+    }
+
+    /** Returns the shots after a shot; the first shot of a colour gets the next portal index. */
+    private static GunPortals shotsWith(GunPortals.Colour shot, WorldState around) {
+        boolean isNew = around.shots().portal(shot) == GunPortals.UNFIRED;
+        return isNew ? around.shots().with(shot, around.portals().size()) : around.shots();
+    }
+
+    /** Returns all portals after a shot: the fixed ones unchanged, the two of the gun linked. */
+    private static Portals portalsWith(Portal made, GunPortals.Colour shot, GunPortals shots, Portals before) {
+        List<Portal> portals = new ArrayList<>(before.all());
+        List<Integer> partners = new ArrayList<>(before.partners());
+        int index = shots.portal(shot);
+        if (index == portals.size()) {
+            portals.add(made);
+            partners.add(Portals.CLOSED);
+        } else {
+            portals.set(index, made);
+        }
+        int other = shots.portal(shot.other());
+        if (other != GunPortals.UNFIRED) {
+            partners.set(index, other);
+            partners.set(other, index);
+        }
+        return new Portals(portals, partners);
     }
 }

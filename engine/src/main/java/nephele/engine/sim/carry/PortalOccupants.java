@@ -14,7 +14,6 @@ import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /**
  * Moves the player and the bodies out of a portal that is moved or closed; the side of the centre decides where each
@@ -23,9 +22,7 @@ import org.joml.Vector3dc;
  */
 public final class PortalOccupants {
     /** Resting bodies penetrate their support by less than this. */
-    private static final double SUNK_METRES = 2e-3;
-
-    private static final Vector3dc STILL = new Vector3d();
+    public static final double SUNK_METRES = 2e-3;
 
     private final BodyTable table;
     private final Depenetration depenetration = new Depenetration();
@@ -85,8 +82,8 @@ public final class PortalOccupants {
     /** Finds the push for a shape at {@code centre}. Returns false if there is none. */
     private boolean findPush(RoundedHull shape) {
         push.zero();
-        long was = before.active(shape, centre, STILL);
-        if (was == 0 && after.active(shape, centre, STILL) == 0 || isFree(shape)) {
+        long was = before.active(shape, centre);
+        if (was == 0 && after.active(shape, centre) == 0 || isFree(shape)) {
             return true;
         }
         for (int i = 0; i < before.portals().size(); i++) {

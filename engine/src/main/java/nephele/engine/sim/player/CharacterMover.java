@@ -17,8 +17,6 @@ final class CharacterMover {
     /** A shorter advance is omitted: a player at rest keeps its place bit for bit. */
     private static final double AT_REST_METRES = 1e-7;
 
-    private static final Vector3dc STILL = new Vector3d();
-
     private final Sweep sweep = new Sweep();
     private final ContactPlanes planes = new ContactPlanes();
     private final Vector3d rest = new Vector3d();
@@ -62,7 +60,8 @@ final class CharacterMover {
     }
 
     CollisionWorld world(RoundedHull shape, Vector3dc place) {
-        return world(shape, place, STILL);
+        active |= portalWorld.active(shape, place);
+        return portalWorld.openedFor(active);
     }
 
     /** Returns the portals that were near since the last arrival, one bit each. */

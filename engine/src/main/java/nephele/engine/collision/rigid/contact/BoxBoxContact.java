@@ -8,12 +8,6 @@ import nephele.engine.collision.rigid.body.Poses;
  * nearest points of two edges. Reused.
  */
 final class BoxBoxContact {
-    /**
-     * Squared sine of the angle between edges below which they are parallel: they add no axis that the faces do not
-     * give.
-     */
-    private static final double PARALLEL_SINE_SQUARED = 1e-6;
-
     private final FaceClip clip;
     private final double[] dots = new double[9];
     private final double[] size = new double[9];
@@ -55,7 +49,7 @@ final class BoxBoxContact {
             return;
         }
         double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
-        tolerance = Math.min(1e-3, 0.02 * least);
+        tolerance = FaceClip.tolerance(least);
         int face = bestFace();
         if (!edgesWithin(reach)) {
             return;
@@ -127,7 +121,7 @@ final class BoxBoxContact {
             int i2 = (i + 2) % 3;
             for (int j = 0; j < 3; j++) {
                 double square = 1 - dots[3 * i + j] * dots[3 * i + j];
-                if (square < PARALLEL_SINE_SQUARED) {
+                if (square < FaceClip.PARALLEL_SINE_SQUARED) {
                     continue;
                 }
                 int j1 = (j + 1) % 3;

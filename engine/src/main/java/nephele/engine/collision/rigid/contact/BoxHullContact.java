@@ -9,7 +9,6 @@ import nephele.engine.math.Vec3;
  * (Gottschalk, Lin and Manocha 1996), then face clipped against face, or one or two points between edges. Reused.
  */
 final class BoxHullContact {
-    private static final double PARALLEL_SINE_SQUARED = 1e-6;
     /** Difference along an edge's normal below which two corners are both on the edge. */
     private static final double EDGE_METRES = 1e-7;
 
@@ -52,7 +51,7 @@ final class BoxHullContact {
         x = poses.centre[3 * box] - solidCentre.x();
         y = poses.centre[3 * box + 1] - solidCentre.y();
         z = poses.centre[3 * box + 2] - solidCentre.z();
-        tolerance = Math.min(1e-3, 0.02 * poses.leastHalf(box));
+        tolerance = FaceClip.tolerance(poses.leastHalf(box));
         out.clear();
         int faces = hull.faces();
         if (!hullFacesWithin(reach) || !boxFacesWithin(reach)) {
@@ -147,7 +146,7 @@ final class BoxHullContact {
                 double nY = axis(i, 2) * hull.edge(e, 0) - axis(i, 0) * hull.edge(e, 2);
                 double nZ = axis(i, 0) * hull.edge(e, 1) - axis(i, 1) * hull.edge(e, 0);
                 double square = nX * nX + nY * nY + nZ * nZ;
-                if (square < PARALLEL_SINE_SQUARED) {
+                if (square < FaceClip.PARALLEL_SINE_SQUARED) {
                     continue;
                 }
                 double length = Math.sqrt(square);

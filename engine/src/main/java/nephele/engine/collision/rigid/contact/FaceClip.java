@@ -5,6 +5,12 @@ package nephele.engine.collision.rigid.contact;
  * near the other's plane. Points are relative to one origin that the caller chooses. Reused.
  */
 final class FaceClip {
+    /**
+     * Squared sine of the angle between edges below which they are parallel: they add no axis that the faces do not
+     * give.
+     */
+    static final double PARALLEL_SINE_SQUARED = 1e-6;
+
     private static final int CAPACITY = 160;
 
     private static final double EDGE_METRES = 1e-3;
@@ -28,6 +34,11 @@ final class FaceClip {
      */
     static double edgeMargin(double leastHalfMetres) {
         return Math.min(EDGE_METRES, EDGE_FRACTION * leastHalfMetres);
+    }
+
+    /** Returns the distance in metres below which features of shapes count as flush, so that the choice of one is steady. */
+    static double tolerance(double leastHalfMetres) {
+        return Math.min(1e-3, 0.02 * leastHalfMetres);
     }
 
     /**

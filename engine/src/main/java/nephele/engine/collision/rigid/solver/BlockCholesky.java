@@ -149,13 +149,13 @@ final class BlockCholesky {
             forward(blockAt[k * MOST_NODES + k], SIZE * k);
             for (long rest = column[k]; rest != 0; rest &= rest - 1) {
                 int i = Long.numberOfTrailingZeros(rest);
-                subtract(blockAt[i * MOST_NODES + k], SIZE * k, SIZE * i);
+                subtract(blockAt[i * MOST_NODES + k], SIZE, 1, SIZE * k, SIZE * i);
             }
         }
         for (int k = nodes - 1; k >= 0; k--) {
             for (long rest = column[k]; rest != 0; rest &= rest - 1) {
                 int i = Long.numberOfTrailingZeros(rest);
-                subtractTransposed(blockAt[i * MOST_NODES + k], SIZE * i, SIZE * k);
+                subtract(blockAt[i * MOST_NODES + k], 1, SIZE, SIZE * i, SIZE * k);
             }
             backward(blockAt[k * MOST_NODES + k], SIZE * k);
         }
@@ -239,21 +239,12 @@ final class BlockCholesky {
         }
     }
 
-    private void subtract(int of, int from, int to) {
+    /** Subtracts the product of a block and a part of the solution from another part. */
+    private void subtract(int of, int rowStride, int columnStride, int from, int to) {
         for (int i = 0; i < SIZE; i++) {
             double sum = 0;
             for (int j = 0; j < SIZE; j++) {
-                sum += block[of + SIZE * i + j] * solution[from + j];
-            }
-            solution[to + i] -= sum;
-        }
-    }
-
-    private void subtractTransposed(int of, int from, int to) {
-        for (int i = 0; i < SIZE; i++) {
-            double sum = 0;
-            for (int j = 0; j < SIZE; j++) {
-                sum += block[of + SIZE * j + i] * solution[from + j];
+                sum += block[of + rowStride * i + columnStride * j] * solution[from + j];
             }
             solution[to + i] -= sum;
         }
