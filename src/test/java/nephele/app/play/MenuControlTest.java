@@ -240,7 +240,7 @@ class MenuControlTest {
         assertInstanceOf(Choice.Quit.class, control.choiceOf(AREA, 1));
     }
 
-    /** Whoever jumps and shoots up to the exit still sees what the run has counted, with the next level selected. */
+    /** A page that opened by itself ignores keys and clicks for a while, and its first entry stays selected. */
     @Test
     void whatWasMeantForTheGameChoosesNothingAtTheEnd() {
         control.openUnasked(menus.pause(COURTYARD, "Find the way."));

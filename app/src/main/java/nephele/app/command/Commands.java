@@ -1,6 +1,10 @@
 package nephele.app.command;
 
 import java.util.List;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
+import picocli.CommandLine.Unmatched;
 
 /**
  * All commands in the order of the help text; the only registration. The entries are lambdas, because a constructor
@@ -17,7 +21,7 @@ public final class Commands {
                     "simulate", "Play a replay without graphics and print hashes", () -> new SimulateCommand()),
             new CommandEntry("bench", "Measure a level's frames", () -> new BenchCommand()),
             new CommandEntry(
-                    "prove", "Run the proofs at full count and write docs/proofs.md", () -> new CheckoutCommand()),
+                    "prove", "Run the proofs at full count and write docs/proofs.md", () -> new ProofsOfCheckout()),
             new CommandEntry("edit", "Edit a level: edit [LEVEL], or run a script of edits", () -> new EditCommand()),
             new CommandEntry(
                     "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", () -> new TradeCommand()),
@@ -40,4 +44,18 @@ public final class Commands {
                     () -> new ImportCommand()));
 
     private Commands() {}
+
+    /** Refuses to prove from the jar, which has no proofs, and names the start script that builds and runs them. */
+    @picocli.CommandLine.Command
+    private static final class ProofsOfCheckout implements Command {
+        /** The rest of the command line, whatever it is. */
+        @Unmatched
+        private List<String> words;
+
+        @Override
+        public ExitCode run(Terminal terminal) {
+            throw CommandFailure.environment(
+                    "proofs run from a checkout of the sources, which this jar is not: type ./nephele prove there");
+        }
+    }
 }

@@ -26,10 +26,10 @@ final class Message {
 
     /** The kinds of lines. */
     private enum Kind {
-        /** Says something that can wait. */
+        /** A line that a hint takes away. */
         ASIDE,
         USUAL,
-        /** Is what the player asked for; there is one at most. */
+        /** A line that the player asked for; there is one at most. */
         HINT
     }
 

@@ -19,7 +19,7 @@ final class SlowAdvice {
     static final long AWAY_NANOS = 180_000_000_000L;
 
     private final TimeLoss loss = new TimeLoss();
-    /** When each cause that was told was last there. */
+    /** The last time at which each cause that was reported was present. */
     private final Map<Cause, Long> lastNanos = new HashMap<>();
 
     /** What the player can do about the quality. */
@@ -40,10 +40,10 @@ final class SlowAdvice {
         SMALLEST
     }
 
-    /** What the player can do. */
+    /** A cause of slow frames, named by what the player can do about it. */
     record Cause(QualityNow quality, PictureNow picture) {}
 
-    /** Begins with a level: forgets the time in which it was loaded, but not what was told. */
+    /** Begins with a level: forgets the time in which it was loaded, but not the causes that were reported. */
     void restart() {
         loss.restart();
     }
@@ -57,7 +57,7 @@ final class SlowAdvice {
         return loss.isNoticed(nowNanos, lostNanos);
     }
 
-    /** Returns true if a cause of lost time shall be told now. What a hint keeps back is told at the next notice. */
+    /** Returns true if a cause of lost time shall be reported now; while a hint is shown it waits for the next notice. */
     boolean isNews(Cause cause, long nowNanos, boolean isHintShown) {
         Long last = lastNanos.get(cause);
         boolean isNews = last == null || nowNanos - last > AWAY_NANOS;

@@ -16,7 +16,7 @@ import org.lwjgl.system.Configuration;
  * which on a high-DPI screen are more than the window's units.
  */
 public final class GameWindow implements AutoCloseable {
-    /** Nobody makes the window smaller by accident: below, letters shrink with it. It may be opened smaller. */
+    /** The least size to which the window can be dragged: below it letters shrink. It may be opened smaller. */
     private static final int LEAST_WIDTH = 640;
 
     private static final int LEAST_HEIGHT = 360;

@@ -6,8 +6,8 @@ import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 
 /**
- * Copies records with some components changed: the one way in which records of many components are changed. It is for
- * records that change when somebody edits or chooses, not for those of a frame or a tick.
+ * Copies records with some components changed, which are given by name. It is for records that change when somebody edits
+ * or chooses, not for those of a frame or a tick.
  */
 public final class RecordCopy {
     private static final ClassValue<Form> FORMS = new ClassValue<>() {
@@ -26,7 +26,6 @@ public final class RecordCopy {
      * @throws IllegalArgumentException if the record has no component of a name or it cannot hold the value, and what the
      *     record's own constructor throws
      */
-    @SuppressWarnings("unchecked")
     public static <R extends Record> R with(R record, Object... changes) {
         Form form = FORMS.get(record.getClass());
         try {
@@ -35,11 +34,24 @@ public final class RecordCopy {
                 values[i] = form.components[i].getAccessor().invoke(record);
             }
             for (int i = 0; i < changes.length; i += 2) {
-                int at = form.index((String) changes[i]);
-                boolean isWidened = form.components[at].getType() == double.class && changes[i + 1] instanceof Integer;
-                values[at] = isWidened ? Double.valueOf((Integer) changes[i + 1]) : changes[i + 1];
+                values[form.index((String) changes[i])] = changes[i + 1];
             }
-            return (R) form.constructor.newInstance(values);
+            @SuppressWarnings("unchecked")
+            Class<R> type = (Class<R>) record.getClass();
+            return of(type, values);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /**
+     * Returns a record of these values, which are in the order of its components.
+     *
+     * @throws IllegalArgumentException if a component cannot hold its value, and what the record's own constructor throws
+     */
+    public static <R extends Record> R of(Class<R> type, Object... values) {
+        try {
+            return type.cast(FORMS.get(type).constructor.newInstance(values));
         } catch (InvocationTargetException e) {
             throw e.getCause() instanceof RuntimeException refused ? refused : new IllegalStateException(e.getCause());
         } catch (ReflectiveOperationException e) {

@@ -50,7 +50,7 @@ public final class LevelCatalogue {
     }
 
     /**
-     * Returns what players call the campaign's levels and the samples.
+     * Returns the titles of the campaign's levels and of the samples.
      *
      * @throws LevelFormatException if the campaign's file is no campaign
      */

@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.level.Language;
 
-/** What levels and samples are called in each language: by the campaign, by the list of samples, else by their files. */
+/** The titles of levels and samples in each language: from the campaign, the list of samples, else the file names. */
 public final class LevelTitles {
-    /** Calls every level after its file. */
+    /** The titles that file names give. */
     public static final LevelTitles OF_FILES = new LevelTitles(Map.of(), () -> new SampleCatalogue(List.of()));
 
     private final Map<String, Map<Language, String>> campaign;

@@ -22,7 +22,7 @@ public record MuzzleLight(Vec3 place, int colour, double strength) {
     /** Size of the source, which bounds the light on surfaces close to it, square metres. */
     public static final double SOURCE_SQUARE_METRES = 0.2;
 
-    /** Share of the light that a surface is taken to reflect which is black in the picture. */
+    /** Fraction of the light that a surface which is black in the picture is assumed to reflect. */
     public static final double DARK_SHARE = 0.1;
 
     private static final double SECONDS = 0.14;

@@ -23,7 +23,7 @@ public final class MenuPanel {
 
     /** The size of a value in relation to its label's. */
     private static final double VALUE_SHARE = 0.85;
-    /** A letter's mean width, about. */
+    /** The estimated mean width of a letter, in ems. */
     private static final double LETTER_EMS = 0.5;
 
     private static final double FOOT_HEIGHT = 34;
@@ -34,7 +34,7 @@ public final class MenuPanel {
     private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
-    /** What the lines of a message may take: from the entries to the panel's edge, less what hangs below a line. */
+    /** The height for the lines of a message: from the entries to the panel's edge, less what hangs below a line. */
     private static final double FOOT_ROOM = FOOT_HEIGHT + PADDING - 2;
 
     private static final double HELP_HEIGHT = 62;

@@ -13,7 +13,7 @@ import nephele.engine.level.Range;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
-/** Makes formats from record classes; the only reflection in the project. */
+/** Makes the formats of record classes, by reflection. */
 final class FormatBuilder {
     private FormatBuilder() {}
 

@@ -1,7 +1,5 @@
 package nephele.engine.render.frame;
 
-import java.lang.reflect.Constructor;
-import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.List;
@@ -9,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.render.frame.Quality.Preset;
 
 /**
@@ -35,18 +34,11 @@ public record QualityField(String name, String component, Class<?> type, Quality
 
     /** Returns a record whose components are these settings, with the values of a preset. */
     static <R extends Record> R record(Class<R> settings, List<QualityField> fields, Preset preset) {
-        Object[] values = fields.stream()
-                .map(field -> field.parsed(field.in(preset)).orElseThrow())
-                .toArray();
-        Class<?>[] types = fields.stream().map(QualityField::type).toArray(Class<?>[]::new);
-        try {
-            Constructor<R> constructor = settings.getDeclaredConstructor(types);
-            return constructor.newInstance(values);
-        } catch (InvocationTargetException e) {
-            throw new IllegalStateException(e.getCause());
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
+        return RecordCopy.of(
+                settings,
+                fields.stream()
+                        .map(field -> field.parsed(field.in(preset)).orElseThrow())
+                        .toArray());
     }
 
     /** Returns the value in a preset, as {@code --set} writes it. */
