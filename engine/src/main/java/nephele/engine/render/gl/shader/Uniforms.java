@@ -45,6 +45,9 @@ public final class Uniforms {
     @Target(ElementType.RECORD_COMPONENT)
     public @interface IfRead {}
 
+    /** The record of a program that has no uniforms but samplers and blocks. */
+    public record None() {}
+
     private interface Made {
         Object at(int program, int location);
     }
