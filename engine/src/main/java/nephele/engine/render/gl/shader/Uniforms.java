@@ -145,16 +145,19 @@ public final class Uniforms {
     /**
      * Makes a record of uniforms.
      *
-     * @throws GlException that names a uniform which the program lacks or has with another type, or a sampler that has no
-     * texture unit
+     * @throws GlException that names a uniform which the program lacks or has with another type
      */
     public <R extends Record> R record(Class<R> type) {
+        return record(type, false);
+    }
+
+    /** Throws a {@link GlException} that names a sampler which has no texture unit. */
+    public void requireUnits() {
         types.forEach((name, glType) -> {
             if (isSampler(glType) && TextureUnit.of(name) == null) {
                 throw new GlException(programName + " has a sampler '" + name + "', which no texture unit names");
             }
         });
-        return record(type, false);
     }
 
     private <R extends Record> R record(Class<R> type, boolean mayLack) {
