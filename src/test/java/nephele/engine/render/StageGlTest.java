@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -68,7 +69,7 @@ class StageGlTest {
 
     private static Renderer trial(Offscreen offscreen, Level level, RenderSettings settings) {
         Scene scene = Scene.of(level, TestAssets.NONE);
-        return Renderer.load(offscreen.gl, scene, settings, withTrial(Stage.IN_VIEWS_AFTER_OPAQUE));
+        return LevelRenderer.load(offscreen.gl, scene, settings, withTrial(Stage.IN_VIEWS_AFTER_OPAQUE));
     }
 
     private static RenderSettings settings(Quality quality) {
@@ -152,7 +153,7 @@ class StageGlTest {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
         RenderSettings played = settings(Quality.HIGH.with("viewBudget", 6)).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
-            try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
                 var loaded = offscreen.gl.live().counts();
                 assertEquals(List.of(), copies(offscreen, renderer));
                 assertEquals(2, renderer.viewsDrawn());
@@ -217,7 +218,7 @@ class StageGlTest {
             Scene scene = Scene.of(heldCube(), TestAssets.NONE);
             RenderSettings played = RenderSettings.of(Output.PLAIN).with(CharacterPresence.POSSIBLE);
             var e = assertThrows(
-                    IllegalStateException.class, () -> Renderer.load(offscreen.gl, scene, played, features));
+                    IllegalStateException.class, () -> LevelRenderer.load(offscreen.gl, scene, played, features));
             assertTrue(e.getMessage().startsWith(because), e.getMessage());
             assertEquals(before, offscreen.gl.live().counts());
         }

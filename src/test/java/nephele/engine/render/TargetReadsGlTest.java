@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.HashSet;
@@ -140,7 +141,7 @@ class TargetReadsGlTest {
         if (!level.bodies().isEmpty()) {
             frameState.held(0, fromEye(view, new Vec3(-1, 0.5, 0)), 1);
         }
-        try (Renderer renderer = Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features)) {
             renderer.draw(view, frameState, offscreen.picture);
         }
         return passes;

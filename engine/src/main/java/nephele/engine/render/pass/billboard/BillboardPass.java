@@ -13,7 +13,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -66,12 +66,12 @@ public final class BillboardPass implements Pass {
         this.kind = kind;
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         boolean isSampled = context.quality().samples() > 1;
         blend = kind == Kind.BLENDED
                 ? Blend.PREMULTIPLIED_OVER
                 : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
-        quads = context.billboards(kind);
+        quads = BillboardQuads.of(context, kind);
         program = new BillboardProgram(context, kind);
         list = context.own(new BillboardList(gl, program.varies() ? CELLS : 1));
         large = context.own(new BillboardList(gl, LARGE_CELLS));

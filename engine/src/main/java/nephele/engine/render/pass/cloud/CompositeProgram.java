@@ -5,7 +5,7 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code composite.frag}, which draws a layer of clouds over a view. */
 final class CompositeProgram {

@@ -39,7 +39,7 @@ public final class DynamicPass implements Pass {
     private DynamicPass(LoadContext context, DynamicBlending look, TargetReads reads) {
         this.look = look;
         this.reads = reads;
-        meshes = context.shared().dynamicObjects();
+        meshes = context.get(DynamicMeshes.RESOURCE);
         visible = new VisibleInstances(meshes.dynamicObjects(), meshes.copies());
         held = new HeldBodyVisibility(meshes.copies());
         draw = new DynamicDraw(context, look, reads);

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.exit;
 
+import nephele.engine.render.gl.Texture;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -11,13 +12,12 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -29,7 +29,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.View;
 
 /**
@@ -60,7 +60,7 @@ public final class ExitPass implements Pass {
     private static final String FOLDER = "/nephele/engine/render/pass/exit/";
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final Blend blend;
     private final List<Exit> exits;
@@ -88,7 +88,7 @@ public final class ExitPass implements Pass {
 
     private ExitPass(LoadContext context, Part part) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         boolean decodes = part == Part.LIGHT && context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
         blend = part == Part.VEIL
@@ -160,7 +160,7 @@ public final class ExitPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.OFF, blend, Cull.BACK, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.use();
         program.uniforms().seconds().set((float) frame.frameState().seconds());
         for (int i = 0; i < exits.size(); i++) {

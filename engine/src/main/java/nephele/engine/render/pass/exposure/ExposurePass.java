@@ -10,7 +10,7 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -59,8 +59,8 @@ public final class ExposurePass implements Pass {
 
     private ExposurePass(LoadContext context) {
         gl = context.gl();
-        exposure = context.shared().exposure();
-        lightning = context.shared().lightning();
+        exposure = context.get(MeteredExposure.RESOURCE);
+        lightning = context.get(FrameLightning.RESOURCE);
         cells = context.own(RenderTarget.picture(
                 gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
         findCells = new FullScreenDrawing(
@@ -94,7 +94,7 @@ public final class ExposurePass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return MeteredExposure.isRequiredBy(request)
+        return request.metersExposure()
                 ? List.of(new Required("environment.exposureStops: auto, metered from the picture", ExposurePass::new))
                 : List.of();
     }

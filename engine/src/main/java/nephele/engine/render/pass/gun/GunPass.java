@@ -12,9 +12,8 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -79,8 +78,7 @@ public final class GunPass implements Pass {
         this.turn = turn;
         this.reads = reads;
         gl = context.gl();
-        SharedResources shared = context.shared();
-        light = shared.surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(gl, GunMesh.materials()));
         model = GunMesh.make();
         mesh = context.share(
@@ -89,7 +87,7 @@ public final class GunPass implements Pass {
                 () -> new GpuMesh(
                         gl, "gun", FORMAT, model.mesh().vertices(), model.mesh().indices()));
         programs = new GunPrograms(context, materials.materialsPerBlock());
-        sky = shared.skyProbes();
+        sky = context.get(SurfaceLight.SKY_PROBES);
     }
 
     private static List<Required> requiredBy(FrameRequest request, Turn turn) {

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.impostor;
 
+import nephele.engine.render.resource.PictureArrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -11,7 +12,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -47,9 +48,9 @@ public final class ImpostorPass implements Pass {
     private ImpostorPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         double pixels = context.quality().impostorPixels();
-        plants = context.plants();
+        plants = PlantedScene.of(context);
         choice = context.own(new PlantChoice(gl, plants, new PlantSizes(pixels)));
         impostorBlend = context.quality().samples() > 1 ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         impostor = pixels == 0 ? null : new PlantProgram(context, PlantProgram.Kind.IMPOSTOR);
@@ -60,8 +61,7 @@ public final class ImpostorPass implements Pass {
                 .toList();
         pictureOfKind = plants.meshes().stream()
                 .map(mesh -> isTextured(mesh)
-                        ? context.shared()
-                                .colourPictures()
+                        ? context.get(PictureArrays.COLOURS)
                                 .get(mesh.surface().colour().array())
                         : null)
                 .toList();

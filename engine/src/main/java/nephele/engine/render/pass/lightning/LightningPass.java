@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.lightning;
 
+import nephele.engine.render.gl.Texture;
+import java.util.Map;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.appearance.WeatherClouds;
@@ -9,7 +11,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -28,15 +29,15 @@ public final class LightningPass implements Pass {
             new RenderFeature("lightning", Stage.IN_VIEWS_AFTER_OPAQUE, LightningPass::requiredBy);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final FrameLightning lightning;
     private final TargetReads reads;
     private final BoltProgram program;
 
     private LightningPass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
-        lightning = shared.lightning();
+        targets = context.targets();
+        lightning = context.get(FrameLightning.RESOURCE);
         boolean hasClouds = hasClouds(context.request());
         reads = hasClouds ? TargetReads.of(Target.BOLT_TRANSMITTANCE) : TargetReads.of();
         program = new BoltProgram(context, hasClouds);
@@ -68,7 +69,7 @@ public final class LightningPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.ADD, Cull.NONE, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.draw(frame, lightning);
     }
 }

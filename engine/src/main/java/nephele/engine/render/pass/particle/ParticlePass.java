@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.particle;
 
+import nephele.engine.render.gl.Texture;
+import java.util.Map;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Set;
@@ -14,7 +16,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -33,7 +34,7 @@ public final class ParticlePass implements Pass {
             new RenderFeature("particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final LevelParticles particles;
     private final ParticleLight light;
@@ -46,11 +47,11 @@ public final class ParticlePass implements Pass {
 
     private ParticlePass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         reads = context.request().fadesAtSurfaces() ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
         List<Emitter> emitters = making(context.request());
         particles = new LevelParticles(emitters, context.scene().statics());
-        light = new ParticleLight(context.scene().level(), particles, shared);
+        light = new ParticleLight(context, particles);
         isSeen = new boolean[emitters.size()];
         centres = new float[3 * emitters.size()];
         quads = context.own(new ParticleQuads(gl));
@@ -108,7 +109,7 @@ public final class ParticlePass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.use(frame);
         quads.draw();
     }

@@ -30,7 +30,7 @@ public final class OpeningDepthPass implements Pass {
     private OpeningDepthPass(LoadContext context) {
         gl = context.gl();
         program = OpeningPrograms.nothing(context);
-        openings = context.shared().openings();
+        openings = context.get(OpeningMesh.RESOURCE);
     }
 
     @Override

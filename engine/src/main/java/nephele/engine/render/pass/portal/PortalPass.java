@@ -55,8 +55,8 @@ public final class PortalPass implements Pass {
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
-        openings = context.shared().openings();
-        surroundings = context.shared().surroundings();
+        openings = context.get(OpeningMesh.RESOURCE);
+        surroundings = context.resources().environment();
         fog = MirrorFog.of(context);
         Environment environment = context.scene().level().environment();
         boolean isFogBefore = FogTransmittance.of(environment).isPresent();

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalRequirements;
 import nephele.engine.render.frame.RenderFeature;

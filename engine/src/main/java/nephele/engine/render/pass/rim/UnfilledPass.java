@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
@@ -38,7 +38,7 @@ public final class UnfilledPass implements Pass {
     private UnfilledPass(LoadContext context) {
         gl = context.gl();
         membrane = new OpeningMembrane(context);
-        openings = context.shared().openings();
+        openings = context.get(OpeningMesh.RESOURCE);
         over = MeteredExposure.over(context);
     }
 

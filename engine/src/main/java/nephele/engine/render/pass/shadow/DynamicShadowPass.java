@@ -1,9 +1,10 @@
 package nephele.engine.render.pass.shadow;
 
+import nephele.engine.render.resource.SurfaceLight;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.render.frame.DynamicShadows;
+import nephele.engine.render.resource.DynamicShadows;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -34,9 +35,9 @@ public final class DynamicShadowPass implements Pass {
 
     private DynamicShadowPass(LoadContext context, Set<Target> writes) {
         this.writes = writes;
-        meshes = context.shared().dynamicObjects();
+        meshes = context.get(DynamicMeshes.RESOURCE);
         depth = new DynamicDepthDraw(context, meshes);
-        shade = context.shared().surfaceLight().dynamicShadows();
+        shade = context.get(SurfaceLight.RESOURCE).dynamicShadows();
         sun = shade.sun() ? new DynamicSunShadow(context, meshes) : null;
         lights = shade.lights() ? new DynamicLightShadow(context, meshes, depth) : null;
     }

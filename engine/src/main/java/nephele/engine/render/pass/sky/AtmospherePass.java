@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.sky;
 
+import nephele.engine.render.resource.BackgroundWork;
 import java.util.List;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
@@ -47,8 +48,7 @@ public final class AtmospherePass implements Pass {
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
         day = SkyProgram.of(context, false);
-        tables = context.shared()
-                .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+        tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         byHeight = context.own(new ByHeight<>(this::tables));
     }
 
@@ -63,7 +63,7 @@ public final class AtmospherePass implements Pass {
                         PixelFormat.RGBA32F,
                         extent,
                         Sampling.LINEAR_CLAMP),
-                context.shared().background(),
+                context.get(BackgroundWork.RESOURCE),
                 heightMetres,
                 sine -> new SkyTable(air, heightMetres, sine).texels());
     }

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.sky;
 
+import nephele.engine.render.resource.PictureArrays;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.IntBuffer;
@@ -32,7 +33,7 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import org.joml.Vector3d;
 
 /** Draws six pictures around the eye where no solid has been drawn. Fog hides them. */
@@ -54,7 +55,7 @@ public final class SkyboxPass implements Pass {
     /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxPictures pictures = SkyboxPictures.of(sky, context.shared()::picture);
+            SkyboxPictures pictures = SkyboxPictures.of(sky, context.get(PictureArrays.DECODED));
             return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
         }
 
@@ -69,7 +70,7 @@ public final class SkyboxPass implements Pass {
         gl = context.gl();
         cube = context.share(
                 Cube.class,
-                new MadeFrom(context.shared().openedLevel(), sky, context.output()),
+                new MadeFrom(context.openedLevel(), sky, context.output()),
                 () -> Cube.of(context, sky));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();

@@ -11,11 +11,11 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PictureArrays;
+import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -50,10 +50,10 @@ public final class SolidPass implements Pass {
     private SolidPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        mesh = context.shared().solids();
-        colours = context.shared().colourPictures();
-        normals = context.shared().normalPictures();
-        light = context.shared().surfaceLight();
+        mesh = context.get(SolidMesh.RESOURCE);
+        colours = context.get(PictureArrays.COLOURS);
+        normals = context.get(PictureArrays.NORMALS);
+        light = context.get(SurfaceLight.RESOURCE);
         depthFirst = light.variesOverFaces() ? new DepthFirst(context) : null;
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));

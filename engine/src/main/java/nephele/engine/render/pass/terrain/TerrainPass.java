@@ -11,7 +11,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -32,9 +32,9 @@ public final class TerrainPass implements Pass {
     private TerrainPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         List<StaticShape.HeightGrid> grids = context.scene().statics().ground();
-        List<TerrainMesh> meshes = context.shared().terrains();
+        List<TerrainMesh> meshes = context.get(TerrainMesh.RESOURCE);
         for (int i = 0; i < grids.size(); i++) {
             grounds.add(new GroundDrawing(context, grids.get(i), meshes.get(i)));
         }

@@ -1,11 +1,12 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
-import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.scene.SolidBatch;
 
 /** The variant of the material code in a shader, for solids or dynamic objects. */
