@@ -53,8 +53,6 @@ public record SurfaceVariant(Reflection reflection, boolean textured, boolean no
 
     /** Binds the samplers and blocks of a program compiled with {@link #addTo} permanently. */
     public void set(Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
-        uniforms.block("Materials", MaterialBlocks.BINDING);
         if (textured) {
             uniforms.sampler("colours", TextureUnit.COLOURS);
         }

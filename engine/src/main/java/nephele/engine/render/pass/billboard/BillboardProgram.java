@@ -59,7 +59,6 @@ final class BillboardProgram {
                 ShaderSource.load(FOLDER + "billboard.vert", defines),
                 ShaderSource.load(FOLDER + "billboard.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
                     BillboardQuads.tie(uniforms);

@@ -107,7 +107,6 @@ public final class ExitPass implements Pass {
                 ShaderSource.load(FOLDER + "exit.vert", defines),
                 ShaderSource.load(FOLDER + "exit.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     if (decodes) {

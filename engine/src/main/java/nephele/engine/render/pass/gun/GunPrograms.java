@@ -55,10 +55,7 @@ final class GunPrograms {
                 context.gl(),
                 ShaderSource.load(FOLDER + "gun.vert", onlyDepth),
                 ShaderSource.load(FOLDER + "depth.frag", onlyDepth),
-                uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    return vectors(uniforms, DRAWN);
-                });
+                uniforms -> vectors(uniforms, DRAWN));
         SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         SurfaceVariant surface = SurfaceVariant.of(KIND, context.quality());
         var defines = surface.addTo(light.addForGun(Defines.of(context)), materialsPerBlock)

@@ -68,7 +68,6 @@ final class PlantProgram {
     }
 
     private static Numbers numbers(LoadContext context, Kind kind, Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
         MeteredExposure.tieInView(context, uniforms);
         context.get(SurfaceLight.RESOURCE).tieForDynamicObjects(uniforms);
         uniforms.sampler("plants", TextureUnit.PLANTS);

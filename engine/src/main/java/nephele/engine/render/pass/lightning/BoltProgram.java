@@ -65,7 +65,6 @@ final class BoltProgram {
                 ShaderSource.load(FOLDER + "bolt.vert", defines),
                 ShaderSource.load(FOLDER + "bolt.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
                     if (behindClouds) {

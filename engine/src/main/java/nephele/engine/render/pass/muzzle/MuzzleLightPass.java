@@ -70,7 +70,6 @@ public final class MuzzleLightPass implements Pass {
                 ShaderSource.load(FOLDER + "muzzle.vert", defines),
                 ShaderSource.load(FOLDER + "muzzle.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);

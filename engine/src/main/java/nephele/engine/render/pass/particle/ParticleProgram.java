@@ -43,7 +43,6 @@ final class ParticleProgram {
                 ShaderSource.load(FOLDER + "particle.vert", defines),
                 ShaderSource.load(FOLDER + "particle.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("particles", TextureUnit.DYNAMIC_INSTANCES);
                     if (meetSurfaces) {

@@ -36,7 +36,6 @@ public final class GradientSkyPass implements Pass {
     private GradientSkyPass(LoadContext context) {
         drawing = new FullScreenDrawing(
                 context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     colours = new Colours(
                             uniforms.vector3("zenith"), uniforms.vector3("horizon"), uniforms.vector3("ground"));
                 });

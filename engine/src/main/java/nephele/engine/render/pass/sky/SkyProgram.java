@@ -60,7 +60,6 @@ final class SkyProgram {
                 .with("AZIMUTHS", SkyTable.AZIMUTHS);
         drawing = new FullScreenDrawing(
                 context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("skyTable", TextureUnit.COLOURS);
                     sunNumbers = new SunNumbers(
                             uniforms.vector3("towardsSun"),

@@ -79,7 +79,6 @@ public final class SkyboxPass implements Pass {
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms.scalar("whiteRadiance");
                 });

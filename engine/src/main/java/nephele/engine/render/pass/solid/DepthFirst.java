@@ -31,10 +31,8 @@ final class DepthFirst {
                 gl,
                 ShaderSource.load(FOLDER + "depth.vert", defines),
                 ShaderSource.load(FOLDER + "depth.frag", defines),
-                uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    return new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty());
-                });
+                uniforms ->
+                        new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty()));
     }
 
     void draw(FrameContext frame, SolidMesh mesh) {

@@ -34,8 +34,6 @@ public final class ToneMapPass implements Pass {
             uniforms.sampler("linearPicture", TextureUnit.COLOURS);
             if (isMetered) {
                 context.get(MeteredExposure.RESOURCE).tie(uniforms);
-            } else {
-                uniforms.block("Frame", FrameUniforms.BINDING);
             }
         });
     }

@@ -31,7 +31,6 @@ final class ShaftProgram {
 
     private record Places(BoxUniforms boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {
         static Places of(Uniforms uniforms, int boxes) {
-            uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("shade", TextureUnit.SHAFT_SHADE);
             return new Places(BoxUniforms.of(uniforms, boxes), uniforms.vector3("slant"), uniforms.vector2("planet"));
         }
