@@ -1,6 +1,6 @@
 package nephele.engine.render;
 
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.frame.DrawnScene;
 import nephele.engine.render.frame.RenderResources;
@@ -50,7 +50,7 @@ public final class Renderer implements AutoCloseable {
     /** {@code null} in a level that cannot have portals. */
     private PortalViews portals;
     /** {@code null} if no pass draws clouds or is lit through them. */
-    private LevelClouds clouds;
+    private RendererClouds clouds;
     /** {@code null} if exposure is not metered. */
     private MeteredExposure exposure;
 
@@ -148,7 +148,7 @@ public final class Renderer implements AutoCloseable {
         afterViews = passes.of(Stage.AFTER_VIEWS);
         afterAll = passes.of(Stage.AFTER_ALL);
         exposure = resources.get(MeteredExposure.RESOURCE);
-        clouds = resources.ifMade(LevelClouds.RESOURCE);
+        clouds = resources.ifMade(RendererClouds.RESOURCE);
         resources.forgetReplaced();
         chain = new PictureChain(gl, settings, afterAll.size());
         copies = new ViewCopies(gl, resources.targets(), passes.reads());

@@ -13,4 +13,3 @@
  * }</pre>
  */
 package nephele.engine.render;
-import nephele.engine.choice.LevelRenderer;

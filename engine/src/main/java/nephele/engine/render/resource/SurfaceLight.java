@@ -58,7 +58,7 @@ public final class SurfaceLight implements GlObject {
     private final Level level;
     private final Scene scene;
     private final LoadContext context;
-    private final LevelClouds clouds;
+    private final RendererClouds clouds;
     private final LightMaps maps;
     private final ShadowSampling sampling;
     private final LightParts parts;
@@ -85,7 +85,7 @@ public final class SurfaceLight implements GlObject {
         FrameRequest request = context.request();
         GlContext gl = context.gl();
         maps = request.lightMaps();
-        clouds = context.get(LevelClouds.RESOURCE);
+        clouds = context.get(RendererClouds.RESOURCE);
         flash = context.get(FrameLightning.RESOURCE);
         block = context.own(new LightBlock(gl, flash != null));
         sampling = request.quality().shadowFilter();

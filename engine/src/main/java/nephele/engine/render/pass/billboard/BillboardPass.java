@@ -13,7 +13,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -24,6 +23,8 @@ import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
 import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -31,11 +32,13 @@ import nephele.engine.scene.View;
  * their places; blended ones each for itself, the farthest first, equal distances in the order of the level.
  */
 public final class BillboardPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("billboard", Stage.IN_VIEWS, request -> requiredBy(request, Kind.WITH_EDGES));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "billboard", Stage.IN_VIEWS, request -> requiredBy(request, Kind.WITH_EDGES))
+            .using(SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     public static final RenderFeature BLENDED = new RenderFeature(
-            "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED));
+                    "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED))
+            .using(SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     /** Cells along a side of a billboard over which light varies. */
     private static final int CELLS = 2;

@@ -1,7 +1,7 @@
 package nephele.engine.render.pass.cloud;
 
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
@@ -23,7 +23,7 @@ import nephele.engine.render.gl.OwnedObjects;
  * drawing by each of them, the later ones over the earlier ones; those of techniques that are gone are closed.
  */
 final class CloudEntries {
-    private final LevelClouds levelClouds;
+    private final RendererClouds levelClouds;
     private final boolean hasLightning;
     private final List<Registered> techniques;
     private final List<Entry> all = new ArrayList<>();
@@ -75,7 +75,7 @@ final class CloudEntries {
      * @param techniques the one for {@code auto} first
      */
     CloudEntries(CloudContext context, List<PlacedCloud> clouds, List<Registered> techniques) {
-        levelClouds = context.load().get(LevelClouds.RESOURCE);
+        levelClouds = context.load().get(RendererClouds.RESOURCE);
         hasLightning = context.load().get(FrameLightning.RESOURCE) != null;
         this.techniques = techniques;
         TechniqueFade fade = levelClouds.fade();

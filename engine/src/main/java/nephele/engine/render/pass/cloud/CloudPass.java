@@ -1,7 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.LevelClouds;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -26,6 +24,9 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -35,7 +36,7 @@ import nephele.engine.scene.View;
  */
 public final class CloudPass implements Pass {
     private final GlContext gl;
-    private final LevelClouds levelClouds;
+    private final RendererClouds levelClouds;
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
@@ -62,7 +63,7 @@ public final class CloudPass implements Pass {
     private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
         this.context = context;
         gl = context.gl();
-        levelClouds = context.get(LevelClouds.RESOURCE);
+        levelClouds = context.get(RendererClouds.RESOURCE);
         FrameLightning lightning = context.get(FrameLightning.RESOURCE);
         triangle = context.own(new FullScreenTriangle(gl, "clouds"));
         List<CloudSource> sources = levelClouds.current().sources();
@@ -85,7 +86,8 @@ public final class CloudPass implements Pass {
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
     public static RenderFeature feature(List<CloudTechniqueDrawer.Registered> techniques) {
-        return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques));
+        return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques))
+                .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE);
     }
 
     private static List<Required> requiredBy(FrameRequest request, List<CloudTechniqueDrawer.Registered> techniques) {

@@ -1,6 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Aabb;
@@ -28,7 +28,7 @@ public final class Impostors {
 
     private final LoadContext context;
     private final GlContext gl;
-    private final LevelClouds levelClouds;
+    private final RendererClouds levelClouds;
     private final int divisor;
     private final int side;
     private final Aabb surfaces;
@@ -51,7 +51,7 @@ public final class Impostors {
     Impostors(LoadContext context, int divisor, int side) {
         this.context = context;
         gl = context.gl();
-        levelClouds = context.get(LevelClouds.RESOURCE);
+        levelClouds = context.get(RendererClouds.RESOURCE);
         this.divisor = divisor;
         this.side = side;
         surfaces = context.scene().statics().bounds();

@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.exit;
 
-import nephele.engine.render.gl.Texture;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,7 +11,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -26,10 +24,11 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
 
 /**
@@ -39,11 +38,16 @@ import nephele.engine.scene.View;
  * see the proof {@code standing-out}.
  */
 public final class ExitPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT))
+            .using(MeteredExposure.RESOURCE);
 
     public static final RenderFeature VEIL = new RenderFeature(
-            "exit.veil", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Part.VEIL));
+                    "exit.veil",
+                    Stage.IN_VIEWS_AFTER_OPAQUE,
+                    Role.DECORATION,
+                    request -> requiredBy(request, Part.VEIL))
+            .using(MeteredExposure.RESOURCE);
 
     /** What a pass draws of all curtains. */
     private enum Part {

@@ -13,7 +13,6 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -25,6 +24,8 @@ import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
@@ -40,10 +41,15 @@ import org.joml.Vector3d;
  * which the eye always is, does not fall on it. The path tracer and pictures of a level without its player do not know it.
  */
 public final class GunPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("gun", Stage.IN_VIEWS, Role.DECORATION, request -> requiredBy(request, Turn.FIRST));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "gun", Stage.IN_VIEWS, Role.DECORATION, request -> requiredBy(request, Turn.FIRST))
+            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
     public static final RenderFeature IN_OPENING = new RenderFeature(
-            "gun.opening", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Turn.LAST));
+                    "gun.opening",
+                    Stage.IN_VIEWS_AFTER_OPAQUE,
+                    Role.DECORATION,
+                    request -> requiredBy(request, Turn.LAST))
+            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
 
     private enum Turn {
         FIRST,

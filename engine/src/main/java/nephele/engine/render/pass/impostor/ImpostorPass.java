@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.impostor;
 
-import nephele.engine.render.resource.PictureArrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -12,7 +11,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -22,7 +20,10 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.KindMesh;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.PlantedScene;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.impostor.ImpostorAtlas;
 
@@ -31,7 +32,8 @@ import nephele.engine.scene.impostor.ImpostorAtlas;
  * where they are small, and between the two each in its own pixels of a fixed pattern.
  */
 public final class ImpostorPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy)
+            .using(SurfaceLight.RESOURCE, PictureArrays.COLOURS, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;

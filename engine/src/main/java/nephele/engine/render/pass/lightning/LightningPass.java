@@ -1,8 +1,7 @@
 package nephele.engine.render.pass.lightning;
 
-import nephele.engine.render.gl.Texture;
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.render.frame.FrameContext;
@@ -18,15 +17,18 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.MeteredExposure;
 
 /**
  * Adds the bolt of a strike to each view: behind surfaces it is hidden, and clouds in front of a point take from it what
  * the pass of clouds has found. Between strikes it draws nothing.
  */
 public final class LightningPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("lightning", Stage.IN_VIEWS_AFTER_OPAQUE, LightningPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "lightning", Stage.IN_VIEWS_AFTER_OPAQUE, LightningPass::requiredBy)
+            .using(FrameLightning.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final Map<Target, Texture> targets;

@@ -1,15 +1,13 @@
 package nephele.engine.render.pass.muzzle;
 
-import nephele.engine.render.gl.Texture;
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -27,10 +25,11 @@ import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.View;
@@ -41,8 +40,9 @@ import nephele.engine.scene.ViewNode;
  * them have it already. It reads copies of the view; between shots it draws nothing and nothing is copied for it.
  */
 public final class MuzzleLightPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("muzzle", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, MuzzleLightPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "muzzle", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, MuzzleLightPass::requiredBy)
+            .using(OpeningMesh.RESOURCE, MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/muzzle/";
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);

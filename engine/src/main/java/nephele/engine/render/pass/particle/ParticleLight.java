@@ -2,7 +2,7 @@ package nephele.engine.render.pass.particle;
 
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
@@ -35,7 +35,7 @@ final class ParticleLight {
 
     private final Level level;
     private final LevelParticles particles;
-    private final LevelClouds clouds;
+    private final RendererClouds clouds;
     /** {@code null} under a constant light from all sides. */
     private final SurfaceLight light;
     private final double[] skyShare;
@@ -59,7 +59,7 @@ final class ParticleLight {
     ParticleLight(LoadContext context, LevelParticles particles) {
         level = context.scene().level();
         this.particles = particles;
-        clouds = context.get(LevelClouds.RESOURCE);
+        clouds = context.get(RendererClouds.RESOURCE);
         light = level.environment().ambient() == null ? context.get(SurfaceLight.RESOURCE) : null;
         List<Emitter> emitters = particles.emitters();
         skyShare = new double[emitters.size()];

@@ -1,9 +1,8 @@
 package nephele.engine.render.pass.particle;
 
-import nephele.engine.render.gl.Texture;
-import java.util.Map;
 import java.nio.FloatBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Emitter;
 import nephele.engine.particle.BackToFront;
@@ -23,6 +22,11 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -30,8 +34,9 @@ import nephele.engine.scene.View;
  * blended over the view. Places are subtracted in double precision, so the world's size does not matter.
  */
 public final class ParticlePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy)
+            .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final Map<Target, Texture> targets;

@@ -33,9 +33,10 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-            "portal",
-            Stage.IN_VIEWS,
-            request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new));
+                    "portal",
+                    Stage.IN_VIEWS,
+                    request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new))
+            .using(OpeningMesh.RESOURCE);
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 

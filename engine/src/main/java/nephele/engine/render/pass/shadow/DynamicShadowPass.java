@@ -1,10 +1,8 @@
 package nephele.engine.render.pass.shadow;
 
-import nephele.engine.render.resource.SurfaceLight;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.render.resource.DynamicShadows;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -14,14 +12,17 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.DynamicShadows;
+import nephele.engine.render.resource.SurfaceLight;
 
 /**
  * Draws depth maps of dynamic objects for the sun and punctual lights, again when an object has moved or the eye has
  * moved far.
  */
 public final class DynamicShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy)
+            .using(DynamicMeshes.RESOURCE, SurfaceLight.RESOURCE);
 
     private final Set<Target> writes;
     private final DynamicMeshes meshes;

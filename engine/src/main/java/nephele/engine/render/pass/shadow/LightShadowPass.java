@@ -1,8 +1,7 @@
 package nephele.engine.render.pass.shadow;
 
-import nephele.engine.render.resource.SurfaceLight;
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.PunctualLight;
@@ -18,6 +17,9 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.LightShadowLayers;
 import nephele.engine.scene.light.PunctualLightTable;
@@ -27,8 +29,9 @@ import nephele.engine.scene.light.PunctualLightTable;
  * changed.
  */
 public final class LightShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy)
+            .using(SolidMesh.RESOURCE, TerrainMesh.RESOURCE, SurfaceLight.RESOURCE);
 
     private final Map<Target, Texture> targets;
     private final List<PunctualLight> lights;

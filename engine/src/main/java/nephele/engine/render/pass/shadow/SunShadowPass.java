@@ -1,7 +1,7 @@
 package nephele.engine.render.pass.shadow;
 
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -17,12 +17,14 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
@@ -32,8 +34,9 @@ import nephele.engine.scene.light.ShadowFrame;
  * has changed.
  */
 public final class SunShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy)
+            .using(SolidMesh.RESOURCE, TerrainMesh.RESOURCE, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
     private final Map<Target, Texture> targets;

@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.sky;
 
-import nephele.engine.render.resource.BackgroundWork;
 import java.util.List;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
@@ -24,6 +23,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.SunAndMoonTables;
 
@@ -33,8 +33,9 @@ import nephele.engine.render.resource.SunAndMoonTables;
  * stars, {@link NightSky}.
  */
 public final class AtmospherePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy)
+            .using(BackgroundWork.RESOURCE);
 
     private final SkyProgram day;
     /** With moon and stars; {@code null} until the sun has set, since the software renderer executes every branch. */

@@ -11,11 +11,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -25,13 +23,16 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightRequirements;
 
 /** Draws solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy)
+            .using(SolidMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;

@@ -11,18 +11,20 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainMesh;
 
 /** Draws terrains, with all their triangles or with as many as the view needs. */
 public final class TerrainPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy)
+            .using(TerrainMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;

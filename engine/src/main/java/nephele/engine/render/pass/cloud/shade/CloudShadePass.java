@@ -1,13 +1,11 @@
 package nephele.engine.render.pass.cloud.shade;
 
-import java.util.Map;
-import nephele.engine.render.resource.LevelClouds;
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.SunShares;
-import nephele.engine.render.resource.CloudShadeRegion;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -19,21 +17,24 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.CloudShadeRegion;
+import nephele.engine.render.resource.RendererClouds;
 import org.lwjgl.system.MemoryUtil;
 
 /** Publishes the shade of clouds on the level. */
 public final class CloudShadePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy)
+            .using(RendererClouds.RESOURCE);
 
-    private final LevelClouds clouds;
+    private final RendererClouds clouds;
     private final Map<Target, Texture> targets;
     private final SunShares.Size size;
     private final Texture texture;
     private CloudInterval shown;
 
     private CloudShadePass(LoadContext context) {
-        clouds = context.get(LevelClouds.RESOURCE);
+        clouds = context.get(RendererClouds.RESOURCE);
         targets = context.targets();
         size = SunShares.Size.of(CloudShadeRegion.of(context.scene().statics()));
         texture = context.own(new Texture(

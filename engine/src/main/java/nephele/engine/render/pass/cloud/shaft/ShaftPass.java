@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud.shaft;
 
-import nephele.engine.render.resource.LevelClouds;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.ShaftClouds;
@@ -22,6 +21,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.scene.View;
 
@@ -30,11 +30,11 @@ import nephele.engine.scene.View;
  * drawn; everything that is seen through air reads it, see {@code air.glsl}.
  */
 public final class ShaftPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("cloud.shafts", Stage.IN_VIEWS, ShaftPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("cloud.shafts", Stage.IN_VIEWS, ShaftPass::requiredBy)
+            .using(RendererClouds.RESOURCE, ShaftTables.RESOURCE);
 
     private final GlContext gl;
-    private final LevelClouds levelClouds;
+    private final RendererClouds levelClouds;
     private final ShaftTables tables;
     private final FullScreenTriangle triangle;
     /** {@code null} if the clouds that have shafts have no extinction. */
@@ -46,7 +46,7 @@ public final class ShaftPass implements Pass {
 
     private ShaftPass(LoadContext context) {
         gl = context.gl();
-        levelClouds = context.get(LevelClouds.RESOURCE);
+        levelClouds = context.get(RendererClouds.RESOURCE);
         tables = context.get(ShaftTables.RESOURCE);
         clouds = levelClouds.current().shafts();
         triangle = context.own(new FullScreenTriangle(gl, "shafts"));

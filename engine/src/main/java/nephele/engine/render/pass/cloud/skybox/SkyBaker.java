@@ -1,7 +1,7 @@
 package nephele.engine.render.pass.cloud.skybox;
 
 import nephele.engine.render.frame.RenderResources;
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Environment;
@@ -23,7 +23,7 @@ final class SkyBaker {
 
     private final GlContext gl;
     private final RenderResources resources;
-    private final LevelClouds clouds;
+    private final RendererClouds clouds;
     private final PlacedCloud still;
     private final CloudDrawing drawing;
     private final Vec3 bakePoint;
@@ -37,7 +37,7 @@ final class SkyBaker {
     SkyBaker(LoadContext load, PlacedCloud still, CloudDrawing drawing, Vec3 bakePoint) {
         gl = load.gl();
         resources = load.resources();
-        clouds = load.get(LevelClouds.RESOURCE);
+        clouds = load.get(RendererClouds.RESOURCE);
         this.still = still;
         this.drawing = drawing;
         this.bakePoint = bakePoint;

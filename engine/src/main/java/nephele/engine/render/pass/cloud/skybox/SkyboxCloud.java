@@ -1,6 +1,6 @@
 package nephele.engine.render.pass.cloud.skybox;
 
-import nephele.engine.render.resource.LevelClouds;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Cloud;
@@ -32,7 +32,7 @@ final class SkyboxCloud implements CloudDrawing {
     private static final double MOST_SUN_RADIANS = Math.toRadians(2);
     private static final double MOST_PRESENCE = 1.0 / 16;
 
-    private final LevelClouds clouds;
+    private final RendererClouds clouds;
     private final PlacedCloud placed;
     private final SkyBaker baker;
     private final PerPixels<SkyboxProgram> programs;
@@ -58,7 +58,7 @@ final class SkyboxCloud implements CloudDrawing {
             SkyBaker baker,
             PerPixels<SkyboxProgram> programs,
             FullScreenTriangle triangle) {
-        clouds = load.get(LevelClouds.RESOURCE);
+        clouds = load.get(RendererClouds.RESOURCE);
         this.placed = placed;
         this.baker = baker;
         this.programs = programs;

@@ -16,8 +16,8 @@ import nephele.engine.render.gl.OwnedObjects;
  * The clouds of a renderer's level, sampled for the techniques that draw them. After an edit that leaves the clouds as
  * they are, these change gradually from those of the replaced renderer.
  */
-public final class LevelClouds {
-    public static final SharedResource<LevelClouds> RESOURCE = SharedResource.of("clouds", LevelClouds::new)
+public final class RendererClouds {
+    public static final SharedResource<RendererClouds> RESOURCE = SharedResource.of("clouds", RendererClouds::new)
             .following((clouds, frame) ->
                     clouds.current.follow(frame.frameState(), frame.view().eye()));
 
@@ -27,10 +27,10 @@ public final class LevelClouds {
     private TechniqueFade fade;
     private int cuts;
 
-    private LevelClouds(LoadContext context) {
+    private RendererClouds(LoadContext context) {
         this.context = context;
         DrawnScene drawn = context.drawn();
-        LevelClouds before = context.resources().replaced(RESOURCE);
+        RendererClouds before = context.resources().replaced(RESOURCE);
         TechniqueFade start = TechniqueFade.complete(drawn.techniques());
         if (before != null && causes(drawn).equals(causes(before.context.drawn()))) {
             start = before.fade;
