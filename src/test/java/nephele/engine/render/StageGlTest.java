@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
@@ -19,11 +19,13 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.BareFrame;
 import nephele.engine.render.gl.GlKind;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
@@ -52,6 +54,26 @@ class StageGlTest {
 
     private static Level threeWalls() {
         return walls().level();
+    }
+
+    @Test
+    void aPassGetsOnlyWhatItsFeatureNames() {
+        RenderFeature feature = new RenderFeature(
+                "curious",
+                Stage.IN_VIEWS,
+                request -> List.of(new Required("trial", context -> {
+                    context.get(OpeningMesh.RESOURCE);
+                    return frame -> {};
+                })));
+        Scene scene = Scene.of(threeWalls(), TestAssets.NONE);
+        RenderSettings settings = RenderSettings.of(Output.DIRECT);
+        try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
+            assertThrows(
+                    IllegalStateException.class,
+                    () -> LevelRenderer.load(offscreen.gl, scene, settings, List.of(feature)));
+            LevelRenderer.load(offscreen.gl, scene, settings, List.of(feature.using(OpeningMesh.RESOURCE)))
+                    .close();
+        }
     }
 
     private static View view(Offscreen offscreen) {
