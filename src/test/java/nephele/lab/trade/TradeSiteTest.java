@@ -15,7 +15,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.json.LevelFile;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
-import nephele.lab.oracle.LevelHash;
+import nephele.lab.bake.LevelHash;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;

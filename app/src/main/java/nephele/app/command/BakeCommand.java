@@ -19,9 +19,9 @@ import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.PrintedProgress;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.BakedSkybox;
+import nephele.lab.bake.ResumableTrace;
 import nephele.lab.bake.SkyVisibilityBaker;
 import nephele.lab.bake.SkyboxTrace;
-import nephele.lab.oracle.ResumableTrace;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

@@ -7,15 +7,15 @@ import java.util.Locale;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.GameSetting;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.QualityMemory;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
+import nephele.host.draw.QualityController;
+import nephele.host.draw.QualityFront;
 import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GpuLimits;
-import nephele.host.draw.QualityController;
-import nephele.host.draw.QualityFront;
 
 /** The quality that holds the player's frame rate while quality is automatic. */
 final class AutoQuality {

@@ -1,7 +1,7 @@
 package nephele.app.play;
 
 import nephele.app.play.hud.HudContent.Banner;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.host.named.LevelName;
 import nephele.host.named.LevelTitles;

@@ -17,16 +17,14 @@ import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.host.named.AssetProblems;
-import nephele.host.named.OpenedLevel;
-import nephele.lab.oracle.ResumableTrace;
-import nephele.lab.oracle.TracedFacts;
 
 /**
  * Traces what an eye sees of a level's sky, clouds included, in all directions: the level without anything else, and
