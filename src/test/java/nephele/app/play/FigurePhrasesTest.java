@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.Map;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
-import nephele.app.text.Phrase;
 import nephele.engine.compare.TechniquePair;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.draw.QualityFront;

@@ -15,7 +15,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
-import nephele.lab.oracle.LevelHash;
+import nephele.lab.bake.LevelHash;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;

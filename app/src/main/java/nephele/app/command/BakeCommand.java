@@ -19,9 +19,9 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
 import nephele.lab.bake.BakedSkybox;
+import nephele.lab.bake.ResumableTrace;
 import nephele.lab.bake.SkyVisibilityBaker;
 import nephele.lab.bake.SkyboxTrace;
-import nephele.lab.oracle.ResumableTrace;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

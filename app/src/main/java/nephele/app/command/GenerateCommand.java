@@ -19,11 +19,11 @@ import nephele.engine.model.shape.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.plant.PlantKind;
-import nephele.lab.plant.PlantKind.Family;
-import nephele.lab.plant.PlantKinds;
-import nephele.lab.terrain.TerrainFile;
-import nephele.lab.terrain.TerrainGenerator;
+import nephele.lab.generate.PlantKind;
+import nephele.lab.generate.PlantKind.Family;
+import nephele.lab.generate.PlantKinds;
+import nephele.lab.generate.TerrainFile;
+import nephele.lab.generate.TerrainGenerator;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

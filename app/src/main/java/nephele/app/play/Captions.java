@@ -1,7 +1,7 @@
 package nephele.app.play;
 
 import nephele.app.play.hud.HudContent.Banner;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.LevelTitles;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;

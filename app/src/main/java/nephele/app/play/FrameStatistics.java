@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.play.hud.HudContent.Figure;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.playthrough.Playthrough;

@@ -2,7 +2,7 @@ package nephele.app.play;
 
 import java.util.function.Supplier;
 import nephele.app.play.hud.HudContent;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Control;
 import nephele.engine.level.Hint;
 import nephele.engine.level.Language;

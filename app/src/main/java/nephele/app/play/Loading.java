@@ -1,7 +1,7 @@
 package nephele.app.play;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Language;
 

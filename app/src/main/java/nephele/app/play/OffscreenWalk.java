@@ -9,7 +9,6 @@ import java.util.Optional;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
-import nephele.app.play.wipe.ComparisonTexts;
 import nephele.engine.compare.CloudComparison;
 import nephele.engine.compare.ComparisonFigures;
 import nephele.engine.compare.TechniquePair;

@@ -25,8 +25,6 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.lab.oracle.ResumableTrace;
-import nephele.lab.oracle.TracedFacts;
 
 /**
  * Traces what an eye sees of a level's sky, clouds included, in all directions: the level without anything else, and

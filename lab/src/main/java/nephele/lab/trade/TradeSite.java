@@ -21,9 +21,9 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.terminal.PrintedProgress;
-import nephele.lab.oracle.LevelHash;
-import nephele.lab.oracle.PinholeViews;
-import nephele.lab.oracle.TracedPictures;
+import nephele.lab.bake.LevelHash;
+import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 
 /**
  * The environment in which subjects are measured: a level, a view of it and one OpenGL context. The oracle's pictures

@@ -10,7 +10,7 @@ import nephele.app.play.hud.HudContent.Comparison;
 import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.HudContent.Sight;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.compare.Wipe;

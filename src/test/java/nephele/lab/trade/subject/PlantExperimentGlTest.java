@@ -16,7 +16,6 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.TradeView;
-import nephele.lab.trade.run.Trades;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

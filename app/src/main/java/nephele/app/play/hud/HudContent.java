@@ -2,7 +2,7 @@ package nephele.app.play.hud;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;

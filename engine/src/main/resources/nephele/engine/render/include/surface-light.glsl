@@ -62,7 +62,7 @@ const float PI = 3.14159265;
 #endif
 
 // The largest finite half float: lights may be arbitrarily near and strong, but targets must not overflow.
-const float MAX_RADIANCE = 65504.0; // = Illumination.MAX_RADIANCE
+const float MAX_RADIANCE = java(level.appearance.LuminanceHistogram.LARGEST_HALF);
 
 #ifdef METALLIC_ROUGHNESS
 #define REFLECTANCE Brdf

@@ -21,7 +21,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 import nephele.workshop.prove.picture.ShadowScene.Shadows;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;

@@ -6,7 +6,7 @@ import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 
 /**
  * The surfaces that the exact twin sees, in identity colours, bottom row first: one ray in the middle of each pixel,
