@@ -58,15 +58,15 @@ final class PackageTable {
         USES.put("render.frame", List.of("render.resource"));
         USES.put("render.pass", List.of("render.frame"));
         USES.put("render", with("render.pass", HEADLESS));
-        USES.put("terminal", List.of());
-        USES.put("userfile", List.of("asset"));
-        USES.put("named", List.of("terminal", "scene", "sim"));
-        USES.put("playthrough", List.of("named"));
-        USES.put("compare", List.of("render", "measure"));
-        USES.put("draw", List.of("render", "named"));
+        USES.put("host.terminal", List.of());
+        USES.put("host.userfile", List.of("asset"));
+        USES.put("host.named", List.of("host.terminal", "scene", "sim"));
+        USES.put("host.playthrough", List.of("host.named"));
+        USES.put("host.compare", List.of("render", "measure"));
+        USES.put("host.draw", List.of("render", "host.named"));
         USES.put("scenes.xml", List.of("level", "model"));
         USES.put("scenes.fixed", with("scenes.xml", with("render.gl", HEADLESS)));
-        USES.put("scenes.file", List.of("scenes.fixed", "terminal"));
+        USES.put("scenes.file", List.of("scenes.fixed", "host.terminal"));
         USES.put("scenes.view", List.of("scenes.file", "render"));
     }
 
@@ -81,7 +81,7 @@ final class PackageTable {
     static String row(String packageName) {
         String best = null;
         for (String row : USES.keySet()) {
-            String prefix = row.startsWith("scenes.") ? "nephele." : ENGINE;
+            String prefix = row.startsWith("host.") || row.startsWith("scenes.") ? "nephele." : ENGINE;
             boolean holds = (packageName + ".").startsWith(prefix + row + ".");
             if (holds && (best == null || row.length() > best.length())) {
                 best = row;
@@ -106,11 +106,12 @@ final class PackageTable {
     /** The modules that each module uses. */
     static final Map<String, List<String>> MODULES = Map.of(
             "engine", List.of(),
-            "scenes", List.of("engine"),
-            "lab", List.of("engine", "scenes"),
-            "editor", List.of("engine"),
-            "app", List.of("engine", "scenes", "lab", "editor"),
-            "workshop", List.of("engine", "scenes", "lab", "editor", "app"));
+            "host", List.of("engine"),
+            "scenes", List.of("engine", "host"),
+            "lab", List.of("engine", "host", "scenes"),
+            "editor", List.of("engine", "host"),
+            "app", List.of("engine", "host", "scenes", "lab", "editor"),
+            "workshop", List.of("engine", "host", "scenes", "lab", "editor", "app"));
 
     static ArchCondition<JavaClass> useOnlyModulesOfTheTable() {
         return new ArchCondition<>("use only modules that the table allows") {

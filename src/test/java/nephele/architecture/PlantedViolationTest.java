@@ -64,7 +64,7 @@ class PlantedViolationTest {
         plant("nephele.lab.SeesApp", "nephele.app.Top t;");
         plant("nephele.engine.scene.SeesEditor", "nephele.editor.SeesApp e;");
         plant("nephele.lab.SeesEditor", "nephele.editor.SeesApp e;");
-        plant("nephele.engine.playthrough.SeesLab", "nephele.lab.SeesApp l;");
+        plant("nephele.host.playthrough.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.play.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.command.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.scenes.fixed.Drawing", "");

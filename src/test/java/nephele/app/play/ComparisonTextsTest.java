@@ -2,9 +2,9 @@ package nephele.app.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.compare.PictureDifference;
-import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.Language;
+import nephele.host.compare.PictureDifference;
+import nephele.host.compare.TechniquePair;
 import org.junit.jupiter.api.Test;
 
 /** The sentence about two techniques names them in its own language. */

@@ -18,9 +18,9 @@ import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.QualityPreset;
 import nephele.app.window.WindowMode;
 import nephele.app.window.WindowSize;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.Language;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 
 /** Advice about slow frames names what helps, and never what is so already. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.IdLevel;
+import nephele.host.draw.IdLevel;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -16,6 +15,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.host.draw.Outputs;
 import org.junit.jupiter.api.Test;
 
 /** Fog between the eye and mirrors keeps its colour; everything behind a mirror is tinted, fog included. */

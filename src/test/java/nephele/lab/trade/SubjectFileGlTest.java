@@ -10,7 +10,7 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import nephele.engine.named.LevelName;
+import nephele.host.named.LevelName;
 import nephele.lab.trade.subject.Trades;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

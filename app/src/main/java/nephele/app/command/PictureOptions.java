@@ -1,8 +1,6 @@
 package nephele.app.command;
 
 import java.util.Optional;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
@@ -10,7 +8,9 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.engine.terminal.PrintedProgress;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.OpenedLevel;
+import nephele.host.terminal.PrintedProgress;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

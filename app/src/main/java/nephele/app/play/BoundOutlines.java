@@ -2,7 +2,6 @@ package nephele.app.play;
 
 import java.util.List;
 import nephele.engine.math.Vec3;
-import nephele.engine.playthrough.ObserverView;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.line.LineCanvas;
@@ -11,6 +10,7 @@ import nephele.engine.render.line.LineDrawing;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
 import nephele.engine.scene.View;
+import nephele.host.playthrough.ObserverView;
 
 /** Draws the outlines of the bounds that an observer's sphere can touch, over the picture. */
 public final class BoundOutlines implements AutoCloseable {

@@ -10,7 +10,7 @@ import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {

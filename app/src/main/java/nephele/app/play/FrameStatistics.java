@@ -7,9 +7,9 @@ import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.timing.StepTimer;
+import nephele.host.playthrough.Playthrough;
 
 /** The figures of the F3 panel, averaged over a quarter of a second so that they are readable. */
 final class FrameStatistics implements AutoCloseable {

@@ -18,11 +18,11 @@ import nephele.app.window.Screenshots;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelTitles;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelTitles;
+import nephele.host.terminal.CommandFailure;
 
 /** The game loop, from the title to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {

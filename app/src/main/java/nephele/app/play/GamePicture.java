@@ -13,8 +13,8 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
-import nephele.engine.named.LevelTitles;
 import nephele.engine.sim.state.TickEvent;
+import nephele.host.named.LevelTitles;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {

@@ -9,8 +9,8 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level.Observer.Bounds;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.scene.FrameState.ObserverSphere;
+import nephele.host.playthrough.Playthrough;
 
 /** The texts above the picture of an observer: the kind of bounds, whether the sphere touches one, and the keys. */
 public final class ObserverTexts {

@@ -1,12 +1,6 @@
 package nephele.app.play;
 
 import java.util.Optional;
-import nephele.engine.compare.CloudComparison;
-import nephele.engine.compare.CloudComparison.ComparedScenes;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
-import nephele.engine.draw.Preparation;
-import nephele.engine.named.AssetProblems;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
@@ -17,7 +11,13 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.compare.CloudComparison;
+import nephele.host.compare.CloudComparison.ComparedScenes;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
+import nephele.host.draw.Preparation;
+import nephele.host.named.AssetProblems;
+import nephele.host.terminal.CommandFailure;
 
 /** Draws a level that is played: by one renderer, or by two techniques of its clouds that are compared. */
 final class SessionPicture implements AutoCloseable {

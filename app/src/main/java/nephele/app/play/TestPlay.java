@@ -12,8 +12,8 @@ import nephele.app.window.GameWindow;
 import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
 import nephele.app.window.PadState;
-import nephele.engine.draw.FollowingBake;
 import nephele.engine.level.Language;
+import nephele.host.draw.FollowingBake;
 
 /** A play of one level from the editor: no menus, Esc ends it. The level is loaded already. */
 final class TestPlay {

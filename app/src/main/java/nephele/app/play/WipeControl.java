@@ -3,7 +3,7 @@ package nephele.app.play;
 import java.util.List;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.compare.Wipe;
+import nephele.host.compare.Wipe;
 
 /** Moves the wipe between two compared techniques by the arrow keys, which walk no longer then. */
 public final class WipeControl {

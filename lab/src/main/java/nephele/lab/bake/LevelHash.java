@@ -9,7 +9,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Hash64;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.OpenedLevel;
 
 /** A hash of a level's text and of the content of the assets that it names. */
 public final class LevelHash {

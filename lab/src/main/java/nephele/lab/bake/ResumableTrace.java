@@ -18,7 +18,7 @@ import nephele.engine.reference.tile.PartFile;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.TilePixels;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.engine.terminal.PrintedProgress;
+import nephele.host.terminal.PrintedProgress;
 
 /**
  * Traces pictures of one level, or shards of them, into a part file each: an interrupted run goes on from the tiles that

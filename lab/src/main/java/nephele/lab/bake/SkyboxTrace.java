@@ -17,8 +17,8 @@ import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.AssetProblems;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -44,7 +44,7 @@ public final class SkyboxTrace {
     private final TracedLevel sky;
     private final Vec3 eye;
 
-    /** @throws nephele.engine.terminal.CommandFailure that names an asset that is missing or cannot be used */
+    /** @throws nephele.host.terminal.CommandFailure that names an asset that is missing or cannot be used */
     public SkyboxTrace(OpenedLevel opened, Vec3 eye) {
         this.opened = opened;
         this.eye = eye;

@@ -1,10 +1,10 @@
 package nephele.lab.bake;
 
 import java.util.Map;
-import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
+import nephele.host.named.OpenedLevel;
 
 /** Names what a traced picture depends on, for the heads of its parts. */
 public final class TracedFacts {

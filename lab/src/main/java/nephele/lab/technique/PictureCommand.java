@@ -3,14 +3,14 @@ package nephele.lab.technique;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 
 /**
  * A picture of a page, by the arguments with which {@code render} draws it.

@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.lab.bake.LevelHash;
 import nephele.lab.trade.SubjectState.Judged;
 

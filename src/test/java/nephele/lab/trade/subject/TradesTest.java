@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
 import org.junit.jupiter.api.Test;
 

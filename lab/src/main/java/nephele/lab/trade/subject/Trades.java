@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
 
 /** The registry of subjects, in the order of the report. */

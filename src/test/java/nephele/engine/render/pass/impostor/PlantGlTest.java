@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.IdLevel;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
@@ -20,6 +19,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.LevelName;
+import nephele.host.named.LevelName;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;

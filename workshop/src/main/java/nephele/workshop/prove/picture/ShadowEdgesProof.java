@@ -10,7 +10,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.Viewpoints;
+import nephele.host.named.Viewpoints;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.RenderSettings;

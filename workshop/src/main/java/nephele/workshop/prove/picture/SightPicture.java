@@ -1,7 +1,7 @@
 package nephele.workshop.prove.picture;
 
 import java.util.stream.IntStream;
-import nephele.engine.draw.IdLevel;
+import nephele.host.draw.IdLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;

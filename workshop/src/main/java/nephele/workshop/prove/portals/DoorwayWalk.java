@@ -2,8 +2,6 @@ package nephele.workshop.prove.portals;
 
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.Renderer;
@@ -14,6 +12,8 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.TickInput;
 import nephele.workshop.prove.portals.DoorwayRooms.Cube;
 import nephele.workshop.prove.portals.DoorwayRooms.Doors;
 import nephele.workshop.prove.portals.FrameSteps.Step;

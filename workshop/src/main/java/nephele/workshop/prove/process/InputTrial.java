@@ -7,7 +7,6 @@ import java.util.regex.Pattern;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.choice.CloudExplanation;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
@@ -15,7 +14,6 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -35,6 +33,8 @@ import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
+import nephele.host.draw.Outputs;
+import nephele.host.named.Viewpoints;
 
 /**
  * One odd level: it is refused with the place of what is wrong, or it is saved and read back equal, explained, simulated
