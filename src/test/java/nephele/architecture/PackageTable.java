@@ -26,9 +26,7 @@ final class PackageTable {
             "portal",
             "scene",
             "collision",
-            "sim",
             "cloud",
-            "choice",
             "particle",
             "lightning",
             "atmosphere");
@@ -47,23 +45,23 @@ final class PackageTable {
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
         USES.put("cloud", List.of("level", "asset"));
-        USES.put("choice", List.of("cloud", "sim"));
+        USES.put("choice", List.of("sim", "render"));
         USES.put("particle", List.of("collision"));
         USES.put("lightning", List.of("level"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of("math", "work"));
         USES.put("render.line", with("render.gl", HEADLESS));
-        USES.put("render.resource", with("render.gl", HEADLESS));
-        USES.put("render.frame", List.of("render.resource"));
-        USES.put("render.pass", List.of("render.frame"));
+        USES.put("render.frame", with("render.gl", HEADLESS));
+        USES.put("render.resource", List.of("render.frame"));
+        USES.put("render.pass", List.of("render.resource"));
         USES.put("render", with("render.pass", HEADLESS));
         USES.put("host.terminal", List.of());
         USES.put("host.userfile", List.of("asset"));
         USES.put("host.named", List.of("host.terminal", "scene", "sim"));
         USES.put("host.playthrough", List.of("host.named"));
-        USES.put("host.compare", List.of("render", "measure"));
-        USES.put("host.draw", List.of("render", "host.named"));
+        USES.put("host.compare", List.of("choice", "measure"));
+        USES.put("host.draw", List.of("choice", "host.named"));
         USES.put("scenes.xml", List.of("level", "model"));
         USES.put("scenes.fixed", with("scenes.xml", with("render.gl", HEADLESS)));
         USES.put("scenes.file", List.of("scenes.fixed", "host.terminal"));

@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
@@ -69,7 +70,7 @@ class MirrorFogGlTest {
                         .with("portalResolution", 1)
                         .with("viewBudget", 2);
                 RenderSettings settings = RenderSettings.of(Output.HDR, quality);
-                try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                     renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1)), offscreen.picture);
                     assertFog(renderer.readRadiance(), technique);
                 }

@@ -3,6 +3,7 @@ package nephele.host.draw;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
@@ -45,7 +46,7 @@ class IdLevelGlTest {
         var level = IdLevel.of(opened.level());
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "ids", PixelFormat.RGBA8, WIDTH, HEIGHT);
-                var renderer = Renderer.load(gl, level, opened.assets(), RenderSettings.of(Output.PLAIN))) {
+                var renderer = LevelRenderer.load(gl, level, opened.assets(), RenderSettings.of(Output.PLAIN))) {
             var view = Viewpoints.standard(level, opened.file(), (double) WIDTH / HEIGHT)
                     .view(0);
             renderer.draw(view, picture);

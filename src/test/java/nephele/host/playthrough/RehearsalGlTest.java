@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.util.Map;
 import nephele.engine.level.Level;
@@ -61,10 +62,10 @@ class RehearsalGlTest {
                 var target = RenderTarget.picture(gl, "rehearsed", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
             var settings = LOW.settings(LOW.output(level), true).with(CharacterPresence.POSSIBLE);
             ByteBuffer alone;
-            try (var renderer = Renderer.load(gl, prepared.scene(), settings)) {
+            try (var renderer = LevelRenderer.load(gl, prepared.scene(), settings)) {
                 alone = drawn(renderer, walk(prepared), target);
             }
-            try (var renderer = Renderer.load(gl, prepared.scene(), settings)) {
+            try (var renderer = LevelRenderer.load(gl, prepared.scene(), settings)) {
                 Playthrough walk = walk(prepared);
                 View view = walk.view((double) WIDTH / HEIGHT);
                 renderer.draw(view, Rehearsal.of(level, view, walk.frameState()).orElseThrow(), target);

@@ -2,6 +2,7 @@ package nephele.lab.bench;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
@@ -43,7 +44,7 @@ class FrameAllocationGlTest {
         RenderSettings settings = RenderSettings.of(output, quality).with(CharacterPresence.POSSIBLE);
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
-                Renderer renderer = Renderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
+                Renderer renderer = LevelRenderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
             List<View> views = views(opened);
             List<FrameState.Posture> postures = postures(opened, views);
             FrameState frameState = FrameState.atStart(opened.level());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.lwjgl.opengl.GL20C.*;
 import static org.lwjgl.opengl.GL30C.GL_SAMPLER_2D_ARRAY;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -74,7 +75,7 @@ class TechniqueFactsGlTest {
 
     private long draws(CloudTechnique technique) {
         RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("impostors", ImpostorChoice.OFF));
-        try (Renderer renderer = Renderer.load(offscreen.gl, level(technique), TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level(technique), TestAssets.NONE, settings)) {
             renderer.draw(VIEW, offscreen.picture);
             renderer.draw(VIEW, offscreen.picture);
             return renderer.draws();

@@ -1,5 +1,6 @@
 package nephele.app.command;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
@@ -77,6 +78,6 @@ final class PictureOptions {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.shown(opened);
-        return Renderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
+        return LevelRenderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }
 }

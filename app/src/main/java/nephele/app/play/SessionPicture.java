@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -46,7 +47,7 @@ final class SessionPicture implements AutoCloseable {
                 .with(CharacterPresence.POSSIBLE);
         if (request.compared() == null) {
             return new SessionPicture(
-                    AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings)), null);
+                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)), null);
         }
         requireClouds(request, prepared.scene());
         ComparedScenes scenes = ComparedScenes.ofAllClouds(prepared.scene(), request.compared());
@@ -101,7 +102,7 @@ final class SessionPicture implements AutoCloseable {
     /** Follows other light of the same level. */
     void edit(Scene scene) {
         if (comparison == null) {
-            renderer = renderer.edited(scene);
+            renderer = LevelRenderer.edited(renderer, scene);
         } else {
             comparison.edit(ComparedScenes.ofAllClouds(scene, comparison.techniques()));
         }

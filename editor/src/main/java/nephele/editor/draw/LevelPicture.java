@@ -1,5 +1,6 @@
 package nephele.editor.draw;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.editor.draw.derived.EvenLight;
 import nephele.editor.draw.derived.LevelDerivation;
 import nephele.editor.pane.ViewMode;
@@ -86,10 +87,10 @@ final class LevelPicture implements AutoCloseable {
 
     private void load(Scene scene, Output wanted) {
         if (renderer != null && output == wanted) {
-            renderer = isGradual ? renderer.editedGradually(scene) : renderer.edited(scene);
+            renderer = isGradual ? LevelRenderer.editedGradually(renderer, scene) : LevelRenderer.edited(renderer, scene);
             return;
         }
-        Renderer next = Renderer.load(gl, scene, RenderSettings.of(wanted));
+        Renderer next = LevelRenderer.load(gl, scene, RenderSettings.of(wanted));
         close();
         renderer = next;
         output = wanted;

@@ -1,5 +1,6 @@
 package nephele.host.compare;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.measure.FrameTimes;
@@ -28,12 +29,12 @@ final class ComparedSide implements AutoCloseable {
 
     ComparedSide(GlContext gl, Scene scene, RenderSettings settings) {
         this.gl = gl;
-        renderer = Renderer.load(gl, scene, settings);
+        renderer = LevelRenderer.load(gl, scene, settings);
     }
 
     /** Follows an edit, whose frames have other times. */
     void edit(Scene scene) {
-        renderer = renderer.edited(scene);
+        renderer = LevelRenderer.edited(renderer, scene);
         environment = null;
         frames = -1;
     }

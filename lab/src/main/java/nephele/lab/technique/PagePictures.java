@@ -1,5 +1,6 @@
 package nephele.lab.technique;
 
+import nephele.engine.choice.LevelRenderer;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -68,7 +69,7 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
         var settings = command.quality()
                 .settings(Outputs.defaultFor(level), gl.limits().software());
         try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, width, height);
-                var renderer = Renderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
+                var renderer = LevelRenderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
             FrameState state = FrameState.atStart(level);
             state.seconds(command.seconds());
             for (int frame = 0; frame < FRAMES; frame++) {

@@ -1,5 +1,6 @@
 package nephele.lab.trade.subject;
 
+import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -111,7 +112,7 @@ final class PictureExperiment implements Experiment {
 
     Renderer renderer(Shot shot) {
         Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
-        return Renderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
+        return LevelRenderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
     }
 
     @Override

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.impostor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -71,7 +72,7 @@ class PlantGlTest {
     }
 
     private Renderer renderer(Level level, Quality quality) {
-        return Renderer.load(
+        return LevelRenderer.load(
                 offscreen.gl, level, assets, RenderSettings.of(Output.HDR).with(quality));
     }
 

@@ -1,5 +1,6 @@
 package nephele.workshop.prove.cloud;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Flip;
@@ -64,7 +65,7 @@ final class CloudFlight implements AutoCloseable {
     }
 
     private static Renderer renderer(GlContext gl, OpenedLevel level, Quality quality) {
-        return Renderer.load(
+        return LevelRenderer.load(
                 gl, level.level(), level.assets(), RenderSettings.of(Output.HDR, quality.with("pictureResolution", 1)));
     }
 

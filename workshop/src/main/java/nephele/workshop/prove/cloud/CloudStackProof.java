@@ -1,5 +1,6 @@
 package nephele.workshop.prove.cloud;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.level.Camera;
@@ -73,7 +74,7 @@ public final class CloudStackProof implements Proof {
     private static LinearPicture drawn(GlContext gl, OpenedLevel opened, View view) {
         var settings = RenderSettings.of(Output.HDR, Quality.ULTRA.with("samples", 1));
         try (var target = RenderTarget.picture(gl, "stack", PixelFormat.RGBA8, SIDE * WIDTH, SIDE * HEIGHT);
-                Renderer renderer = Renderer.load(gl, opened.level(), opened.assets(), settings)) {
+                Renderer renderer = LevelRenderer.load(gl, opened.level(), opened.assets(), settings)) {
             renderer.draw(view, target);
             gl.requireNoError("stack");
             return new LinearPicture(target.width(), target.height(), renderer.readRadiance()).reduced(SIDE);

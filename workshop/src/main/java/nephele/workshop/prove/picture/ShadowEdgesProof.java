@@ -1,5 +1,6 @@
 package nephele.workshop.prove.picture;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -116,7 +117,7 @@ public final class ShadowEdgesProof implements Proof {
     private static float[] radiance(Level level, View view, GlContext gl, RenderTarget picture) {
         var settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("samples", 1));
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        try (var renderer = Renderer.load(gl, level, assets, settings)) {
+        try (var renderer = LevelRenderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);
             gl.requireNoError("shadows");
             return renderer.readRadiance();

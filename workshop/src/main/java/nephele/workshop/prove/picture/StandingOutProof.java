@@ -1,5 +1,6 @@
 package nephele.workshop.prove.picture;
 
+import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -121,8 +122,8 @@ public final class StandingOutProof implements Proof {
                 .with(CharacterPresence.POSSIBLE);
         LevelSigns signs = new LevelSigns(opened.placed());
         var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);
-        try (var with = Renderer.load(gl, scene, settings);
-                var without = Renderer.load(gl, bare, settings.with(Decoration.OFF))) {
+        try (var with = LevelRenderer.load(gl, scene, settings);
+                var without = LevelRenderer.load(gl, bare, settings.with(Decoration.OFF))) {
             var drawn = new Drawing(file, opened, signs, with, without, picture, tally);
             for (Sign sign : signs.signs()) {
                 List<Sight> sights = signs.sights(sign);

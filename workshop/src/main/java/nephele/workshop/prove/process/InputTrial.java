@@ -1,5 +1,6 @@
 package nephele.workshop.prove.process;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -181,7 +182,7 @@ final class InputTrial {
         Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
         RenderSettings settings = RenderSettings.of(Output.HDR, LOWEST);
         try (RenderTarget target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(gl, scene, settings)) {
+                Renderer renderer = LevelRenderer.load(gl, scene, settings)) {
             FrameState state = FrameState.atStart(renderer.scene().level());
             state.seconds(seconds);
             double aspect = (double) WIDTH / HEIGHT;

@@ -1,5 +1,6 @@
 package nephele.workshop.prove.process;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Map;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -51,7 +52,7 @@ public final class SoakProof implements Proof {
         var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
-                var renderer = Renderer.load(gl, prepared.scene(), settings)) {
+                var renderer = LevelRenderer.load(gl, prepared.scene(), settings)) {
             var soak = new Soak(gl, renderer, picture, () -> walk(level, prepared));
             soak.play(WARM_UP_SECONDS, Progress.NONE);
             soak.forget();

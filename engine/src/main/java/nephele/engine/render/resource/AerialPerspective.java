@@ -1,5 +1,8 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.level.appearance.ShaftLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.util.Arrays;
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.Air;
@@ -9,15 +12,11 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SunAndMoon;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.ByHeight;
-import nephele.engine.render.resource.FrameUniforms;
-import nephele.engine.render.resource.SunAndMoonTables;
 import nephele.engine.scene.View;
 
 /**
@@ -25,20 +24,29 @@ import nephele.engine.scene.View;
  * views at a height share it.
  */
 public final class AerialPerspective implements GlObject {
-    private final GlContext gl;
-    private final SharedResources shared;
+    public static final SharedResource<AerialPerspective> RESOURCE =
+            SharedResource.of("air", AerialPerspective::of)
+                    .following((air, frame) -> air.follow(frame.frameState().environment()))
+                    .inViews(AerialPerspective::setView);
+
+    private final LoadContext context;
+    /** Whether clouds shade the air. */
     private final boolean hasShafts;
-    private final ByHeight<SunAndMoonTables> byHeight;
+
+    private final ByHeight<SunAndMoonTables> byHeight = new ByHeight<>(this::tables);
 
     private AirTables tables;
     private SunAndMoon lights;
 
-    /** @param hasShafts whether clouds shade the air */
-    AerialPerspective(GlContext gl, SharedResources shared, boolean hasShafts) {
-        this.gl = gl;
-        this.shared = shared;
-        this.hasShafts = hasShafts;
-        byHeight = new ByHeight<>(this::tables);
+    private AerialPerspective(LoadContext context) {
+        this.context = context;
+        hasShafts = ShaftLight.isIn(context.scene().level().environment());
+    }
+
+    /** Returns {@code null} without air to see through. */
+    private static AerialPerspective of(LoadContext context) {
+        boolean isLit = SunAndMoon.lightAir(context.scene().level().environment());
+        return isLit ? context.own(new AerialPerspective(context)) : null;
     }
 
     private SunAndMoonTables tables(double heightMetres) {
@@ -46,8 +54,8 @@ public final class AerialPerspective implements GlObject {
         int slices = (hasShafts ? 4 : 2) * AerialTable.SLICES;
         var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, slices);
         return new SunAndMoonTables(
-                new Texture(gl, "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP),
-                shared.background(),
+                new Texture(context.gl(), "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP),
+                context.get(BackgroundWork.RESOURCE),
                 heightMetres,
                 sine -> texels(air, heightMetres, sine));
     }
@@ -64,40 +72,25 @@ public final class AerialPerspective implements GlObject {
         return both;
     }
 
-    /** Returns true if surfaces of an environment are seen through air: under an atmosphere with a sun. */
-    public static boolean isIn(Environment environment) {
-        return environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
-    }
-
-    /** Returns true if the moon lights the air of an environment, at once or, while its sky moves, at some time. */
-    static boolean isMoonlit(Environment environment) {
-        return isIn(environment)
-                && (Daylight.moves(environment)
-                        || SunAndMoon.of(Daylight.at(environment, 0))
-                                .moonlight()
-                                .shines());
-    }
-
-    /** Begins a frame. */
-    void follow(Environment now) {
+    private void follow(Environment now) {
         if (lights != null && lights.areOf(now)) {
             return;
         }
         lights = SunAndMoon.of(now);
         Air air = Daylight.air((Sky.Atmosphere) now.sky());
         if (tables == null || !air.equals(tables.air())) {
-            tables = shared.shareValue(AirTables.class, air, () -> AirCache.tables(air));
+            tables = context.shareValue(AirTables.class, air, () -> AirCache.tables(air));
             byHeight.clear();
         }
     }
 
     /** Sets the air of the draws in a view. */
-    void setView(View view, FrameUniforms uniforms) {
+    private void setView(View view) {
         SunAndMoonTables shown =
                 byHeight.near(view.eyeY(), known -> known.isReady(lights), known -> known.prepare(lights));
         shown.show(lights);
         shown.bind(TextureUnit.AIR);
-        uniforms.air(shown.heightMetres(), lights);
+        context.resources().uniforms().air(shown.heightMetres(), lights);
     }
 
     @Override

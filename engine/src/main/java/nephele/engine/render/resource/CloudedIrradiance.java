@@ -1,4 +1,4 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.drawn.CloudInterval;

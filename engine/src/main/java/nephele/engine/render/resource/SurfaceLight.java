@@ -1,5 +1,13 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.LightMaps;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.cloud.drawn.CloudInterval;
@@ -22,8 +30,6 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
@@ -36,12 +42,23 @@ import org.joml.Vector3d;
  * Positions are relative to the {@link #anchor}, so they do not depend on the eye.
  */
 public final class SurfaceLight implements GlObject {
+    public static final SharedResource<SurfaceLight> RESOURCE = SharedResource.of("surface light", SurfaceLight::of)
+            .following((light, frame) -> light.follow(frame.frameState().environment()));
+
+    /** The sky visibility of what has no place in the light map; {@code null} if no sky shines. */
+    public static final SharedResource<SkyProbes> SKY_PROBES = SharedResource.of(
+            "sky probes",
+            context -> LightRequirements.skyShines(context.scene().level())
+                    ? new SkyProbes(context.scene().statics())
+                    : null);
+
     /** Along a side of the cube over which an atmosphere's light, of degree 2, is integrated. */
     private static final int SMOOTH_CELLS = 16;
 
     private final Level level;
     private final Scene scene;
-    private final SharedResources shared;
+    private final LoadContext context;
+    private final RendererClouds clouds;
     private final LightMaps maps;
     private final ShadowSampling sampling;
     private final LightParts parts;
@@ -61,19 +78,28 @@ public final class SurfaceLight implements GlObject {
     /** The atmosphere's tables; {@code null} for another sky. */
     private AirTables airTables;
 
-    SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
-        this.scene = scene;
-        this.shared = shared;
+    private SurfaceLight(LoadContext context) {
+        this.context = context;
+        scene = context.scene();
         level = scene.level();
+        FrameRequest request = context.request();
+        GlContext gl = context.gl();
         maps = request.lightMaps();
-        flash = request.level().environment().hasLightning() ? shared.lightning() : null;
-        block = shared.own(new LightBlock(gl, flash != null));
+        clouds = context.get(RendererClouds.RESOURCE);
+        flash = context.get(FrameLightning.RESOURCE);
+        block = context.own(new LightBlock(gl, flash != null));
         sampling = request.quality().shadowFilter();
         parts = request.quality().lightParts();
         block.parts(shares(parts));
         sun = new SunLight(request, scene.statics(), anchor());
         lights = new PunctualLighting(gl, request, scene.lights(), anchor());
         dynamicShadows = new DynamicShadows(gl, maps);
+    }
+
+    private static SurfaceLight of(LoadContext context) {
+        SurfaceLight light = context.own(new SurfaceLight(context));
+        light.follow(context.scene().level().environment());
+        return light;
     }
 
     private static Vec3 shares(LightParts shown) {
@@ -90,12 +116,12 @@ public final class SurfaceLight implements GlObject {
      *
      * @param now has a sun, sky or constant only if the level has
      */
-    void follow(Environment now) {
-        CloudInterval clouds = shared.clouds().now();
-        boolean isSame = clouds == null
+    private void follow(Environment now) {
+        CloudInterval interval = clouds.current().now();
+        boolean isSame = interval == null
                 || cloudsFollowed != null
-                        && clouds.from() == cloudsFollowed.from()
-                        && clouds.share() == cloudsFollowed.share();
+                        && interval.from() == cloudsFollowed.from()
+                        && interval.share() == cloudsFollowed.share();
         if (now == followed && isSame) {
             followFlash();
             return;
@@ -109,12 +135,12 @@ public final class SurfaceLight implements GlObject {
         if (LightRequirements.skyShines(level)
                 && (!isSame
                         || followed == null
-                        || !SkyOfLevel.of(shared, now).equals(SkyOfLevel.of(shared, followed)))) {
+                        || !SkyOfLevel.of(context, now).equals(SkyOfLevel.of(context, followed)))) {
             block.sky(irradiance(now));
         }
         block.upload();
         followed = now;
-        cloudsFollowed = clouds;
+        cloudsFollowed = interval;
     }
 
     private void followFlash() {
@@ -133,17 +159,17 @@ public final class SurfaceLight implements GlObject {
 
     /** @param sun {@code null} if the sky does not depend on it */
     private record SkyOfLevel(Same level, Sky sky, Sun sun) {
-        static SkyOfLevel of(SharedResources shared, Environment now) {
+        static SkyOfLevel of(LoadContext context, Environment now) {
             Sun sun = now.sky() instanceof Sky.Atmosphere ? now.sun() : null;
-            return new SkyOfLevel(shared.openedLevel(), now.sky(), sun);
+            return new SkyOfLevel(context.openedLevel(), now.sky(), sun);
         }
     }
 
     /** Returns the sky's light on surfaces in an environment. */
     public SkyIrradiance irradiance(Environment now) {
-        CloudInterval clouds = shared.clouds().now();
+        CloudInterval interval = clouds.current().now();
         SkyIrradiance clear = clearIrradiance(now);
-        return clouds == null ? clear : CloudedIrradiance.of(clouds, now, clear);
+        return interval == null ? clear : CloudedIrradiance.of(interval, now, clear);
     }
 
     /** Returns the light of the sky without clouds. */
@@ -151,15 +177,15 @@ public final class SurfaceLight implements GlObject {
         if (now.sky() instanceof Sky.Atmosphere sky) {
             return now.sun() == null ? SkyIrradiance.black() : irradiance(sky, now.sun());
         }
-        return shared.shareValue(SkyIrradiance.class, SkyOfLevel.of(shared, now), () -> SkyRadiance.of(
-                        now, shared::picture, ColourDecoding.SRGB)
+        return context.shareValue(SkyIrradiance.class, SkyOfLevel.of(context, now), () -> SkyRadiance.of(
+                        now, context.get(PictureArrays.DECODED), ColourDecoding.SRGB)
                 .map(SkyIrradiance::of)
                 .orElseGet(SkyIrradiance::black));
     }
 
     private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
-            airTables = shared.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+            airTables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         }
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         SmoothSky smooth = new SmoothSky(airTables, towardsSun);
@@ -295,7 +321,7 @@ public final class SurfaceLight implements GlObject {
      * @param reads those of {@link LightMaps} that the pass declares
      */
     public void bind(TargetReads reads) {
-        reads.bind(shared);
+        reads.bind(context.targets());
         block.bind();
         lights.bind();
         dynamicShadows.bind();

@@ -1,12 +1,15 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.LightMaps;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.light.PunctualLightTable;
 
 /** The punctual lights' part of {@code surface-light.glsl}, with the shadows of static geometry. */

@@ -1,5 +1,7 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -15,6 +17,9 @@ import nephele.engine.scene.FrameState;
  * it is what the picture calls for.
  */
 public final class MeteredExposure implements GlObject {
+    public static final SharedResource<MeteredExposure> RESOURCE =
+            SharedResource.of("exposure", MeteredExposure::of);
+
     private static final String NAME = "metered exposure";
 
     private final RenderTarget[] texels = new RenderTarget[2];
@@ -32,10 +37,9 @@ public final class MeteredExposure implements GlObject {
         }
     }
 
-    /** Returns true if exposure is metered: for auto, from linear light. */
-    public static boolean isRequiredBy(FrameRequest request) {
-        return request.output() == Output.HDR
-                && request.level().environment().exposureStops().isAuto();
+    /** Returns {@code null} if exposure is not metered. */
+    private static MeteredExposure of(LoadContext context) {
+        return context.request().metersExposure() ? context.own(new MeteredExposure(context.gl())) : null;
     }
 
     /**
@@ -43,8 +47,8 @@ public final class MeteredExposure implements GlObject {
      * metered. It reads the exposure of the last picture, so a picture without history has to be metered before.
      */
     public static void tieInView(LoadContext context, Uniforms uniforms) {
-        if (isRequiredBy(context.request())) {
-            MeteredExposure exposure = context.shared().exposure();
+        if (context.request().metersExposure()) {
+            MeteredExposure exposure = context.get(RESOURCE);
             exposure.isReadInViews = true;
             exposure.tie(uniforms);
         }
@@ -52,12 +56,12 @@ public final class MeteredExposure implements GlObject {
 
     /** Returns the blending of display values over a view: they take no part in the metering. */
     public static Blend over(LoadContext context) {
-        return isRequiredBy(context.request()) ? Blend.OVER_UNMETERED : Blend.OVER;
+        return context.request().metersExposure() ? Blend.OVER_UNMETERED : Blend.OVER;
     }
 
     /** Returns the blending that adds display values to a view. */
     public static Blend added(LoadContext context) {
-        return isRequiredBy(context.request()) ? Blend.ADD_UNMETERED : Blend.ADD;
+        return context.request().metersExposure() ? Blend.ADD_UNMETERED : Blend.ADD;
     }
 
     /** Ties a program that reads the exposure of this picture. */

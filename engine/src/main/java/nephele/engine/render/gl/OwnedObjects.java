@@ -1,11 +1,8 @@
-package nephele.engine.render.resource;
+package nephele.engine.render.gl;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Supplier;
-import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.GlObject;
-import nephele.engine.render.gl.SharedObjects;
 
 /** Objects that end together, the last first; shared ones stay while someone else holds them. Closing twice is harmless. */
 public final class OwnedObjects implements GlObject {
@@ -14,6 +11,11 @@ public final class OwnedObjects implements GlObject {
 
     public OwnedObjects(GlContext gl) {
         this.gl = gl;
+    }
+
+    /** Returns the context of the objects. */
+    public GlContext gl() {
+        return gl;
     }
 
     /** Keeps an object until this is closed. */

@@ -1,5 +1,8 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -27,7 +30,7 @@ public final class FrameClouds implements GlObject {
     private Vec3 focus = Vec3.ZERO;
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    record Source(
+    private record Source(
             Same assets,
             Environment causes,
             Aabb region,
@@ -45,8 +48,21 @@ public final class FrameClouds implements GlObject {
         }
     }
 
-    /** @param loaded the level's clouds, each with the technique that draws it */
-    FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
+    /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
+    static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
+        Quality quality = context.quality();
+        var sampling = new Sampling(
+                quality.cloudLightCell(),
+                quality.proceduralNoise(),
+                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        return context.share(
+                FrameClouds.class,
+                Source.of(context.scene(), quality, techniques),
+                () -> new FrameClouds(
+                        context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+    }
+
+    private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
         timeline = loaded.clouds().isEmpty()
                 ? null
                 : new CloudTimeline(

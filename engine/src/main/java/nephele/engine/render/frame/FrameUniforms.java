@@ -1,4 +1,4 @@
-package nephele.engine.render.resource;
+package nephele.engine.render.frame;
 
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.Air;

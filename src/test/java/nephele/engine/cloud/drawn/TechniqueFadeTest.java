@@ -1,4 +1,4 @@
-package nephele.engine.choice;
+package nephele.engine.cloud.drawn;
 
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,5 +1,8 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Sun;
@@ -9,7 +12,6 @@ import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;

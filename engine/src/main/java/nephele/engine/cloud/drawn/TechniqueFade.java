@@ -1,4 +1,4 @@
-package nephele.engine.choice;
+package nephele.engine.cloud.drawn;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package nephele.engine.render.frame;
+package nephele.engine.render.resource;
 
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
