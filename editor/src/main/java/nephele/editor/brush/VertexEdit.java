@@ -99,7 +99,7 @@ public final class VertexEdit {
         HullFaces old = new HullFaces(List.of(solid), points);
         List<BitSet> corners = corners();
         List<PlaneFace> planes = new ArrayList<>();
-        sides.forEach(side -> planes.add(old.written(solid, side, like(side, old, corners))));
+        sides.forEach(side -> planes.add(old.plane(solid, side, like(side, old, corners))));
         return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes))
                 .map(result -> new Edited(result, editedVertices(result)));
     }
@@ -121,13 +121,13 @@ public final class VertexEdit {
     }
 
     /** Returns the old face with which the side shares most corners, among equals the one with the nearest normal. */
-    private HullFaces.Old like(ConvexHull.Side side, HullFaces old, List<BitSet> corners) {
-        HullFaces.Old best = null;
+    private HullFaces.OldFace like(ConvexHull.Side side, HullFaces old, List<BitSet> corners) {
+        HullFaces.OldFace best = null;
         double bestScore = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < corners.size(); i++) {
             BitSet shared = (BitSet) side.on().clone();
             shared.and(corners.get(i));
-            HullFaces.Old candidate = old.all().get(i);
+            HullFaces.OldFace candidate = old.all().get(i);
             double cosine = candidate.face().plane().normal().dot(side.plane().normal());
             double score = 4 * Math.min(FACES_AT_A_VERTEX, shared.cardinality()) + cosine;
             if (score > bestScore) {

@@ -1,7 +1,10 @@
 package nephele.editor.pick;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
@@ -10,6 +13,7 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Hint;
+import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
@@ -52,11 +56,25 @@ public final class EntityBounds {
         return generic(entity);
     }
 
-    private static Aabb terrain(Terrain said) {
-        double halfX = said.sizeMetres().x() / 2;
-        double halfZ = said.sizeMetres().z() / 2;
-        Vec3 centre = said.centre();
-        Terrain.HeightRange range = said.heightRangeMetres();
+    /** Returns the box around entities of a level, in world metres. */
+    public static Aabb of(Level level, Collection<EntityRef> refs) {
+        Aabb bounds = Aabb.EMPTY;
+        for (EntityRef ref : refs) {
+            bounds = bounds.union(of(level, ref));
+        }
+        return bounds;
+    }
+
+    /** Returns the box around an entity of a level; {@link Aabb#EMPTY} if it has no place. */
+    public static Aabb of(Level level, EntityRef ref) {
+        return Entities.LEVEL.find(level, ref).map(EntityBounds::of).orElse(Aabb.EMPTY);
+    }
+
+    private static Aabb terrain(Terrain terrain) {
+        double halfX = terrain.sizeMetres().x() / 2;
+        double halfZ = terrain.sizeMetres().z() / 2;
+        Vec3 centre = terrain.centre();
+        Terrain.HeightRange range = terrain.heightRangeMetres();
         return new Aabb(
                 centre.x() - halfX,
                 centre.y() + Math.min(range.low(), range.high()),

@@ -112,7 +112,7 @@ public final class Picker {
     }
 
     private void addBox(List<Pick> picks, Ray ray, EntityRef ref) {
-        Aabb box = entities.find(level, ref).map(EntityBounds::of).orElse(Aabb.EMPTY);
+        Aabb box = EntityBounds.of(level, ref);
         if (box.isEmpty() || contains(box, new Vec3(ray.originX(), ray.originY(), ray.originZ()))) {
             return;
         }
@@ -133,7 +133,7 @@ public final class Picker {
             }
         }
         for (EntityRef ref : symbols()) {
-            Aabb box = entities.find(level, ref).map(EntityBounds::of).orElse(Aabb.EMPTY);
+            Aabb box = EntityBounds.of(level, ref);
             boolean isIn = containment == Containment.INSIDE ? contains(region, box) : region.overlaps(box);
             if (!box.isEmpty() && isIn && !locked.contains(ref.text())) {
                 found.add(ref);

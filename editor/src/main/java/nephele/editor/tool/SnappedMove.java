@@ -127,15 +127,7 @@ public final class SnappedMove {
     }
 
     private Aabb bounds() {
-        Aabb bounds = Aabb.EMPTY;
-        for (EntityRef ref : start.selection().entities()) {
-            bounds = bounds.union(context.document()
-                    .entities()
-                    .find(start.level(), ref)
-                    .map(EntityBounds::of)
-                    .orElse(Aabb.EMPTY));
-        }
-        return bounds;
+        return EntityBounds.of(start.level(), start.selection().entities());
     }
 
     private Set<EntityRef> moving() {

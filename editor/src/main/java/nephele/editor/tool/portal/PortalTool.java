@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.heat.HeatText;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
+import nephele.editor.mark.MarkOutline;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
@@ -46,14 +48,17 @@ public final class PortalTool implements Tool {
             "O primeiro portal já não cabe: volta a colocá-lo");
     private static final String SECTION = "portals";
 
+    /** Slide up to which a portal is where it was aimed. */
+    private static final double AIMED_METRES = 1e-6;
+
     private final ToolContext context;
     private final SightShots shots;
     /** The portal of the first click; not in the level before it has a partner. */
     private Portal first;
     /** The portal that a drag moves; {@code null} without one. */
     private PortalSpec moving;
-    /** {@code null} before the pointer is over the pane. */
-    private PortalAim aim;
+    /** The result of a shot at the pointer; {@code null} before it is over the pane. */
+    private PlacementResult aim;
 
     public PortalTool(ToolContext context) {
         this.context = context;
@@ -62,12 +67,12 @@ public final class PortalTool implements Tool {
 
     @Override
     public void moved(Pointer pointer) {
-        aim = new PortalAim(shots.shot("new", gun(), pointer, open("")));
+        aim = shots.shot("new", gun(), pointer, open(""));
     }
 
     private PortalGun gun() {
-        PortalGun said = context.document().level().portalGun();
-        return said == null ? SightShots.DEFAULT_GUN : said;
+        PortalGun gun = context.document().level().portalGun();
+        return gun == null ? SightShots.DEFAULT_GUN : gun;
     }
 
     /** Returns the portals that are open, but for one that moves. */
@@ -116,9 +121,9 @@ public final class PortalTool implements Tool {
             return;
         }
         PortalGun own = new PortalGun(moving.widthMetres(), moving.heightMetres(), moving.shape(), 1, false);
-        aim = new PortalAim(shots.shot(moving.id(), own, pointer, open(moving.id())));
-        context.status(aim.words());
-        if (aim.result() instanceof PlacementResult.Fits fits) {
+        aim = shots.shot(moving.id(), own, pointer, open(moving.id()));
+        context.status(aimWords());
+        if (aim instanceof PlacementResult.Fits fits) {
             PortalSpec there = spec(fits.portal(), moving.id(), moving.linkedTo());
             Entities entities = context.document().entities();
             context.document()
@@ -147,8 +152,8 @@ public final class PortalTool implements Tool {
                         open("").stream().filter(portal -> portal != first).toList())) {
             first = null;
             context.status(GONE);
-        } else if (!(aim.result() instanceof PlacementResult.Fits fits)) {
-            context.status(aim.words());
+        } else if (!(aim instanceof PlacementResult.Fits fits)) {
+            context.status(aimWords());
         } else if (first == null) {
             first = fits.portal();
         } else {
@@ -192,16 +197,41 @@ public final class PortalTool implements Tool {
     public List<Mark> marks() {
         List<Mark> marks = new ArrayList<>();
         if (first != null) {
-            marks.addAll(PortalAim.outline(first, MarkColour.PREVIEW));
+            marks.addAll(outline(first, MarkColour.PREVIEW));
         }
         if (aim != null) {
-            marks.addAll(aim.marks());
+            marks.addAll(aimMarks());
         }
         return marks;
     }
 
+    private List<Mark> aimMarks() {
+        return aim instanceof PlacementResult.Fits fits
+                ? outline(fits.portal(), isSliding(fits) ? MarkColour.SLIDES : MarkColour.ALLOWED)
+                : List.of(new Mark.Handle(((PlacementResult.Refused) aim).where(), MarkColour.REFUSED));
+    }
+
+    /** Returns the border of a portal, with a line in the direction in which it faces. */
+    private static List<Mark> outline(Portal portal, MarkColour colour) {
+        List<Mark> marks = new ArrayList<>(MarkOutline.polygon(portal.corners(), colour, Mark.Visibility.ALWAYS));
+        marks.add(new Mark.Line(portal.centre(), portal.world(0, 0, 0.3), colour, Mark.Visibility.ALWAYS));
+        return marks;
+    }
+
+    private Words aimWords() {
+        if (aim instanceof PlacementResult.Fits fits) {
+            return (isSliding(fits) ? HeatText.SLIDES : HeatText.FITS).words(fits.slideMetres());
+        }
+        PlacementResult.Refused refused = (PlacementResult.Refused) aim;
+        return HeatText.of(refused.reason()).words(refused.unevenMetres());
+    }
+
+    private static boolean isSliding(PlacementResult.Fits fits) {
+        return fits.slideMetres() > AIMED_METRES;
+    }
+
     @Override
     public Words hint() {
-        return aim == null ? ENTRY.description() : aim.words();
+        return aim == null ? ENTRY.description() : aimWords();
     }
 }

@@ -8,6 +8,7 @@ import java.util.Set;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Selection;
 import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
 import nephele.editor.pick.EntityBounds;
 import nephele.editor.pick.Pick;
 import nephele.editor.pick.Picker.Containment;
@@ -15,7 +16,6 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
 import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -105,13 +105,12 @@ public final class SelectTool implements Tool {
     }
 
     private Optional<Vec3> inPlane(Pointer pointer) {
-        return PointerDrag.onPlane(pointer, grabbed, PointerDrag.planeNormal(start))
-                .map(at -> at.minus(grabbed));
+        return pointer.onPlane(grabbed, start.dragPlaneNormal()).map(at -> at.minus(grabbed));
     }
 
     private Optional<Vec3> vertical(Pointer pointer) {
         Vec3 up = new Vec3(0, 1, 0);
-        return PointerDrag.alongLine(pointer, grabbed, up).map(up::scaled);
+        return pointer.alongLine(grabbed, up).map(up::scaled);
     }
 
     @Override
@@ -192,11 +191,7 @@ public final class SelectTool implements Tool {
     }
 
     private boolean appears(EntityRef ref, Pointer pointer) {
-        Aabb box = context.document()
-                .entities()
-                .find(context.document().level(), ref)
-                .map(EntityBounds::of)
-                .orElse(Aabb.EMPTY);
+        Aabb box = EntityBounds.of(context.document().level(), ref);
         return pointer.camera()
                 .project(box.centre(), pointer.size())
                 .filter(p -> p.x() >= Math.min(start.x(), pointer.x())
@@ -223,11 +218,28 @@ public final class SelectTool implements Tool {
         if (start == null || !isDragging || grabbed != null) {
             return List.of();
         }
-        return SelectionRectangle.marks(start, now);
+        return rectangle(start, now);
     }
 
     @Override
     public Words hint() {
         return ENTRY.description();
+    }
+
+    /** Returns the rectangle between two places of the pointer, as lines just before the camera. */
+    private static List<Mark> rectangle(Pointer a, Pointer b) {
+        Vec3 first = at(b, a.x(), a.y());
+        Vec3 second = at(b, b.x(), a.y());
+        Vec3 third = at(b, b.x(), b.y());
+        Vec3 fourth = at(b, a.x(), b.y());
+        return List.of(line(first, second), line(second, third), line(third, fourth), line(fourth, first));
+    }
+
+    private static Vec3 at(Pointer pointer, double x, double y) {
+        return pointer.camera().ray(x, y, pointer.size()).at(pointer.isPlan() ? 2e7 : 1);
+    }
+
+    private static Mark line(Vec3 from, Vec3 to) {
+        return new Mark.Line(from, to, MarkColour.PREVIEW, Mark.Visibility.ALWAYS);
     }
 }

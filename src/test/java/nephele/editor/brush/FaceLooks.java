@@ -2,35 +2,31 @@ package nephele.editor.brush;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.appearance.SolidFaces;
 
-/**
- * Changes of what the faces of a solid show, where {@link SolidFaces} changes what they say: what equals the solid's
- * default is not written. Faces are counted in the order of {@code Brush.of(solid).faces()}.
- */
-public final class FaceLooks {
+/** Changes the visible material and portalability of faces, in the order of {@code Brush.of(solid).faces()}. */
+final class FaceLooks {
     private FaceLooks() {}
 
     /**
      * Returns what each face shows: a material of {@code null} is grey, a placement of {@code null} leaves the picture
      * as the solid's mapping says.
      */
-    public static List<Solid.Face> of(Solid solid) {
+    static List<Solid.Face> of(Solid solid) {
         return Brush.of(solid).faces().stream().map(PlaneForm::lookOf).toList();
     }
 
     /** Returns the solid with another material on a face; {@code null} is grey. */
-    public static Solid withMaterial(Solid solid, int face, String material) {
+    static Solid withMaterial(Solid solid, int face, String material) {
         Solid.Face look = of(solid).get(face);
         return with(solid, face, new Solid.Face(material, look.portalable(), look.texture()));
     }
 
     /** Returns the solid with a face that takes portals or does not. */
-    public static Solid withPortalable(Solid solid, int face, boolean portalable) {
+    static Solid withPortalable(Solid solid, int face, boolean portalable) {
         Solid.Face look = of(solid).get(face);
         return with(solid, face, new Solid.Face(look.material(), portalable, look.texture()));
     }
@@ -45,7 +41,7 @@ public final class FaceLooks {
     }
 
     /** Returns the solid with this default material on all faces; {@code null} is grey. */
-    public static Solid withMaterial(Solid solid, String material) {
+    static Solid withMaterial(Solid solid, String material) {
         List<Solid.Face> looks = of(solid).stream()
                 .map(look -> new Solid.Face(material, look.portalable(), look.texture()))
                 .toList();
@@ -53,12 +49,12 @@ public final class FaceLooks {
     }
 
     /** Returns the solid with all faces portalable or none. */
-    public static Solid withPortalable(Solid solid, boolean portalable) {
+    static Solid withPortalable(Solid solid, boolean portalable) {
         List<Solid.Face> looks = of(solid).stream()
                 .map(look -> new Solid.Face(look.material(), portalable, look.texture()))
                 .toList();
         BrushStyle style = new BrushStyle(solid.material(), portalable, solid.textureMapping());
-        return written(Identity.with(solid, solid.id(), style), looks);
+        return written(solid.with(solid.id(), style.material(), style.portalable(), style.textureMapping()), looks);
     }
 
     /**
@@ -72,7 +68,7 @@ public final class FaceLooks {
 
     private static Solid withDefault(Solid solid, String material, List<Solid.Face> looks) {
         BrushStyle style = new BrushStyle(material, solid.portalable(), solid.textureMapping());
-        return written(Identity.with(solid, solid.id(), style), looks);
+        return written(solid.with(solid.id(), style.material(), style.portalable(), style.textureMapping()), looks);
     }
 
     /** Leaves planes without a face as they are. */
@@ -80,17 +76,8 @@ public final class FaceLooks {
         List<BrushFace> faces = Brush.of(solid).faces();
         Solid written = solid;
         for (int i = 0; i < faces.size(); i++) {
-            written = SolidFaces.with(written, faces.get(i).name(), said(solid, looks.get(i)));
+            written = SolidFaces.with(written, faces.get(i).name(), PlaneForm.authored(solid, looks.get(i)));
         }
         return written;
-    }
-
-    /** Returns what a face with this look says beside the defaults; a portalability of {@code null} is the default. */
-    static Solid.Face said(Solid solid, Solid.Face look) {
-        boolean isPortalable = look.portalable() == null || look.portalable() == solid.portalable();
-        return new Solid.Face(
-                Objects.equals(look.material(), solid.material()) ? null : look.material(),
-                isPortalable ? null : look.portalable(),
-                look.texture());
     }
 }
