@@ -120,7 +120,7 @@ class PlacementKeptTest {
         Vec3 vertex = VertexEdit.vertices(solid).get(0);
         return VertexEdit.moved(
                         solid, List.of(vertex), vertex.minus(middle(solid)).scaled(0.125))
-                .map(edited -> List.of(edited.solid()));
+                .map(List::of);
     }
 
     /** Returns the solid with a different placement on each face. */

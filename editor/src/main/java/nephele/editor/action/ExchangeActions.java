@@ -80,7 +80,7 @@ final class ExchangeActions {
                 session.file().path().map(path -> path.getFileName().toString()).orElse("level.json");
         try {
             Level level = session.document().level();
-            session.aside().run(() -> LevelPackage.export(asked.get(), name, level, session.assets()));
+            session.background().run(() -> LevelPackage.export(asked.get(), name, level, session.assets()));
         } catch (PackageException problem) {
             throw new ActionFailure(problem.told());
         }

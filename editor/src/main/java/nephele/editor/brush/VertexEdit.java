@@ -3,7 +3,6 @@ package nephele.editor.brush;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -23,13 +22,6 @@ public final class VertexEdit {
             return from.lerp(to, 0.5);
         }
     }
-
-    /**
-     * An edited solid.
-     *
-     * @param vertices where the edited vertices are now, as {@link VertexEdit#vertices} of the solid returns them
-     */
-    public record Edited(Solid solid, List<Vec3> vertices) {}
 
     private final Solid solid;
     private final List<Vec3> points;
@@ -68,7 +60,7 @@ public final class VertexEdit {
      *
      * @param vertices positions that {@link #vertices} returned
      */
-    public static BrushEdit<Edited> moved(Solid solid, Collection<Vec3> vertices, Vec3 by) {
+    public static BrushEdit<Solid> moved(Solid solid, Collection<Vec3> vertices, Vec3 by) {
         List<Vec3> points = new ArrayList<>(vertices(solid));
         BitSet edited = new BitSet();
         for (int i = 0; i < points.size(); i++) {
@@ -81,7 +73,7 @@ public final class VertexEdit {
     }
 
     /** Returns the convex hull with one more vertex, such as the middle of an edge pulled outwards. */
-    public static BrushEdit<Edited> withVertex(Solid solid, Vec3 vertex) {
+    public static BrushEdit<Solid> withVertex(Solid solid, Vec3 vertex) {
         List<Vec3> points = new ArrayList<>(vertices(solid));
         BitSet edited = new BitSet();
         edited.set(points.size());
@@ -89,7 +81,7 @@ public final class VertexEdit {
         return new VertexEdit(solid, points, edited).hull();
     }
 
-    private BrushEdit<Edited> hull() {
+    private BrushEdit<Solid> hull() {
         List<ConvexHull.Side> sides = ConvexHull.of(points);
         if (sides.isEmpty()) {
             return BrushEdit.refused(BrushText.FLAT);
@@ -100,8 +92,7 @@ public final class VertexEdit {
         List<BitSet> corners = corners();
         List<PlaneFace> planes = new ArrayList<>();
         sides.forEach(side -> planes.add(old.plane(solid, side, like(side, old, corners))));
-        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes))
-                .map(result -> new Edited(result, editedVertices(result)));
+        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes));
     }
 
     private static boolean isNoVertex(int point, List<ConvexHull.Side> sides) {
@@ -136,16 +127,5 @@ public final class VertexEdit {
             }
         }
         return best;
-    }
-
-    private List<Vec3> editedVertices(Solid result) {
-        List<Vec3> all = vertices(result);
-        return edited.stream()
-                .mapToObj(points::get)
-                .map(point -> all.stream()
-                        .min(Comparator.comparingDouble(v -> v.minus(point).length()))
-                        .orElseThrow())
-                .distinct()
-                .toList();
     }
 }

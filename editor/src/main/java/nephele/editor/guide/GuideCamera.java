@@ -1,10 +1,10 @@
 package nephele.editor.guide;
 
+import nephele.editor.document.EntityBounds;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pick.EntityBounds;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;

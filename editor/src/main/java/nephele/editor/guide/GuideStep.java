@@ -6,8 +6,8 @@ import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Selection;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
-import nephele.editor.toolbox.Tools;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 

@@ -196,7 +196,7 @@ final class FieldChanges {
         }
         try {
             Level followed = list.equals(LAYERS) && after.terrains() != before.terrains()
-                    ? session.aside()
+                    ? session.background()
                             .get(() -> LayerOrder.followed(before, after, edit, session.assets(), session.maps()))
                     : after;
             edit(entry, null, level -> followed);

@@ -40,7 +40,7 @@ public final class ProblemTour {
     public List<LevelProblem> shown() {
         if (foundOf != subject.level()) {
             Level searched = subject.level();
-            found = subject.aside().get(() -> ProblemSearch.of(searched, subject.assets()));
+            found = subject.background().get(() -> ProblemSearch.of(searched, subject.assets()));
             foundOf = searched;
         }
         List<LevelProblem> shown = new ArrayList<>(found);

@@ -6,11 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
+import nephele.editor.document.Grid;
 import nephele.editor.document.Registration;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
-import nephele.editor.pick.Grid;
 import nephele.editor.play.WarmGame;
 import nephele.editor.proving.Proving;
 import nephele.editor.save.DocumentFile;
@@ -23,8 +24,6 @@ import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolOptions;
-import nephele.editor.toolbox.Tools;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
@@ -104,8 +103,8 @@ public final class EditorSession {
     }
 
     /** Returns what runs the reading of files. */
-    public Aside aside() {
-        return context.aside();
+    public BackgroundReading background() {
+        return context.background();
     }
 
     /** Returns the proofs about the level. */

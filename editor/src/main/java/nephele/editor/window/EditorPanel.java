@@ -47,7 +47,7 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         this.session = session;
         this.commands = commands;
         this.slots = slots;
-        session.aside().runOn(new WaitingLoop(() -> session.status(WindowText.READING.words())));
+        session.background().runOn(new WaitingLoop(() -> session.status(WindowText.READING.words())));
         options = new OptionBar(session, commands);
         status = new StatusBar(session);
         viewport = new ViewportPanel(session, new Told(this::pointed, line -> session.status(Words.same(line))));

@@ -18,8 +18,8 @@ import javax.swing.SwingConstants;
 import nephele.editor.command.EditorCommand;
 import nephele.editor.command.EditorCommands;
 import nephele.editor.command.EditorKeys;
+import nephele.editor.document.Grid;
 import nephele.editor.panel.model.NumberExpression;
-import nephele.editor.pick.Grid;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Language;
 

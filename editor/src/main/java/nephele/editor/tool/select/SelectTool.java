@@ -5,13 +5,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
+import nephele.editor.document.Pick;
+import nephele.editor.document.Picker.Containment;
 import nephele.editor.document.Selection;
 import nephele.editor.mark.Mark;
 import nephele.editor.mark.MarkColour;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.Pick;
-import nephele.editor.pick.Picker.Containment;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
@@ -20,7 +21,6 @@ import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -100,7 +100,7 @@ public final class SelectTool implements Tool {
                             before.level(),
                             Notes.unlocked(before.level(), before.selection().entities()),
                             snapped,
-                            context.options().textureLock())));
+                            context.options().isTextureLocked())));
         });
     }
 

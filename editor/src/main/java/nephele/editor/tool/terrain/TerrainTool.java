@@ -54,8 +54,8 @@ public final class TerrainTool implements Tool {
 
     public TerrainTool(ToolContext context) {
         this.context = context;
-        sight = new TerrainSight(context.aside());
-        painting = new TerrainPainting(context.document(), context.maps(), context.aside());
+        sight = new TerrainSight(context.background());
+        painting = new TerrainPainting(context.document(), context.maps(), context.background());
         brush = context.options().terrainBrush();
     }
 

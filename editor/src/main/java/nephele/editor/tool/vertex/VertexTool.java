@@ -188,9 +188,9 @@ public final class VertexTool implements Tool {
         return moving;
     }
 
-    private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<VertexEdit.Edited> edit) {
-        return edit.map(edited ->
-                (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) edited.solid()));
+    private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<Solid> edit) {
+        return edit.map(
+                solid -> (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) solid));
     }
 
     @Override

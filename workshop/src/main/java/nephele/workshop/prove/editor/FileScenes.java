@@ -41,7 +41,7 @@ final class FileScenes {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
         session.filing(Filing.of(EditorFiles.of(null, folder)));
-        session.aside().runOn(new WaitingLoop(() -> {}));
+        session.background().runOn(new WaitingLoop(() -> {}));
         return session;
     }
 
@@ -82,7 +82,8 @@ final class FileScenes {
         Path file = folder.resolve("room.json");
         EditorSession session = sessionIn(folder, NewDocument.opened(), editor);
         session.filing().saver().saveAs(file, editor.session().document().level());
-        EditorSession opened = sessionIn(folder, session.aside().get(() -> DocumentFile.open(file.toString())), editor);
+        EditorSession opened =
+                sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
         opened.filing().saver().saveAs(file, NewDocument.opened().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),

@@ -1,4 +1,4 @@
-package nephele.editor.pick;
+package nephele.editor.document;
 
 import nephele.editor.record.EntityRef;
 import nephele.engine.math.Vec3;

@@ -1,11 +1,10 @@
-package nephele.editor.transform;
+package nephele.editor.document;
 
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
-import nephele.editor.brush.TextureLock;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordField;
@@ -29,11 +28,11 @@ public final class EntityTransform {
     }
 
     /** Returns the level with entities moved, textures fixed to their brushes or to the world. */
-    public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by, TextureLock lock) {
+    public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by, boolean isTextureLocked) {
         if (by.equals(Vec3.ZERO)) {
             return level;
         }
-        LockableTransform solids = LockableTransform.of(lock, level.materials());
+        LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
         return (Level) Entities.LEVEL.changed(
                 level,
                 refs,
@@ -42,8 +41,8 @@ public final class EntityTransform {
 
     /** Returns the level with entities turned; a solid that cannot be turned stays as it is. */
     public static Level turned(
-            Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, TextureLock lock) {
-        LockableTransform solids = LockableTransform.of(lock, level.materials());
+            Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, boolean isTextureLocked) {
+        LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
         return (Level) Entities.LEVEL.changed(
                 level,
                 refs,

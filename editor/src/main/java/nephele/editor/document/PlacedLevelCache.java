@@ -1,17 +1,17 @@
-package nephele.editor.work;
+package nephele.editor.document;
 
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 
 /** The placed shapes of a level, followed through its edits. An edit that names the same files reads none. */
-public final class FollowedPlacement {
-    private final Aside aside;
+public final class PlacedLevelCache {
+    private final BackgroundReading background;
     private PlacedLevel placed;
 
-    /** @param aside runs what reads files */
-    public FollowedPlacement(Aside aside) {
-        this.aside = aside;
+    /** @param background runs what reads files */
+    public PlacedLevelCache(BackgroundReading background) {
+        this.background = background;
     }
 
     /**
@@ -22,11 +22,11 @@ public final class FollowedPlacement {
     public PlacedLevel of(Level level, AssetSource assets) {
         PlacedLevel before = placed;
         if (before == null || before.assets() != assets) {
-            placed = aside.get(() -> PlacedLevel.of(level, assets));
+            placed = background.get(() -> PlacedLevel.of(level, assets));
         } else if (before.level() != level) {
             boolean readsNothing = level.models() == before.level().models()
                     && level.terrains() == before.level().terrains();
-            placed = readsNothing ? before.edited(level) : aside.get(() -> before.edited(level));
+            placed = readsNothing ? before.edited(level) : background.get(() -> before.edited(level));
         }
         return placed;
     }

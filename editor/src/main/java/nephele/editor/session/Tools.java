@@ -1,4 +1,4 @@
-package nephele.editor.toolbox;
+package nephele.editor.session;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package nephele.editor.pick;
+package nephele.editor.document;
 
 import java.util.ArrayList;
 import java.util.Collection;

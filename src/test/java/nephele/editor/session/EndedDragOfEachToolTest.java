@@ -1,4 +1,4 @@
-package nephele.editor.toolbox;
+package nephele.editor.session;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -19,8 +19,6 @@ import nephele.editor.command.EditorCommands;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
-import nephele.editor.session.EditorSession;
-import nephele.editor.session.NewDocument;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;

@@ -1,4 +1,4 @@
-package nephele.editor.work;
+package nephele.editor.document;
 
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
@@ -8,7 +8,7 @@ import java.util.concurrent.FutureTask;
  * Lets what reads files run beside the thread that needs the result. The code waits for it all the same, but the thread of
  * a window goes on painting.
  */
-public final class Aside {
+public final class BackgroundReading {
     private Executor waiting = Runnable::run;
 
     /** What is to be done. */
