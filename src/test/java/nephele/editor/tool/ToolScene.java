@@ -17,7 +17,7 @@ import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSettings;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Brush;

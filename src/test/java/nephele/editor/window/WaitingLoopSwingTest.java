@@ -88,12 +88,12 @@ class WaitingLoopSwingTest {
     @Test
     void aFailureIsThatOfTheReader() throws Exception {
         EventQueue.invokeAndWait(() -> {
-            BackgroundReading.Task<IOException> broken = () -> {
+            BackgroundReading.Work<String, IOException> broken = () -> {
                 throw new IOException("damaged");
             };
             assertEquals(
                     "damaged",
-                    assertThrows(IOException.class, () -> background.run(broken))
+                    assertThrows(IOException.class, () -> background.get(broken))
                             .getMessage());
         });
     }

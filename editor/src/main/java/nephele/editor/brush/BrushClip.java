@@ -44,11 +44,9 @@ public final class BrushClip {
         if (misses) {
             return BrushEdit.refused(BrushText.PLANE_MISSES);
         }
-        return behind.flatMap(back -> front.map(fore -> switch (keep) {
-            case BEHIND -> List.of(back);
-            case IN_FRONT -> List.of(fore);
-            case BOTH -> List.of(back, fore.withId(idInFront));
-        }));
+        return behind.flatMap(back -> front.map(fore -> keep == Keep.BOTH
+                ? List.of(back, fore.withId(idInFront))
+                : List.of(keep == Keep.BEHIND ? back : fore)));
     }
 
     private static boolean isWhole(BrushEdit<Solid> part, Solid solid) {

@@ -105,13 +105,12 @@ public final class BrushShapes {
 
     /** Returns the part of the box between two fractions of the length of the stairs. */
     private Aabb tread(BoxFace rising, double from, double to, double top) {
-        return switch (rising) {
-            case PLUS_X -> new Aabb(x(from), box.minY(), box.minZ(), x(to), top, box.maxZ());
-            case MINUS_X -> new Aabb(x(1 - to), box.minY(), box.minZ(), x(1 - from), top, box.maxZ());
-            case PLUS_Z -> new Aabb(box.minX(), box.minY(), z(from), box.maxX(), top, z(to));
-            case MINUS_Z -> new Aabb(box.minX(), box.minY(), z(1 - to), box.maxX(), top, z(1 - from));
-            case PLUS_Y, MINUS_Y -> throw new IllegalArgumentException("stairs rise towards a horizontal side");
-        };
+        boolean isPlus = rising == BoxFace.PLUS_X || rising == BoxFace.PLUS_Z;
+        double low = isPlus ? from : 1 - to;
+        double high = isPlus ? to : 1 - from;
+        return rising.normal().x() != 0
+                ? new Aabb(x(low), box.minY(), box.minZ(), x(high), top, box.maxZ())
+                : new Aabb(box.minX(), box.minY(), z(low), box.maxX(), top, z(high));
     }
 
     private double x(double fraction) {

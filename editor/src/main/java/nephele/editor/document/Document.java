@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.term.Limits;
+import nephele.editor.text.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
@@ -122,36 +123,34 @@ public final class Picker {
         }
     }
 
-    /** Returns the entities whose boxes a region touches, or those that are wholly inside it. */
-    public List<EntityRef> in(Aabb region, Containment containment) {
+    /** Returns the selectable entities whose boxes a region touches. */
+    public List<EntityRef> touching(Aabb region) {
+        return in(shape -> region.overlaps(shape.bounds()), region::overlaps);
+    }
+
+    /** Returns the selectable entities that are wholly inside a region. */
+    public List<EntityRef> inside(Aabb region) {
+        return in(
+                shape -> shape.vertices().stream().allMatch(vertex -> contains(region, vertex)),
+                box -> contains(region, box));
+    }
+
+    private List<EntityRef> in(Predicate<ConvexPolyhedron> holdsSolid, Predicate<Aabb> holdsBox) {
         List<EntityRef> found = new ArrayList<>();
         for (Brush brush : shapes.brushes()) {
             EntityRef ref = new EntityRef(SOLIDS, brush.solidId());
             boolean isFree = !hidden.contains(ref.text()) && !locked.contains(ref.text());
-            if (isFree && containment.holds(region, brush.shape())) {
+            if (isFree && holdsSolid.test(brush.shape())) {
                 found.add(ref);
             }
         }
         for (EntityRef ref : symbols()) {
             Aabb box = EntityBounds.of(level, ref);
-            boolean isIn = containment == Containment.INSIDE ? contains(region, box) : region.overlaps(box);
-            if (!box.isEmpty() && isIn && !locked.contains(ref.text())) {
+            if (!box.isEmpty() && holdsBox.test(box) && !locked.contains(ref.text())) {
                 found.add(ref);
             }
         }
         return found;
-    }
-
-    /** The test by which a region selects entities. */
-    public enum Containment {
-        TOUCHING,
-        INSIDE;
-
-        boolean holds(Aabb region, ConvexPolyhedron shape) {
-            return this == INSIDE
-                    ? shape.vertices().stream().allMatch(vertex -> contains(region, vertex))
-                    : region.overlaps(shape.bounds());
-        }
     }
 
     private static boolean contains(Aabb box, Vec3 p) {

@@ -1,7 +1,5 @@
 package nephele.editor.draw;
 
-import nephele.editor.draw.derived.EvenLight;
-import nephele.editor.draw.derived.LevelDerivation;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;

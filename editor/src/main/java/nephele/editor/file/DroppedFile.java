@@ -241,7 +241,10 @@ public final class DroppedFile {
                 session.file().path().orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
         Path imported = LevelOpening.fresh(own.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.background().run(() -> session.filing().scenes().save(file, imported, complaints::add));
+        session.background().get(() -> {
+            session.filing().scenes().save(file, imported, complaints::add);
+            return null;
+        });
         Document document = session.document();
         try {
             Level scene = withOwnMaterials(session.background().get(() -> LevelFile.read(imported)), document.level());
@@ -282,7 +285,10 @@ public final class DroppedFile {
         Path beside = session.file().path().orElse(file.toAbsolutePath());
         Path level = LevelOpening.fresh(beside.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.background().run(() -> session.filing().scenes().save(file, level, complaints::add));
+        session.background().get(() -> {
+            session.filing().scenes().save(file, level, complaints::add);
+            return null;
+        });
         LevelOpening.open(session, level.toString());
         session.status(complaints.isEmpty() ? FileText.IMPORTED.with(level) : Words.same(complaints.get(0)));
     }

@@ -21,7 +21,6 @@ import javax.swing.table.TableColumn;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
-import nephele.editor.icon.EntityIcons;
 import nephele.editor.panel.model.EntityQuery;
 import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.OutlinerModel;
@@ -33,6 +32,7 @@ import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.EntityIcons;
 import nephele.editor.widget.TextListener;
 import net.miginfocom.swing.MigLayout;
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.document.Selection;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;

@@ -16,8 +16,6 @@ import nephele.editor.play.WarmGame;
 import nephele.editor.proving.Proving;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSettings;
 import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Tool;

@@ -1,6 +1,6 @@
 package nephele.editor.tool;
 
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 

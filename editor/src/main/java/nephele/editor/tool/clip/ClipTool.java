@@ -16,9 +16,8 @@ import nephele.editor.brush.VertexEdit;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Pick;
 import nephele.editor.document.Picker;
-import nephele.editor.document.Picker.Containment;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
@@ -234,7 +233,7 @@ public final class ClipTool implements Tool {
 
     private List<EntityRef> targets() {
         List<EntityRef> refs = context.document().selection().entities();
-        List<EntityRef> from = refs.isEmpty() ? context.picker().in(reach(), Containment.TOUCHING) : refs;
+        List<EntityRef> from = refs.isEmpty() ? context.picker().touching(reach()) : refs;
         return Notes.free(context.document().level(), from).stream()
                 .filter(ref -> ref.section().equals(Picker.SOLIDS))
                 .filter(this::hasVolume)
@@ -272,12 +271,7 @@ public final class ClipTool implements Tool {
     @Override
     public Words hint() {
         Words how = ENTRY.description();
-        Words kept =
-                switch (keep) {
-                    case BEHIND -> KEEPS_BEHIND;
-                    case IN_FRONT -> KEEPS_FRONT;
-                    case BOTH -> KEEPS_BOTH;
-                };
+        Words kept = keep == Keep.BOTH ? KEEPS_BOTH : keep == Keep.BEHIND ? KEEPS_BEHIND : KEEPS_FRONT;
         return Words.of(
                 how.english() + "; " + kept.english(),
                 how.brazilian() + "; " + kept.brazilian(),

@@ -9,10 +9,10 @@ import nephele.editor.document.EntityBounds;
 import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Pick;
-import nephele.editor.document.Picker.Containment;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
@@ -162,30 +162,34 @@ public final class SelectTool implements Tool {
     }
 
     private void selectRectangle(Pointer pointer) {
-        Containment containment = pointer.isHeld(Modifier.ALT) ? Containment.INSIDE : Containment.TOUCHING;
-        List<EntityRef> found = new ArrayList<>(pointer.isPlan() ? inPlan(pointer, containment) : inView(pointer));
+        Picker picker = context.picker();
+        boolean onlyInside = pointer.isHeld(Modifier.ALT);
+        List<EntityRef> found = new ArrayList<>(
+                !pointer.isPlan()
+                        ? inView(pointer)
+                        : onlyInside ? picker.inside(region(pointer)) : picker.touching(region(pointer)));
         // Ground and clouds are behind everything: a rectangle means them only if it is around them.
-        List<EntityRef> inside = pointer.isPlan() ? inPlan(pointer, Containment.INSIDE) : List.of();
+        List<EntityRef> inside = pointer.isPlan() ? picker.inside(region(pointer)) : List.of();
         found.removeIf(ref -> BACKDROPS.contains(ref.section()) && !inside.contains(ref));
         apply(grouped(found), pointer);
     }
 
-    private List<EntityRef> inPlan(Pointer pointer, Containment containment) {
+    /** Returns the rectangle of a plan, as deep as the world. */
+    private Aabb region(Pointer pointer) {
         Vec3 a = at(start);
         Vec3 b = at(pointer);
         Vec3 along = pointer.camera().forward();
         Vec3 far = new Vec3(Math.abs(along.x()), Math.abs(along.y()), Math.abs(along.z())).scaled(1e8);
         Aabb box = Aabb.of(List.of(a, b));
-        Aabb deep = Aabb.of(List.of(
+        return Aabb.of(List.of(
                 new Vec3(box.minX(), box.minY(), box.minZ()).minus(far),
                 new Vec3(box.maxX(), box.maxY(), box.maxZ()).plus(far)));
-        return context.picker().in(deep, containment);
     }
 
     /** Returns what appears in the rectangle of a perspective view, by the middle of its bounds. */
     private List<EntityRef> inView(Pointer pointer) {
         Aabb everywhere = new Aabb(-1e8, -1e8, -1e8, 1e8, 1e8, 1e8);
-        List<EntityRef> found = new ArrayList<>(context.picker().in(everywhere, Containment.TOUCHING));
+        List<EntityRef> found = new ArrayList<>(context.picker().touching(everywhere));
         found.removeIf(ref -> !appears(ref, pointer));
         return found;
     }

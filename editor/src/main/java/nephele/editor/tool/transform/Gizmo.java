@@ -2,8 +2,8 @@ package nephele.editor.tool.transform;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.WorldAxis;
 import nephele.engine.math.Aabb;

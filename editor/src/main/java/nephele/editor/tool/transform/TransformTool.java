@@ -9,7 +9,7 @@ import nephele.editor.document.EntityBounds;
 import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;

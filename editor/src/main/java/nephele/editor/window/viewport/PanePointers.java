@@ -12,7 +12,6 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
 import nephele.editor.session.EditorSession;
-import nephele.editor.surface.SurfaceSize;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;

@@ -14,15 +14,15 @@ import nephele.editor.file.SessionJournal;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.journal.JournalFolder;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.editor.window.WaitingLoop;
+import nephele.editor.window.dialog.ExplanationPanel;
 import nephele.editor.window.file.BackupsPanel;
 import nephele.editor.window.file.RecoveryPanel;
-import nephele.editor.window.proving.ExplanationPanel;
 import nephele.engine.level.Level;
 import nephele.workshop.prove.process.TemporaryFolder;
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import javax.swing.JTabbedPane;
-import nephele.editor.guide.GuideStep;
+import nephele.editor.panel.GuideStep;
 import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
 import nephele.editor.problem.ProblemSearch;
