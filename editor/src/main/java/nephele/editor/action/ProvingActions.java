@@ -23,9 +23,9 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
 import nephele.engine.level.CloudTechnique;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
 
 /** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
 public final class ProvingActions {

@@ -16,9 +16,9 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.ChoiceWord;
 import nephele.editor.text.Words;
-import nephele.engine.compare.ComparisonFigures;
-import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.CloudTechnique;
+import nephele.host.compare.ComparisonFigures;
+import nephele.host.compare.TechniquePair;
 import net.miginfocom.swing.MigLayout;
 
 /** Two techniques of the selected cloud under a wipe, with their times and their difference, below its fields. */

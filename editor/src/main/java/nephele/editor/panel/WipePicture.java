@@ -20,7 +20,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.ComparisonThread;
-import nephele.engine.compare.Wipe;
+import nephele.host.compare.Wipe;
 
 /** Two pictures of the same view under a wipe that is dragged, or moved by the arrow keys. */
 final class WipePicture extends JComponent {

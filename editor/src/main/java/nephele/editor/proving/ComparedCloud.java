@@ -2,13 +2,13 @@ package nephele.editor.proving;
 
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import nephele.host.compare.TechniquePair;
 
 /**
  * A cloud that two techniques draw; all others keep theirs.

@@ -1,8 +1,8 @@
 package nephele.editor.proving;
 
 import java.awt.image.BufferedImage;
-import nephele.engine.compare.ComparisonFigures;
-import nephele.engine.compare.TechniquePair;
+import nephele.host.compare.ComparisonFigures;
+import nephele.host.compare.TechniquePair;
 
 /**
  * The pictures of two techniques.

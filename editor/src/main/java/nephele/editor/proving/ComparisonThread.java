@@ -4,9 +4,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import nephele.engine.compare.CloudComparison;
-import nephele.engine.compare.CloudComparison.ComparedScenes;
-import nephele.engine.compare.ComparisonFigures;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
@@ -20,6 +17,9 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.host.compare.CloudComparison;
+import nephele.host.compare.CloudComparison.ComparedScenes;
+import nephele.host.compare.ComparisonFigures;
 
 /** Draws comparisons on a thread with an OpenGL context of its own, which begins with the first one. */
 public final class ComparisonThread implements AutoCloseable {

@@ -68,7 +68,7 @@ public final class SolutionProof {
         try {
             return present.get();
         } catch (AssetException | IllegalArgumentException unusable) {
-            throw nephele.engine.terminal.CommandFailure.input(unusable.getMessage());
+            throw nephele.host.terminal.CommandFailure.input(unusable.getMessage());
         }
     }
 

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
-import nephele.engine.userfile.UserFile;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFile;
+import nephele.host.userfile.UserFolders;
 
 /**
  * The places of the editor's own files in the user's folders.

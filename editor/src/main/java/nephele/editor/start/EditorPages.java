@@ -10,7 +10,7 @@ import nephele.editor.window.dialog.DialogOpener;
 import nephele.editor.window.dialog.EditorDialogs;
 import nephele.editor.window.page.PageText;
 import nephele.editor.window.page.SettingsPage;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFolders;
 
 /** Registers the dialogues and pages of a window. */
 final class EditorPages {

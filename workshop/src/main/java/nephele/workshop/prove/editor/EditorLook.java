@@ -7,7 +7,6 @@ import java.util.Locale;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
 import nephele.engine.level.Language;
-import nephele.workshop.prove.editor.picture.PaintedPanel;
 
 /** Theme, scale and language of the editor; the screen grows with the scale, as screens do. */
 record EditorLook(Theme theme, int percent, Language language) {

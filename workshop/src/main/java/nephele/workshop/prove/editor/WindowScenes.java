@@ -12,7 +12,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.Tools;
 import nephele.editor.tool.ToolEntry;
 import nephele.engine.math.Vec3;
-import nephele.workshop.prove.editor.picture.PaintedPanel;
 
 /** The whole window: with each tool in use, each tab, each kind of view, and each step of the guide. */
 final class WindowScenes {
