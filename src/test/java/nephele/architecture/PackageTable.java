@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The dependency table of docs/ARCHITECTURE.md. Dependencies are transitive; a subpackage belongs to the row above it.
+ * Which package uses which, and which module. Dependencies are transitive; a subpackage belongs to the row above it.
  */
 final class PackageTable {
     private static final String ENGINE = "nephele.engine.";
@@ -153,7 +153,7 @@ final class PackageTable {
     }
 
     static ArchCondition<JavaClass> useOnlyWhatTheTableAllows() {
-        return new ArchCondition<>("use only what the table in ARCHITECTURE allows") {
+        return new ArchCondition<>("use only what PackageTable allows") {
             @Override
             public void check(JavaClass origin, ConditionEvents events) {
                 String row = row(origin.getPackageName());

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptedSession;
-import nephele.editor.compare.ComparedPictures;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Sky;

@@ -1,9 +1,7 @@
 package nephele.editor.draw;
 
-import nephele.engine.choice.LevelRenderer;
-import nephele.editor.draw.derived.EvenLight;
-import nephele.editor.draw.derived.LevelDerivation;
 import nephele.editor.pane.ViewMode;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.WeatherClouds;

@@ -3,7 +3,6 @@ package nephele.editor.session;
 import java.time.Clock;
 import nephele.editor.save.Backups;
 import nephele.editor.save.DocumentSaver;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.host.userfile.UserFolders;
 

@@ -2,8 +2,8 @@ package nephele.editor.start;
 
 import java.nio.file.Path;
 import java.util.function.BiConsumer;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.dialog.DialogFrame;
 import nephele.editor.window.dialog.DialogOpener;

@@ -4,8 +4,8 @@ import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.session.EditorSettings;
 import nephele.engine.level.Language;
 
 /** Theme, scale and language of the editor; the screen grows with the scale, as screens do. */

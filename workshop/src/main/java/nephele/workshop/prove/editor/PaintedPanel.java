@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.session.EditorSettings;
 import nephele.engine.level.Language;
 
 /** A panel of a dialogue, laid out and painted without a window. */
