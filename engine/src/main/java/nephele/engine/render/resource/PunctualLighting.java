@@ -1,15 +1,14 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.LightMaps;
-import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.light.PunctualLightTable;
 
 /** The punctual lights' part of {@code surface-light.glsl}, with the shadows of static geometry. */
@@ -54,16 +53,6 @@ final class PunctualLighting implements GlObject {
     void put(LightBlock block) {
         if (table != null) {
             block.lightGrid(table.grid(), anchor);
-        }
-    }
-
-    void tie(Uniforms uniforms) {
-        if (table != null) {
-            uniforms.sampler("lightTexels", TextureUnit.PUNCTUAL_LIGHTS);
-            uniforms.sampler("lightGridCells", TextureUnit.LIGHT_GRID);
-        }
-        if (shadow) {
-            uniforms.sampler("lightShadowMaps", TextureUnit.LIGHT_SHADOW);
         }
     }
 

@@ -1,8 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.Target;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Sun;
@@ -10,8 +7,9 @@ import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
@@ -84,14 +82,5 @@ final class SunLight {
 
     Defines addTo(Defines defines) {
         return defines.withIf(shines(), "SUN").withIf(hasShadow(), "SUN_SHADOW").withIf(hasCloudShade(), "CLOUD_SHADE");
-    }
-
-    void tie(Uniforms uniforms) {
-        if (hasShadow()) {
-            uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
-        }
-        if (hasCloudShade()) {
-            uniforms.sampler("cloudShade", TextureUnit.CLOUD_SHADE);
-        }
     }
 }

@@ -1,13 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.scene.light.SkyProbes;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
-import nephele.engine.render.frame.TargetReads;
-import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.Target;
-import nephele.engine.render.frame.LightMaps;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.cloud.drawn.CloudInterval;
@@ -23,18 +15,24 @@ import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LightMaps;
+import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
-import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
+import nephele.engine.scene.light.SkyProbes;
 import org.joml.Vector3d;
 
 /**
@@ -185,7 +183,8 @@ public final class SurfaceLight implements GlObject {
 
     private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
-            airTables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+            airTables =
+                    context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         }
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         SmoothSky smooth = new SmoothSky(airTables, towardsSun);
@@ -279,39 +278,6 @@ public final class SurfaceLight implements GlObject {
                 .withIf(parts != LightParts.ALL, "LIGHT_PARTS")
                 .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
-    }
-
-    /** Binds the samplers and blocks of a program compiled with {@link #addTo} to their fixed places. */
-    public void tie(Uniforms uniforms) {
-        tieForModels(uniforms);
-        if (hasSkyVisibility()) {
-            uniforms.sampler("skyVisibilityMap", TextureUnit.SKY_VISIBILITY);
-        }
-    }
-
-    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForModels}. */
-    public void tieForModels(Uniforms uniforms) {
-        tieLights(uniforms, hasSkyVisibility());
-    }
-
-    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForDynamicObjects}. */
-    public void tieForDynamicObjects(Uniforms uniforms) {
-        tieLights(uniforms, LightRequirements.skyShines(level));
-    }
-
-    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForGun}. */
-    public void tieForGun(Uniforms uniforms) {
-        tieStaticLights(uniforms, LightRequirements.skyShines(level));
-    }
-
-    private void tieLights(Uniforms uniforms, boolean ofSky) {
-        dynamicShadows.tie(uniforms);
-        tieStaticLights(uniforms, ofSky);
-    }
-
-    private void tieStaticLights(Uniforms uniforms, boolean ofSky) {
-        sun.tie(uniforms);
-        lights.tie(uniforms);
     }
 
     /**

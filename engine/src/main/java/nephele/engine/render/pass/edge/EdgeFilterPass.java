@@ -2,7 +2,6 @@ package nephele.engine.render.pass.edge;
 
 import java.util.List;
 import java.util.Set;
-import java.util.function.Consumer;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -17,7 +16,6 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 
 /**
  * Smooths stairs along edges of the displayed picture, before it is scaled up and before anything is written over it;
@@ -36,19 +34,13 @@ public final class EdgeFilterPass implements Pass {
 
     private EdgeFilterPass(LoadContext context) {
         edges = context.own(new EdgePicture(context.gl()));
-        find = drawing(context, "full.vert", "edges.frag", uniforms -> {});
-        copy = drawing(context, "full.vert", "copy.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
-        smooth = drawing(
-                context, "smooth.vert", "smooth.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
+        find = drawing(context, "full.vert", "edges.frag");
+        copy = drawing(context, "full.vert", "copy.frag");
+        smooth = drawing(context, "smooth.vert", "smooth.frag");
     }
 
-    private static FullScreenDrawing drawing(
-            LoadContext context, String vertex, String fragment, Consumer<Uniforms> more) {
-        var stages = new FullScreenDrawing.Stages(vertex, fragment);
-        return new FullScreenDrawing(context, new Defines(), FOLDER, stages, uniforms -> {
-            uniforms.sampler("displayed", TextureUnit.COLOURS);
-            more.accept(uniforms);
-        });
+    private static FullScreenDrawing drawing(LoadContext context, String vertex, String fragment) {
+        return new FullScreenDrawing(context, new Defines(), FOLDER + vertex, FOLDER + fragment);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

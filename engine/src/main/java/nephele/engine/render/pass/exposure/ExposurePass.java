@@ -24,7 +24,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.PointList;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
@@ -64,34 +63,14 @@ public final class ExposurePass implements Pass {
         lightning = context.get(FrameLightning.RESOURCE);
         cells = context.own(RenderTarget.picture(
                 gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
-        findCells = new FullScreenDrawing(
-                context,
-                MeteringDefines.all(),
-                FOLDER,
-                new FullScreenDrawing.Stages("full.vert", "cells.frag"),
-                uniforms -> uniforms.sampler("linearPicture", TextureUnit.COLOURS));
+        findCells = new FullScreenDrawing(context, MeteringDefines.all(), FOLDER + "full.vert", FOLDER + "cells.frag");
         histogram = context.own(RenderTarget.picture(
                 gl, "histogram of luminance", PixelFormat.RGBA32F, LuminanceHistogram.BINS + 1, 1));
         points = context.own(new PointList(gl, "cells as points", CELLS));
         triangle = context.own(new FullScreenTriangle(gl, "adaption of exposure"));
         Map<String, String> defines = MeteringDefines.all().values();
-        count = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "histogram.vert", defines),
-                ShaderSource.load(FOLDER + "histogram.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("cells", TextureUnit.COLOURS);
-                    return uniforms;
-                });
-        adapt = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "full.vert", defines),
-                ShaderSource.load(FOLDER + "adapt.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("histogram", TextureUnit.COLOURS);
-                    exposure.tie(uniforms);
-                    return new Adaption(uniforms.vector4("stopsAndShares"), uniforms.scalar("hasHistory"));
-                });
+        count = GlProgram.of(gl, FOLDER + "histogram.vert", FOLDER + "histogram.frag", defines);
+        adapt = GlProgram.of(gl, FOLDER + "full.vert", FOLDER + "adapt.frag", defines, Adaption.class);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -48,7 +48,7 @@ public final class AtmospherePass implements Pass {
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
-        day = SkyProgram.of(context, false);
+        day = new SkyProgram(context, false);
         tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         byHeight = context.own(new ByHeight<>(this::tables));
     }
@@ -97,7 +97,7 @@ public final class AtmospherePass implements Pass {
             return day;
         }
         if (night == null) {
-            night = SkyProgram.of(context, true);
+            night = new SkyProgram(context, true);
         }
         return night;
     }
