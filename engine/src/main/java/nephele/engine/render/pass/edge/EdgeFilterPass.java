@@ -14,6 +14,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
 
@@ -27,13 +28,17 @@ public final class EdgeFilterPass implements Pass {
 
     private static final String FOLDER = "/nephele/engine/render/pass/edge/";
 
-    private final EdgePicture edges;
+    private final LoadContext context;
+    /** The edges of a picture, a texel a pixel; {@code null} before the first one. */
+    private RenderTarget edges;
+
     private final FullScreenDrawing find;
     private final FullScreenDrawing copy;
     private final FullScreenDrawing smooth;
 
     private EdgeFilterPass(LoadContext context) {
-        edges = context.own(new EdgePicture(context.gl()));
+        this.context = context;
+        context.own(this::closeEdges);
         find = drawing(context, "full.vert", "edges.frag");
         copy = drawing(context, "full.vert", "copy.frag");
         smooth = drawing(context, "smooth.vert", "smooth.frag");
@@ -61,13 +66,23 @@ public final class EdgeFilterPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        RenderTarget found = edges.ofSizeOf(frame.surface());
-        frame.surface().colour().bind(TextureUnit.COLOURS);
-        find.draw(found, Depth.OFF);
+        RenderTarget picture = frame.surface();
+        if (edges == null || edges.width() != picture.width() || edges.height() != picture.height()) {
+            closeEdges();
+            edges = RenderTarget.picture(context.gl(), "edges", PixelFormat.RGBA8, picture.width(), picture.height());
+        }
+        picture.colour().bind(TextureUnit.COLOURS);
+        find.draw(edges, Depth.OFF);
         edges.colour().bind(TextureUnit.EDGES);
         RenderTarget written = frame.picture();
         written.clear(0, 0, 0);
         copy.draw(written, Depth.LESS_AND_WRITE);
         smooth.draw(written, Depth.LESS_AND_WRITE);
+    }
+
+    private void closeEdges() {
+        if (edges != null) {
+            edges.close();
+        }
     }
 }
