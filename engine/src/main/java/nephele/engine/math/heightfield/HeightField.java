@@ -382,6 +382,6 @@ public final class HeightField {
      * Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order.
      */
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
-        passing(SweptAabb.of(box, motion)::touches, found);
+        passing(SweptAabb.of(box, motion), found);
     }
 }

@@ -1,5 +1,5 @@
 // Which views of its atlas show a plant from a direction, and where; for a vertex shader. Twins:
-// scene.impostor.HemiOctahedron, ViewBlend and AtlasView. Needs plants.glsl.
+// scene.impostor.AtlasView and, in the tests, ViewBlend. Needs plants.glsl.
 
 const float VIEWS = 8.0; // = ImpostorAtlas.SIDE; along a side of the atlas
 const float FILLED = 0.9375; // = ImpostorAtlas.FILLED; part of a view's side

@@ -66,7 +66,7 @@ const float NIGHT_GAIN = 400.0; // = Moonlight.NIGHT_GAIN
 const vec3 NIGHT_GLOW = vec3(0.55, 0.75, 1.25) * 1.6e-8 * NIGHT_GAIN; // = Heavens.NIGHT_GLOW
 // The glow's irradiance of a level ground, divided by pi and by the glow of the zenith.
 const float GLOW_ON_GROUND = 1.061; // = Heavens.GLOW_ON_GROUND
-const float CELLS = 40.0; // = StarCells.CELLS
+const float CELLS = 40.0; // = NightSky.STAR_CELLS
 
 uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d
     v = v * 1664525u + 1013904223u;
@@ -82,7 +82,7 @@ uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Ren
 
 // Dark plains: unit vectors to their middles, east, north and towards the planet, and their radii in radians.
 const int SEA_COUNT = 15;
-const vec4 SEAS[SEA_COUNT] = vec4[]( // = MoonFace.SEAS
+const vec4 SEAS[SEA_COUNT] = vec4[]( // = NightSky.SEAS
     vec4(-0.231, 0.545, 0.806, 0.314),
     vec4(0.273, 0.469, 0.840, 0.192),
     vec4(0.509, 0.156, 0.847, 0.227),
@@ -100,7 +100,7 @@ const vec4 SEAS[SEA_COUNT] = vec4[]( // = MoonFace.SEAS
     vec4(-0.385, -0.174, 0.907, 0.122));
 // Young craters with bright rays: directions and sizes.
 const int RAYED_COUNT = 6;
-const vec4 RAYED[RAYED_COUNT] = vec4[]( // = MoonFace.RAYED
+const vec4 RAYED[RAYED_COUNT] = vec4[]( // = NightSky.RAYED
     vec4(-0.140, -0.682, 0.718, 0.628),
     vec4(-0.337, 0.174, 0.925, 0.279),
     vec4(-0.610, 0.139, 0.780, 0.157),
