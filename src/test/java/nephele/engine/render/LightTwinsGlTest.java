@@ -1,14 +1,12 @@
 package nephele.engine.render;
 
-import nephele.engine.reference.MaterialTextures;
-
-import nephele.engine.level.appearance.PunctualLight;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.FaceTexture;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
@@ -175,7 +173,7 @@ class LightTwinsGlTest {
         }
         float[] gpu = TwinProgram.run("normal-map.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
-            Vector3d expected = MaterialTextures.mapped(
+            Vector3d expected = FaceTexture.mappedNormal(
                     vector(in, 16 * i), vector(in, 16 * i + 4), vector(in, 16 * i + 8), vector(in, 16 * i + 12));
             assertClose(expected, gpu, i, 1e-3, 1e-4);
         }

@@ -1,13 +1,13 @@
 package nephele.engine.measure;
 
 import java.util.Arrays;
-
 import java.util.stream.IntStream;
 
 /** FLIP of radiance: the maximum of its errors over a range of exposures (Andersson et al. 2021). */
 public final class HdrFlip {
     /** Narkowicz' fit of the ACES filmic curve (2015), at 0.6 of the exposure: the tone mapper of HDR-FLIP. */
     private static final double EXPOSURE = 0.6;
+
     private static final double A2 = 2.51 * EXPOSURE * EXPOSURE;
     private static final double A1 = 0.03 * EXPOSURE;
     private static final double B2 = 2.43 * EXPOSURE * EXPOSURE;
@@ -26,7 +26,8 @@ public final class HdrFlip {
         reference.requireSameSize(test);
         return IntStream.range(0, exposures.count())
                 .parallel()
-                .mapToObj(i -> Flip.ofDisplayed(displayed(reference, exposures.stops(i)), displayed(test, exposures.stops(i))))
+                .mapToObj(i ->
+                        Flip.ofDisplayed(displayed(reference, exposures.stops(i)), displayed(test, exposures.stops(i))))
                 .reduce(ErrorMap::greater)
                 .orElseThrow();
     }
@@ -70,7 +71,8 @@ public final class HdrFlip {
 
         public ExposureRange {
             if (!(startStops <= stopStops) || count < 2) {
-                throw new IllegalArgumentException("exposures go from the lower to the higher one in at least two steps");
+                throw new IllegalArgumentException(
+                        "exposures go from the lower to the higher one in at least two steps");
             }
         }
 

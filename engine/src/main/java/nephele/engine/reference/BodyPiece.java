@@ -1,19 +1,18 @@
 package nephele.engine.reference;
 
 import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Portal;
-import nephele.engine.portal.PortalTransform;
-import nephele.engine.portal.Portals;
-
-import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayClip;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.PortalTransform;
+import nephele.engine.portal.Portals;
 import nephele.engine.reference.BodyShape.Span;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;

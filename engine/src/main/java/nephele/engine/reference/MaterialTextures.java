@@ -9,14 +9,13 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** The level's materials with their pictures. Pictures are read at the hit point; averaging many rays filters them. */
 final class MaterialTextures {
-    /** Least outward component of a mapped normal; a smaller one could bend the normal below the face. */
-    public static final double MIN_OUTWARD = 0.1;
     private static final Skin GREY = new Skin(Material.DEFAULT_GREY, null, null);
 
     private final Map<String, Skin> byId = new HashMap<>();
@@ -97,7 +96,8 @@ final class MaterialTextures {
         Vector3dc normal = bare.normal();
         if (skin.normals() != null) {
             skin.normals().read(spot.s(), spot.t(), rgba);
-            normal = mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), bare.normal(), spot.across(), spot.up());
+            normal = FaceTexture.mappedNormal(
+                    new Vector3d(rgba[0], rgba[1], rgba[2]), bare.normal(), spot.across(), spot.up());
         }
         Brdf gloss = material.lambert() ? null : gloss(material, colour, rgba[3], normal.dot(bare.toEye()));
         return new SurfacePoint(
@@ -117,17 +117,5 @@ final class MaterialTextures {
         double roughness = material.roughness() == null ? 1 : material.roughness();
         double metallic = material.metallic() == null ? 0 : material.metallic();
         return Brdf.of(colour, roughness * roughnessFactor, metallic, cosine);
-    }
-
-    /**
-     * Returns the mapped normal.
-     *
-     * @param texel red, green, blue of the map, 0–1
-     * @param across direction in which the texture's u grows on the face, {@code up} that of its v
-     */
-    public static Vector3d mapped(Vector3dc texel, Vector3dc faceNormal, Vector3dc across, Vector3dc up) {
-        Vector3d n = new Vector3d(faceNormal).mul(Math.max(texel.z() * 2 - 1, MIN_OUTWARD));
-        n.fma(texel.x() * 2 - 1, across).fma(texel.y() * 2 - 1, up);
-        return n.mul(1 / Math.sqrt(Math.max(n.lengthSquared(), 1e-8)));
     }
 }

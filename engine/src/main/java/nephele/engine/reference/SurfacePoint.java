@@ -58,9 +58,7 @@ record SurfacePoint(
         Vector3d reflected = gloss == null
                 ? new Vector3d(albedo).mul(Math.max(normal.dot(toLight), 0) / Math.PI)
                 : gloss.reflected(normal, toEye, toLight);
-        return smoothNormal == faceNormal
-                ? reflected
-                : reflected.mul(terminator(smoothNormal, faceNormal, toLight));
+        return smoothNormal == faceNormal ? reflected : reflected.mul(terminator(smoothNormal, faceNormal, toLight));
     }
 
     /** Returns the radiance towards the eye under ambient light, irradiance / π at the normal and mirror direction. */

@@ -1,21 +1,20 @@
 package nephele.engine.scene;
 
 import java.util.ArrayList;
-import nephele.engine.level.Brush.BrushFace;
-import nephele.engine.math.Vec3;
-import nephele.engine.scene.SceneMaterials.Surface;
-import nephele.engine.scene.light.bake.FaceFragment;
-
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
+import nephele.engine.scene.light.bake.FaceFragment;
 import nephele.engine.scene.light.bake.FaceFragments;
 import nephele.engine.scene.light.bake.SkyVisibility;
 

@@ -1,11 +1,10 @@
 package nephele.engine.scene;
 
-import nephele.engine.math.Vec3;
-
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**

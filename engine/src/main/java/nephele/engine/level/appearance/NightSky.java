@@ -1,14 +1,12 @@
 package nephele.engine.level.appearance;
 
-import nephele.engine.math.Pcg3d;
-
-import nephele.engine.math.SeededNoise;
-
 import java.util.Optional;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.math.Directions;
+import nephele.engine.math.Pcg3d;
+import nephele.engine.math.SeededNoise;
 import nephele.engine.math.Vec3;
 
 /**
@@ -155,7 +153,11 @@ public final class NightSky {
         double scale = 2.7;
         for (int octave = 0; octave < 5; octave++) {
             rough += weight
-                    * (NOISE.at(NOISE_CELLS + scale * place.x(), NOISE_CELLS + scale * place.y(), NOISE_CELLS + scale * place.z()) - 0.5);
+                    * (NOISE.at(
+                                    NOISE_CELLS + scale * place.x(),
+                                    NOISE_CELLS + scale * place.y(),
+                                    NOISE_CELLS + scale * place.z())
+                            - 0.5);
             weight *= 0.65;
             scale *= 2;
         }

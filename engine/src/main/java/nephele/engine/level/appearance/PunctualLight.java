@@ -1,9 +1,8 @@
 package nephele.engine.level.appearance;
 
-import nephele.engine.math.Aabb;
-
 import java.util.Optional;
 import nephele.engine.level.Light;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -24,6 +23,7 @@ public record PunctualLight(
         Light source) {
     /** Squared distance below which the irradiance grows no further: a centimetre. */
     public static final double MIN_SQUARE_METRES = 1e-4;
+
     private static final double MIN_RANGE_METRES = 1e-3;
     private static final double MAX_RANGE_METRES = 1e9;
     private static final double MAX_WATTS_PER_STERADIAN = 1e12;
@@ -91,8 +91,7 @@ public record PunctualLight(
         Vector3d fromLight = p.toVector().sub(position.toVector());
         double d2 = fromLight.lengthSquared();
         double cosine = fromLight.dot(axis.toVector()) / Math.sqrt(Math.max(d2, 1e-12));
-        double falloff = windowedInverseSquare(d2, inverseSquareRange())
-                * cone(cosine, coneScale, coneOffset);
+        double falloff = windowedInverseSquare(d2, inverseSquareRange()) * cone(cosine, coneScale, coneOffset);
         return radiantIntensity.toVector().mul(falloff);
     }
 
@@ -102,7 +101,7 @@ public record PunctualLight(
         double dx = outside(p.x(), box.minX(), box.maxX());
         double dy = outside(p.y(), box.minY(), box.maxY());
         double dz = outside(p.z(), box.minZ(), box.maxZ());
-                return dx * dx + dy * dy + dz * dz <= rangeMetres * rangeMetres && (!isSpot() || coneMeets(box));
+        return dx * dx + dy * dy + dz * dz <= rangeMetres * rangeMetres && (!isSpot() || coneMeets(box));
     }
 
     private static double outside(double x, double min, double max) {

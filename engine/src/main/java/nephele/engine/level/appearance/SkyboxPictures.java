@@ -1,10 +1,9 @@
 package nephele.engine.level.appearance;
 
-import nephele.engine.asset.AssetException;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;

@@ -1,7 +1,5 @@
 package nephele.engine.level.rule;
 
-import nephele.engine.level.appearance.SkyboxPictures;
-
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -16,6 +14,7 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.level.json.AssetPlaces;
 
 /** Every file that the level names exists, and every picture and grid can be decoded. */

@@ -116,17 +116,17 @@ public final class SpatialIndex {
 
     private void cullLeaf(int node, int mask, Frustum frustum, RangeVisitor visible) {
         int end = tree.end()[node];
-        int runStart = tree.first()[node];
-        for (int slot = runStart; slot < end; slot++) {
+        int from = tree.first()[node];
+        for (int slot = from; slot < end; slot++) {
             if (frustum.classify(tree.slotBounds(), 6 * slot, mask) == Frustum.OUTSIDE) {
-                if (slot > runStart) {
-                    visible.range(runStart, slot);
+                if (slot > from) {
+                    visible.range(from, slot);
                 }
-                runStart = slot + 1;
+                from = slot + 1;
             }
         }
-        if (end > runStart) {
-            visible.range(runStart, end);
+        if (end > from) {
+            visible.range(from, end);
         }
     }
 

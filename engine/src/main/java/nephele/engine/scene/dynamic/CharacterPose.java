@@ -2,7 +2,6 @@ package nephele.engine.scene.dynamic;
 
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-
 import nephele.engine.scene.FrameState.Posture;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;

@@ -1,7 +1,6 @@
 package nephele.engine.scene.impostor;
 
 import nephele.engine.math.Directions;
-
 import nephele.engine.math.Vec3;
 
 /**
