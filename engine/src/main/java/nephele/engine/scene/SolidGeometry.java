@@ -47,8 +47,8 @@ public final class SolidGeometry {
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
     private final FaceFragments fragments;
 
-    private final MeshSpans solidSpans;
-    private final MeshSpans modelSpans;
+    private final MeshCopy.MeshSpans solidSpans;
+    private final MeshCopy.MeshSpans modelSpans;
     private final Triangles solids;
     private final Triangles models;
     private final List<SolidBatch> batches;

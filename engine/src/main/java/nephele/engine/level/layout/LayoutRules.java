@@ -13,7 +13,7 @@ public final class LayoutRules {
             BrushRules.IN_SIGHT,
             FaceRules.APART,
             BuriedRules.LIGHTS,
-            LeakRules.CLOSED,
+            Leak.CLOSED,
             GroundRules.ABOVE,
             ImpostorCost.FEW);
 
