@@ -1,20 +1,18 @@
 package nephele.engine.reference;
 
-import nephele.engine.level.appearance.FaceTexture;
-import nephele.engine.math.Directions;
-import nephele.engine.level.placed.WorldTriangles;
-
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayTriangleIntersection;
 import nephele.engine.math.Vec3;
@@ -149,11 +147,7 @@ final class TriangleMeshShape implements TracedShape {
             Aabb box = kind.bounds();
             List<Vec3> corners = new ArrayList<>();
             for (int i = 0; i < 8; i++) {
-                Vec3 corner = new Vec3(
-                        (i & 1) == 0 ? box.minX() : box.maxX(),
-                        (i & 2) == 0 ? box.minY() : box.maxY(),
-                        (i & 4) == 0 ? box.minZ() : box.maxZ());
-                corners.add(plant.foot().addScaled(plant.scale(), turned(corner)));
+                corners.add(plant.foot().addScaled(plant.scale(), turned(box.corner(i))));
             }
             bounds = Aabb.of(corners);
         }

@@ -1,7 +1,5 @@
 package nephele.engine.level.placed;
 
-import nephele.engine.model.bound.Bound;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +12,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Chance;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

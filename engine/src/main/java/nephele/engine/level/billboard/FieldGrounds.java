@@ -1,26 +1,23 @@
 package nephele.engine.level.billboard;
 
 import java.util.ArrayList;
-import java.util.List;
-import nephele.engine.level.placed.PlacedModel;
-import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Plane;
-import nephele.engine.math.Ray;
-import nephele.engine.math.RayTriangleIntersection;
-import nephele.engine.math.bvh.ItemRayTest;
-import nephele.engine.math.bvh.RayHit;
-import nephele.engine.math.bvh.SpatialIndex;
-
-import nephele.engine.math.Aabb;
-import nephele.engine.math.Vec3;
-import nephele.engine.math.heightfield.HeightField;
-import nephele.engine.math.heightfield.HeightFieldSurface;
-
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayTriangleIntersection;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.bvh.SpatialIndex;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /** The grounds of the fields of a level: a terrain, or the highest surfaces of everything. */
 public final class FieldGrounds {
@@ -74,7 +71,8 @@ public final class FieldGrounds {
         private final SpatialIndex index;
         private final RayHit hit = new RayHit();
         private final Ray ray = Ray.reusable();
-        private final ItemRayTest test = (from, item, limit) -> surfaces().get(item).hit(from, limit);
+        private final ItemRayTest test =
+                (from, item, limit) -> surfaces().get(item).hit(from, limit);
 
         /** A part of the ground. */
         private interface Surface {
@@ -87,7 +85,16 @@ public final class FieldGrounds {
         public SurfaceGround(StaticShapes statics) {
             bounds = statics.bounds();
             List<Aabb> boxes = new ArrayList<>();
-            statics.all().forEach(shape -> shape.select(new Sorted(boxes)));
+            statics.forEach(
+                    hull -> {
+                        boxes.add(hull.bounds());
+                        surfaces.add(new Hull(hull.brush().shape()));
+                    },
+                    mesh -> addTriangles(mesh.model().triangles().corners(), boxes),
+                    grid -> {
+                        boxes.add(grid.bounds());
+                        surfaces.add(new Grid(grid));
+                    });
             index = SpatialIndex.of(boxes);
         }
 
@@ -117,35 +124,11 @@ public final class FieldGrounds {
             return new Place(at, normal.y() < 0 ? normal.negated() : normal);
         }
 
-        /** Makes surfaces of shapes; a mesh is one surface for each triangle. */
-        private final class Sorted implements StaticShape.Cases {
-            private final List<Aabb> boxes;
-
-            Sorted(List<Aabb> boxes) {
-                this.boxes = boxes;
-            }
-
-            @Override
-            public void convexHull(StaticShape.ConvexHull hull) {
-                boxes.add(hull.bounds());
-                surfaces.add(new Hull(hull.brush().shape()));
-            }
-
-            @Override
-            public void triangleMesh(StaticShape.TriangleMesh mesh) {
-                PlacedModel model = mesh.model();
-                double[] corners = model.triangles().corners();
-                for (int i = 0; i < model.triangles().count(); i++) {
-                    boxes.add(Aabb.of(
-                            List.of(corner(corners, 9 * i), corner(corners, 9 * i + 3), corner(corners, 9 * i + 6))));
-                    surfaces.add(new Triangle(corners, 9 * i));
-                }
-            }
-
-            @Override
-            public void heightGrid(StaticShape.HeightGrid grid) {
-                boxes.add(grid.bounds());
-                surfaces.add(new Grid(grid));
+        /** Adds the triangles of a mesh, each as a surface. */
+        private void addTriangles(double[] corners, List<Aabb> boxes) {
+            for (int at = 0; at < corners.length; at += 9) {
+                boxes.add(Aabb.of(List.of(corner(corners, at), corner(corners, at + 3), corner(corners, at + 6))));
+                surfaces.add(new Triangle(corners, at));
             }
         }
 
@@ -217,7 +200,11 @@ public final class FieldGrounds {
 
             private boolean nearest(Ray downwards, double limit, RayHit found) {
                 return grid.field()
-                        .nearest(downwards, limit, (ray, item, most) -> grid.field().intersection(ray, item), found);
+                        .nearest(
+                                downwards,
+                                limit,
+                                (ray, item, most) -> grid.field().intersection(ray, item),
+                                found);
             }
 
             @Override

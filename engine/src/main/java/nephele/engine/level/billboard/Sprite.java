@@ -1,8 +1,7 @@
 package nephele.engine.level.billboard;
 
-import java.util.Arrays;
-
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;

@@ -1,26 +1,22 @@
 package nephele.engine.level.layout;
 
-import nephele.engine.math.RayClip;
-
-import nephele.engine.math.Ray;
-
-import nephele.engine.math.bvh.SpatialIndex;
-
-import nephele.engine.level.Problem;
-import nephele.engine.level.Problem.Subject;
-import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.placed.PlacedRule;
-
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Subject;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayClip;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /** Finds the path from the player's start out of a level that seems to be closed: through a gap that somebody forgot. */
 public final class Leak {

@@ -1,9 +1,5 @@
 package nephele.engine.level.placed;
 
-import nephele.engine.math.Aabb;
-
-import nephele.engine.math.bvh.SpatialIndex;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -18,7 +14,9 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
+import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.model.Mesh;
 import org.joml.Matrix4dc;
 
@@ -120,8 +118,7 @@ public record PlacedModels(List<PlacedModel> all) {
         SpatialIndex index = SpatialIndex.of(boxes);
         long[] overlaps = {0};
         for (int i = 0; i < OVERLAP_SAMPLES; i++) {
-            index.overlapping(
-                    boxes.get((int) ((i + 0.5) * boxes.size() / OVERLAP_SAMPLES)), other -> overlaps[0]++);
+            index.overlapping(boxes.get((int) ((i + 0.5) * boxes.size() / OVERLAP_SAMPLES)), other -> overlaps[0]++);
         }
         return overlaps[0] / OVERLAP_SAMPLES;
     }

@@ -1,27 +1,27 @@
 package nephele.engine.level.placed;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.level.Terrain;
-import nephele.engine.level.terrain.LayerPaint;
-import nephele.engine.level.terrain.TerrainField;
-import nephele.engine.math.heightfield.HeightField;
-
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Set;
-import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.terrain.LayerPaint;
+import nephele.engine.level.terrain.TerrainField;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
  * The static shapes of a level, in the world; immutable. Built once for scene, simulation and reference path tracer.
@@ -108,6 +108,14 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return all;
     }
 
+    /** Calls for each shape the function for its kind, in the order of {@link #all}. */
+    public void forEach(
+            Consumer<StaticShape.ConvexHull> hull,
+            Consumer<StaticShape.TriangleMesh> mesh,
+            Consumer<StaticShape.HeightGrid> grid) {
+        all().forEach(shape -> shape.select(hull, mesh, grid));
+    }
+
     /** Returns the bounds of all shapes; empty if there are none. */
     public Aabb bounds() {
         return all().stream().map(StaticShape::bounds).reduce(Aabb.EMPTY, Aabb::union);
@@ -123,7 +131,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
      *
      * @throws nephele.engine.asset.AssetException that names a height or layer map that is missing or cannot be used
      */
-    private static List<StaticShape.HeightGrid> editedGrounds(List<StaticShape.HeightGrid> before, Level level, AssetSource assets) {
+    private static List<StaticShape.HeightGrid> editedGrounds(
+            List<StaticShape.HeightGrid> before, Level level, AssetSource assets) {
         List<Terrain> terrains = level.terrains();
         Map<String, HeightMap> maps = new HashMap<>();
         List<StaticShape.HeightGrid> grids = new ArrayList<>(terrains.size());

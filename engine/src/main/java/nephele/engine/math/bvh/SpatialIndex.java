@@ -1,6 +1,7 @@
 package nephele.engine.math.bvh;
 
 import java.util.List;
+import java.util.function.IntConsumer;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Ray;
@@ -160,7 +161,7 @@ public final class SpatialIndex {
     }
 
     /** Reports every item with a box that overlaps or touches {@code box}, in tree order. */
-    public void overlapping(Aabb box, ItemVisitor found) {
+    public void overlapping(Aabb box, IntConsumer found) {
         if (box.isEmpty()) {
             return;
         }
@@ -170,7 +171,7 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlapping(int node, Aabb box, ItemVisitor found) {
+    private void overlapping(int node, Aabb box, IntConsumer found) {
         if (!box.overlaps(tree.nodeBounds(), 6 * node)) {
             return;
         }
@@ -183,10 +184,10 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlapping(Aabb box, int firstSlot, int endSlot, ItemVisitor found) {
+    private void overlapping(Aabb box, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (box.overlaps(tree.slotBounds(), 6 * slot)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
@@ -195,14 +196,14 @@ public final class SpatialIndex {
      * Reports every item with a box that overlaps or touches the one in {@code box} at {@code at}: three minima, three
      * maxima.
      */
-    public void overlapping(double[] box, int at, ItemVisitor found) {
+    public void overlapping(double[] box, int at, IntConsumer found) {
         overlappingSlots(box, at, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
             overlappingNode(0, box, at, found);
         }
     }
 
-    private void overlappingNode(int node, double[] box, int at, ItemVisitor found) {
+    private void overlappingNode(int node, double[] box, int at, IntConsumer found) {
         if (!overlaps(tree.nodeBounds(), 6 * node, box, at)) {
             return;
         }
@@ -215,10 +216,10 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlappingSlots(double[] box, int at, int firstSlot, int endSlot, ItemVisitor found) {
+    private void overlappingSlots(double[] box, int at, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (overlaps(tree.slotBounds(), 6 * slot, box, at)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
@@ -318,14 +319,14 @@ public final class SpatialIndex {
     }
 
     /** Reports every item with a box that passes, in tree order. */
-    public void query(BoxTest test, ItemVisitor found) {
+    public void query(BoxTest test, IntConsumer found) {
         query(test, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
             query(test, 0, found);
         }
     }
 
-    private void query(BoxTest test, int node, ItemVisitor found) {
+    private void query(BoxTest test, int node, IntConsumer found) {
         if (!test.passes(tree.nodeBounds(), 6 * node)) {
             return;
         }
@@ -338,16 +339,16 @@ public final class SpatialIndex {
         }
     }
 
-    private void query(BoxTest test, int firstSlot, int endSlot, ItemVisitor found) {
+    private void query(BoxTest test, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (test.passes(tree.slotBounds(), 6 * slot)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
 
     /** Reports every item with a box that {@code box} may touch along {@code motion}, in tree order. */
-    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+    public void swept(Aabb box, Vec3 motion, IntConsumer found) {
         SweptAabb sweep = SweptAabb.of(box, motion);
         query(sweep, 0, tree.unbounded(), found);
         if (tree.nodes() > 0 && !box.isEmpty()) {

@@ -104,8 +104,8 @@ public enum Bound {
     }
 
     /**
-     * Returns whether two triangles haveCommonPoint: no axis separates them. Convex polygons in space are separated by a normal of
-     * theirs, by the cross product of an edge of each, or, in one plane, by a perpendicular of an edge in it (Gottschalk
+     * Returns whether two triangles have a point in common: no axis separates them. Convex polygons in space are separated
+     * by a normal of theirs, by the cross product of an edge of each, or, in one plane, by a perpendicular of an edge in it (Gottschalk
      * 1996, "Separating axis theorem").
      *
      * @param a three corners

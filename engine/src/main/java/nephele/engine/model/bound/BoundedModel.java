@@ -42,8 +42,7 @@ public record BoundedModel(String name, BoundingSphere sphere, BoxTree tree) {
     public void outline(Bound bound, Pose at, List<Vec3> ends) {
         switch (bound) {
             case SPHERE -> addSphere(middle(at), sphere.radius(), ends);
-            case AXIS_ALIGNED_BOX ->
-                addBox(OrientedBox.of(tree.box(), at).upright(), WORLD, ends);
+            case AXIS_ALIGNED_BOX -> addBox(OrientedBox.of(tree.box(), at).upright(), WORLD, ends);
             case ORIENTED_BOX -> addBox(tree.box(), at, ends);
             case HIERARCHY -> {
                 List<Aabb> boxes = new ArrayList<>();
@@ -75,30 +74,23 @@ public record BoundedModel(String name, BoundingSphere sphere, BoxTree tree) {
         return axis == 0 ? new Vec3(0, a, b) : axis == 1 ? new Vec3(b, 0, a) : new Vec3(a, b, 0);
     }
 
-    /** Adds the twelve edges of a addBox. */
-    private static void addBox(Aabb addBox, Pose at, List<Vec3> ends) {
+    /** Adds the twelve edges of a box. */
+    private static void addBox(Aabb box, Pose at, List<Vec3> ends) {
         for (int corner = 0; corner < 8; corner++) {
             for (int axis = 1; axis < 8; axis *= 2) {
                 if ((corner & axis) == 0) {
-                    ends.add(at.moved(corner(addBox, corner)));
-                    ends.add(at.moved(corner(addBox, corner | axis)));
+                    ends.add(at.moved(box.corner(corner)));
+                    ends.add(at.moved(box.corner(corner | axis)));
                 }
             }
         }
     }
 
-    private static Vec3 corner(Aabb addBox, int corner) {
-        return new Vec3(
-                (corner & 1) == 0 ? addBox.minX() : addBox.maxX(),
-                (corner & 2) == 0 ? addBox.minY() : addBox.maxY(),
-                (corner & 4) == 0 ? addBox.minZ() : addBox.maxZ());
-    }
-
-    /** Adds the edges of all addTriangles. */
+    /** Adds the edges of all triangles. */
     private static void addTriangles(BoxTree tree, Pose at, List<Vec3> ends) {
-        List<Vec3[]> addTriangles = new ArrayList<>();
-        tree.addTriangles(addTriangles);
-        for (Vec3[] triangle : addTriangles) {
+        List<Vec3[]> triangles = new ArrayList<>();
+        tree.addTriangles(triangles);
+        for (Vec3[] triangle : triangles) {
             for (int i = 0; i < 3; i++) {
                 ends.add(at.moved(triangle[i]));
                 ends.add(at.moved(triangle[(i + 1) % 3]));

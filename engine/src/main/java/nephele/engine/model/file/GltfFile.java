@@ -1,39 +1,26 @@
 package nephele.engine.model.file;
 
-import java.util.regex.Pattern;
-
-import java.util.regex.Matcher;
-
-import java.nio.charset.StandardCharsets;
-
-import java.io.InputStreamReader;
-
-import java.io.IOException;
-
-import java.io.ByteArrayInputStream;
-
-import com.google.gson.stream.JsonToken;
-
-import com.google.gson.stream.JsonReader;
-
-import com.google.gson.Strictness;
-
-import com.google.gson.JsonParser;
-
-import com.google.gson.JsonParseException;
-
 import com.google.gson.JsonElement;
-
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import nephele.engine.model.MeshLimits;
-import nephele.engine.model.ModelFileException;
-
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import nephele.engine.model.Mesh;
+import nephele.engine.model.MeshLimits;
+import nephele.engine.model.ModelFileException;
 import nephele.engine.model.ModelText;
 
 /**
@@ -156,7 +143,10 @@ final class GltfFile {
         static GltfContainer of(String file, byte[] bytes) {
             if (bytes.length > MeshLimits.MAX_GLTF_BYTES) {
                 throw new ModelFileException(
-                        file, 0, "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB", "make the mesh coarser");
+                        file,
+                        0,
+                        "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB",
+                        "make the mesh coarser");
             }
             ByteBuffer data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
             boolean binary = bytes.length >= 4 && data.getInt(0) == MAGIC;
@@ -168,13 +158,15 @@ final class GltfFile {
                 throw wrong(file, data.limit(), "the file ends within its header");
             }
             if (data.getInt(4) != 2) {
-                throw wrong(file, 4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
+                throw wrong(
+                        file, 4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
             }
             if (data.getInt(8) != data.limit()) {
                 throw wrong(
                         file,
                         8,
-                        "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has " + data.limit());
+                        "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has "
+                                + data.limit());
             }
             byte[] json = chunk(file, data, HEADER_BYTES, JSON_CHUNK);
             int next = HEADER_BYTES + CHUNK_HEADER_BYTES + json.length;
@@ -193,7 +185,9 @@ final class GltfFile {
             }
             if (length < 0 || length > data.limit() - start) {
                 throw wrong(
-                        file, at, "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
+                        file,
+                        at,
+                        "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
             }
             return Arrays.copyOfRange(data.array(), start, start + length);
         }

@@ -1,9 +1,8 @@
 package nephele.engine.model.file;
 
+import java.io.ByteArrayOutputStream;
 import java.math.BigDecimal;
 import java.math.MathContext;
-
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;

@@ -1,13 +1,11 @@
 package nephele.engine.model.file;
 
 import java.util.ArrayList;
-import nephele.engine.model.MeshLimits;
-
 import java.util.Arrays;
-
 import java.util.List;
 import java.util.function.Predicate;
 import nephele.engine.model.Mesh;
+import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
 import nephele.engine.model.NumberFormatting;
 
@@ -291,7 +289,8 @@ final class TextMeshFile {
                         "correct the count, or leave it out");
             }
             if (blocks.size() == MOST_BLOCKS) {
-                throw text.error("has more than " + MOST_BLOCKS + " blocks", "keep to the four that docs/models.md names");
+                throw text.error(
+                        "has more than " + MOST_BLOCKS + " blocks", "keep to the four that docs/models.md names");
             }
             blocks.add(block);
             open = null;

@@ -1,7 +1,5 @@
 package nephele.engine.scene.light;
 
-import nephele.engine.scene.light.bake.FaceFragments;
-
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +7,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.bake.FaceFragment;
+import nephele.engine.scene.light.bake.FaceFragments;
 import nephele.engine.scene.light.bake.LightMapChart;
 import nephele.engine.scene.light.bake.LightMapLayout;
 import nephele.engine.scene.light.bake.PolygonClipping;

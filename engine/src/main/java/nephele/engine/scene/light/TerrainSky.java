@@ -55,7 +55,7 @@ public final class TerrainSky {
     public static TerrainSky of(HeightField field) {
         int points = points(field.cellColumns()) * points(field.cellRows());
         TerrainSky made = new TerrainSky(field, new float[AZIMUTHS * points], new byte[points]);
-        made.find((x, z) -> true, (x, y, z, azimuth, horizon) -> true);
+        made.find(null);
         return made;
     }
 
@@ -67,39 +67,30 @@ public final class TerrainSky {
         }
         TerrainSky made = new TerrainSky(field, before.tangents.clone(), before.values.clone());
         if (!changed.get().isEmpty()) {
-            SeenChange seen = SeenChange.of(before.field, field, changed.get());
-            made.find(
-                    seen::isAt,
-                    (x, y, z, azimuth, horizon) ->
-                            seen.changesHorizon(x, y, z, TOWARDS_X[azimuth], TOWARDS_Z[azimuth], horizon));
+            VisibleChange visible = VisibleChange.of(before.field, field, changed.get());
+            made.find(visible);
         }
         return made;
     }
 
-    private interface PlaceTest {
-        boolean holds(double x, double z);
-    }
-
-    private interface DirectionTest {
-        boolean holds(double x, double y, double z, int azimuth, float horizon);
-    }
-
-    private void find(PlaceTest isChanged, DirectionTest isSeen) {
+    /** @param changed {@code null} if everything is new */
+    private void find(VisibleChange changed) {
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
                 double x = field.x(0) + field.cellX() * field.cellColumns() * column / (columns - 1);
                 double z = field.z(0) + field.cellZ() * field.cellRows() * row / (rows - 1);
-                find(row * columns + column, x, z, isChanged.holds(x, z), isSeen);
+                find(row * columns + column, x, z, changed);
             }
         });
     }
 
-    private void find(int point, double x, double z, boolean isWholly, DirectionTest isSeen) {
+    private void find(int point, double x, double z, VisibleChange changed) {
+        boolean isWholly = changed == null || changed.isAt(x, z);
         boolean isOther = isWholly;
         double y = groundAt(field, x, z);
         for (int i = 0; i < AZIMUTHS; i++) {
             int at = AZIMUTHS * point + i;
-            if (isWholly || isSeen.holds(x, y, z, i, tangents[at])) {
+            if (isWholly || changed.changesHorizon(x, y, z, TOWARDS_X[i], TOWARDS_Z[i], tangents[at])) {
                 tangents[at] = (float) horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]);
                 isOther = true;
             }
@@ -185,11 +176,11 @@ public final class TerrainSky {
     }
 
     /**
-     * A rectangle of changed heights as seen from places of the ground.
+     * A rectangle of changed heights as it is visible from places of the ground.
      *
      * @param top the greatest world y in it, before and after
      */
-    private record SeenChange(double minX, double minZ, double maxX, double maxZ, double top) {
+    private record VisibleChange(double minX, double minZ, double maxX, double maxZ, double top) {
         /** The smooth normal of a place depends on samples of so many cells around it. */
         private static final int NORMAL_CELLS = 2;
 
@@ -197,9 +188,9 @@ public final class TerrainSky {
         private static final double ROUNDING = 1e-6;
 
         /** @param before has other heights in the range */
-        static SeenChange of(HeightField before, HeightField field, SampleRange changed) {
+        static VisibleChange of(HeightField before, HeightField field, SampleRange changed) {
             SampleRange reach = changed.grown(NORMAL_CELLS);
-            return new SeenChange(
+            return new VisibleChange(
                     field.x(reach.firstColumn()),
                     field.z(reach.firstRow()),
                     field.x(reach.lastColumn()),

@@ -1,22 +1,20 @@
 package nephele.engine.scene.light.bake;
 
-import java.util.LinkedHashSet;
-import java.util.Set;
-import nephele.engine.math.Plane;
-
-import nephele.engine.math.Vec3;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.IdentityDiff;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.bake.FaceCut.Piece;
 
 /**
@@ -315,7 +313,8 @@ public final class FaceFragments {
             this.shape = shape;
             Aabb box = shape.bounds();
             double longest = box.maxX() - box.minX() + box.maxY() - box.minY() + box.maxZ() - box.minZ();
-            // A corner counts as between two others if its distance to their edge is at most a micrometre plus 0.71e-6 of
+            // A corner counts as between two others if its distance to their edge is at most a micrometre plus 0.71e-6
+            // of
             // the edge's length.
             reachMetres = 10 * FaceFragments.WELD_METRES + 1e-6 * longest;
             around = box.grown(reachMetres);

@@ -30,11 +30,11 @@ public final class SkyVisibilityBake {
 
     private final LightMapLayout layout;
     private final Occluders solids;
-    private final SkyOcclusion sight;
+    private final Occluders.Sight sight;
     private final int stride;
     private final double[] spiral = spiral(RAYS);
 
-    private SkyVisibilityBake(LightMapLayout layout, Occluders solids, SkyOcclusion sight, int stride) {
+    private SkyVisibilityBake(LightMapLayout layout, Occluders solids, Occluders.Sight sight, int stride) {
         this.layout = layout;
         this.solids = solids;
         this.sight = sight;
@@ -42,9 +42,9 @@ public final class SkyVisibilityBake {
     }
 
     /** Uses all rays, or fewer if the budget is limited. */
-    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeQuality effort) {
+    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort) {
         Occluders solids = new Occluders(statics);
-        int stride = effort == BakeQuality.RATIONED ? stride(layout, solids) : 1;
+        int stride = effort == BakeBudget.Effort.RATIONED ? stride(layout, solids) : 1;
         return new SkyVisibilityBake(layout, solids, solids::isOccluded, stride);
     }
 
@@ -89,7 +89,8 @@ public final class SkyVisibilityBake {
         return middles;
     }
 
-    static short[] texels(LightMapLayout layout, StaticShapes statics, BakeQuality effort, DoubleConsumer progress) {
+    static short[] texels(
+            LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
         SkyVisibilityBake bake = SkyVisibilityBake.of(layout, statics, effort);
         short[] texels = new short[layout.width() * layout.height()];
         AtomicInteger done = new AtomicInteger();
