@@ -27,6 +27,7 @@ final class PackageTable {
             "scene",
             "collision",
             "sim",
+            "rule",
             "cloud",
             "choice",
             "particle",
@@ -46,6 +47,7 @@ final class PackageTable {
         USES.put("scene", List.of("portal", "model", "asset"));
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
+        USES.put("rule", List.of("sim"));
         USES.put("cloud", List.of("level", "asset"));
         USES.put("choice", List.of("cloud", "sim"));
         USES.put("particle", List.of("collision"));
@@ -60,7 +62,7 @@ final class PackageTable {
         USES.put("render", with("render.pass", HEADLESS));
         USES.put("terminal", List.of());
         USES.put("userfile", List.of("asset"));
-        USES.put("named", List.of("terminal", "scene", "sim"));
+        USES.put("named", List.of("terminal", "scene", "rule"));
         USES.put("playthrough", List.of("named"));
         USES.put("compare", List.of("render", "measure"));
         USES.put("draw", List.of("render", "named"));

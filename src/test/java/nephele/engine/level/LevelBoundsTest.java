@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.json.LevelJsonTest;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,7 +35,7 @@ class LevelBoundsTest {
 
     private static List<String> errors(String members) {
         Level level = LevelJsonTest.sections(members);
-        return LevelRules.check(LevelRules.STRUCTURE, level, LevelAssets.beside(Path.of("x.json"))).stream()
+        return LevelRules.checkRecords(level).stream()
                 .filter(Problem::isError)
                 .map(problem -> problem.line("x"))
                 .toList();

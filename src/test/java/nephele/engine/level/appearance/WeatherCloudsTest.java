@@ -20,7 +20,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.level.Weather;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,7 +57,7 @@ class WeatherCloudsTest {
                     environment.clouds(),
                     LevelJsonTest.read(LevelJson.write(level)).environment().clouds());
             List<Problem> problems =
-                    LevelRules.check(LevelRules.STRUCTURE, level, LevelAssets.beside(Path.of("x"))).stream()
+                    LevelRules.checkRecords(level).stream()
                             .filter(problem -> problem.path().startsWith("environment"))
                             .toList();
             assertEquals(List.of(), problems);

@@ -3,7 +3,7 @@ package nephele.engine.portal.placement;
 import java.util.List;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.portal.Portal;
 
 /**
@@ -14,7 +14,7 @@ public final class FixedPortalRules {
     /** Greatest overlap that counts as rounding. */
     private static final double LEAST_METRES = 1e-3;
 
-    public static final PlacedRule SEEN = (level, statics, report) -> {
+    public static final LevelRule SEEN = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
         List<Portal> portals = level.portals().stream().map(Portal::of).toList();
         for (int i = 0; i < portals.size(); i++) {
             String path = "portals[" + i + "].centre";
@@ -37,7 +37,7 @@ public final class FixedPortalRules {
                 report.accept(Problem.warning(path, wall.isCentreHidden() ? closed(wall) : hidden(wall)));
             }
         }
-    };
+    });
 
     private FixedPortalRules() {}
 

@@ -15,7 +15,7 @@ import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.layout.FacePath;
 import nephele.engine.level.layout.Told;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 
 /**
@@ -26,11 +26,11 @@ public final class RoomRules {
     /** Levels with more solids are not checked: grouping their faces takes too long. */
     private static final int MOST_SOLIDS = 10_000;
 
-    public static final PlacedRule LARGE_ENOUGH = (level, statics, report) -> {
+    public static final LevelRule LARGE_ENOUGH = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
         if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
             new Search(level, statics).run(report);
         }
-    };
+    });
 
     private RoomRules() {}
 
