@@ -16,12 +16,11 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 
 /** Queries of tests on the shapes of solids. */
 final class SolidShape {

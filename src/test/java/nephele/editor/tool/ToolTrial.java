@@ -22,9 +22,8 @@ import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 
 /** A tool in use on a level, aimed at points of the world. */
 public final class ToolTrial {

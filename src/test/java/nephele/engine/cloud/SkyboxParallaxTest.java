@@ -4,15 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.CloudExplanation;
 import nephele.engine.level.Level;
-import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 

@@ -2,13 +2,11 @@ package nephele.engine.level;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;

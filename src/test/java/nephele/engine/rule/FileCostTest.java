@@ -18,6 +18,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.math.Hash64;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -32,7 +33,11 @@ class FileCostTest {
 
     private List<Problem> problems(LevelRule rule, String members) {
         String text = "{\"format\": \"nephele-level\", \"version\": 1, \"environment\": {}, " + members + "}";
-        return LevelRules.check(List.of(rule), LevelJson.read("level.json", text.getBytes(StandardCharsets.UTF_8)), LevelAssets.beside(folder.resolve("level.json")), null);
+        return LevelRules.check(
+                List.of(rule),
+                LevelJson.read("level.json", text.getBytes(StandardCharsets.UTF_8)),
+                LevelAssets.beside(folder.resolve("level.json")),
+                null);
     }
 
     private static String many(int count, String of) {

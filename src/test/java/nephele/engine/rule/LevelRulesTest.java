@@ -10,7 +10,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.BadLevel;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
@@ -73,7 +72,8 @@ class LevelRulesTest {
 
     @Test
     void aTechniqueThatCannotShowACloudIsSaid() {
-        List<Problem> problems = LevelRules.checkRecords(LevelJsonTest.sections("\"player\": {\"feet\": [9, 0, 9]}, \"environment\": {\"clouds\": [{\"id\":"
+        List<Problem> problems = LevelRules.checkRecords(
+                LevelJsonTest.sections("\"player\": {\"feet\": [9, 0, 9]}, \"environment\": {\"clouds\": [{\"id\":"
                         + " \"c\", \"kind\": \"layer\", \"baseAltitudeMetres\": 900, \"thicknessMetres\": 300,"
                         + " \"technique\": \"particles\"}]}"));
         assertEquals(

@@ -1,6 +1,9 @@
 package nephele.engine.rule;
 
 import java.util.EnumSet;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -8,6 +11,8 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.SkyboxSquare;
+import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.math.Vec3;
 
@@ -29,7 +34,7 @@ final class EnvironmentRules {
     /** A skybox names as many files as its layout needs, in its order. */
     static final LevelRule SKY_FILES = LevelRule.ofRecords((level, report) -> {
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
-            SkyboxOrder.objection(skybox).ifPresent(report);
+            skyboxObjection(skybox).ifPresent(report);
         }
     });
 
@@ -85,4 +90,34 @@ final class EnvironmentRules {
             }));
 
     private EnvironmentRules() {}
+
+    /** Returns an error for another number than the layout's, or a warning if the names tell another order. */
+    private static Optional<Problem> skyboxObjection(Sky.Skybox skybox) {
+        int wanted = SkyboxSquare.files(skybox.layout());
+        int listed = skybox.files().size();
+        String layout = "layout " + WordFormats.Choice.word(skybox.layout());
+        List<String> names = SkyboxSquare.of(skybox.layout()).stream()
+                .map(SkyboxSquare::name)
+                .toList();
+        if (listed != wanted) {
+            String order = wanted == 1 ? "" : "; list them in the order " + String.join(", ", names);
+            return Optional.of(Problem.error(
+                    "environment.sky.files", layout + " needs " + wanted + " files, not " + listed + order));
+        }
+        List<String> ends =
+                skybox.files().stream().map(file -> endOf(file, names)).toList();
+        boolean isAnotherOrder = !ends.equals(names) && new HashSet<>(ends).equals(new HashSet<>(names));
+        return isAnotherOrder
+                ? Optional.of(Problem.warning(
+                        "environment.sky.files",
+                        "the files' names end in " + String.join(", ", ends) + "; " + layout + " reads them as "
+                                + String.join(", ", names)))
+                : Optional.empty();
+    }
+
+    /** Returns the square's name with which a file's name ends before its extension, empty if there is none. */
+    private static String endOf(String file, List<String> names) {
+        String stem = file.replaceFirst("\\.[^./]*$", "");
+        return names.stream().filter(stem::endsWith).findFirst().orElse("");
+    }
 }

@@ -44,7 +44,7 @@ public final class LevelRules {
             BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
-            ObserverRules.SEEN,
+            PlayerRules.OBSERVER,
             ExitRules.REACHABLE,
             GuidanceRules.HINTS,
             GuidanceRules.PAR,

@@ -68,13 +68,13 @@ final class ModelRules {
         try {
             PlacedModels placed = PlacedModels.of(level, meshes::get);
             tellEmpty(placed, report);
-            PlayerRules.tellInside(level, placed, report);
+            PlayerRules.reportInside(level, placed, report);
             if (!level.models().isEmpty()) {
                 PortalRules.tellFree(level, placed, report);
             }
         } catch (AssetException problem) {
             report.accept(Problem.error("models", problem.getMessage()));
-        } catch (IllegalArgumentException toldByAnotherRule) {
+        } catch (IllegalArgumentException reportedByAnotherRule) {
             return;
         }
     }

@@ -14,7 +14,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** Rules for starts from which the player cannot move. */
+/** Rules for starts from which nobody can look or move. */
 final class PlayerRules {
     /** Height of the body's axis without its ends, which may touch floor and ceiling. */
     private static final double AXIS_LOW_METRES = 0.02;
@@ -43,10 +43,30 @@ final class PlayerRules {
         }
     });
 
+    /** An observer has a camera that shows its sphere, and a player at whose feet it starts. */
+    static final LevelRule OBSERVER = LevelRule.ofRecords((level, report) -> {
+        if (level.observer() == null) {
+            return;
+        }
+        String camera = level.observer().camera();
+        if (level.cameras().isEmpty()) {
+            report.accept(Problem.error("observer.camera", "the level has no camera that shows the sphere: add one"));
+        } else if (camera != null && level.cameras().stream().noneMatch(one -> camera.equals(one.id()))) {
+            report.accept(Problem.error(
+                    "observer.camera",
+                    "there is no camera '" + camera
+                            + "': name one of the level, or leave it out for the first camera"));
+        }
+        if (level.player() == null) {
+            report.accept(Problem.error(
+                    "observer", "the sphere starts at the player's feet, but there is no player: add one"));
+        }
+    });
+
     private PlayerRules() {}
 
     /** Reports models that are closed convex solids and contain the start, as {@link #FREE} does for solids. */
-    static void tellInside(Level level, PlacedModels models, Consumer<Problem> report) {
+    static void reportInside(Level level, PlacedModels models, Consumer<Problem> report) {
         for (PlacedModel model : models.all()) {
             if (level.player() != null
                     && model.solid() != null
@@ -94,7 +114,7 @@ final class PlayerRules {
         try {
             // Planes that enclose nothing contain every point; deriving the shape rejects them.
             return holdsAxis(planes(solid), feet) && Brush.of(solid) != null;
-        } catch (IllegalArgumentException toldByAnotherRule) {
+        } catch (IllegalArgumentException reportedByAnotherRule) {
             return false;
         }
     }

@@ -104,7 +104,7 @@ final class PortalRules {
         }
         try {
             return isOnFace(portal, PlayerRules.planes(solid));
-        } catch (IllegalArgumentException toldByAnotherRule) {
+        } catch (IllegalArgumentException reportedByAnotherRule) {
             return true;
         }
     }
