@@ -54,7 +54,7 @@ final class PackageTable {
         USES.put("lightning", List.of("level"));
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
-        USES.put("render.gl", List.of("work"));
+        USES.put("render.gl", List.of("math", "work"));
         USES.put("render.line", with("render.gl", HEADLESS));
         USES.put("render.resource", with("render.gl", HEADLESS));
         USES.put("render.frame", List.of("render.resource"));

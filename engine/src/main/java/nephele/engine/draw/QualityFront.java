@@ -22,7 +22,7 @@ public record QualityFront(List<Point> points, int start) {
     /**
      * On a software renderer pixels are the cost, and their number is the best choice at every cost. All but {@code
      * ultra} have the same programs, so that a change compiles none but that of the filter: below half the pixels along
-     * a side weights along edges keep the picture from showing the squares it is made of (docs/decisions.md).
+     * a side weights along edges keep the picture from showing the squares it is made of (docs/decisions/performance.md).
      */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(

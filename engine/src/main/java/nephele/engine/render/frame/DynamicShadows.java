@@ -5,6 +5,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.dynamic.DynamicSunProjection;
 import org.joml.Matrix4d;
@@ -12,11 +13,9 @@ import org.joml.Vector3d;
 
 /**
  * The shadows of dynamic objects for shaders that include {@code surface-light.glsl}: defines, the block {@code
- * DynamicShadows} and two depth textures in addition to those of static geometry.
+ * DynamicShade} and two depth textures in addition to those of static geometry.
  */
 public final class DynamicShadows implements GlObject {
-    public static final int BINDING = 3;
-
     /** Layers of the punctual lights' depth texture; one float each, four to a vector. */
     private static final int MOST_LAYERS = 512;
 
@@ -53,9 +52,6 @@ public final class DynamicShadows implements GlObject {
         }
         if (lights) {
             uniforms.sampler("dynamicLightMaps", TextureUnit.DYNAMIC_LIGHT_SHADOW);
-        }
-        if (block != null) {
-            uniforms.block("DynamicShade", BINDING);
         }
     }
 
@@ -94,7 +90,7 @@ public final class DynamicShadows implements GlObject {
     /** Binds the block; {@link LightMaps} binds the depth textures. */
     void bind() {
         if (block != null) {
-            block.bind(BINDING);
+            block.bind(UniformBlock.DYNAMIC_SHADE);
         }
     }
 

@@ -190,7 +190,7 @@ public final class SharedResources implements GlObject {
     }
 
     /**
-     * Returns the block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}.
+     * Returns the block of {@code frame.glsl}.
      */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {

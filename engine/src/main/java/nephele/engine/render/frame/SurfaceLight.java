@@ -286,9 +286,6 @@ public final class SurfaceLight implements GlObject {
     private void tieStaticLights(Uniforms uniforms, boolean ofSky) {
         sun.tie(uniforms);
         lights.tie(uniforms);
-        if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky || flash != null) {
-            uniforms.block("Light", LightBlock.BINDING);
-        }
     }
 
     /**

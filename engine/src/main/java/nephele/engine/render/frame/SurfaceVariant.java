@@ -4,8 +4,6 @@ import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
-import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.scene.SolidBatch;
 
 /** The variant of the material code in a shader, for solids or dynamic objects. */
@@ -52,8 +50,6 @@ public record SurfaceVariant(Reflection reflection, boolean textured, boolean no
 
     /** Binds the samplers and blocks of a program compiled with {@link #addTo} permanently. */
     public void set(Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
-        uniforms.block("Materials", MaterialBlocks.BINDING);
         if (textured) {
             uniforms.sampler("colours", TextureUnit.COLOURS);
         }

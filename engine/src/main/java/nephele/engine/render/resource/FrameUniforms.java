@@ -13,6 +13,7 @@ import nephele.engine.render.gl.DrawState.FrontFace;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -20,9 +21,6 @@ import org.joml.Vector3dc;
 
 /** The uniform block {@code Frame} of {@code frame.glsl}: the numbers of a view that every shader uses. */
 public final class FrameUniforms implements GlObject {
-    /** Binding point of the block; passes use others. */
-    public static final int BINDING = 0;
-
     /**
      * Distance by which a nested view's clip plane lies behind the exit. A portal is drawn slightly in front of its
      * wall and so covers pixels of ground equally close to the wall; in the nested view, that ground is this far behind
@@ -107,7 +105,7 @@ public final class FrameUniforms implements GlObject {
             values[FOG_PLACE] = (float) fog.scaledAltitude(view.eyeY());
         }
         buffer.upload(values);
-        buffer.bind(BINDING);
+        buffer.bind(UniformBlock.FRAME);
         state.frontFace(view.isMirrored() ? FrontFace.CLOCKWISE : FrontFace.COUNTER_CLOCKWISE);
     }
 

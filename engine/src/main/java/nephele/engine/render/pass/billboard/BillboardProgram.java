@@ -14,7 +14,6 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
@@ -59,7 +58,6 @@ final class BillboardProgram {
                 ShaderSource.load(FOLDER + "billboard.vert", defines),
                 ShaderSource.load(FOLDER + "billboard.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
                     BillboardQuads.tie(uniforms);

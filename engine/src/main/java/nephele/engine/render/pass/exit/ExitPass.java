@@ -29,7 +29,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.View;
 
 /**
@@ -107,7 +106,6 @@ public final class ExitPass implements Pass {
                 ShaderSource.load(FOLDER + "exit.vert", defines),
                 ShaderSource.load(FOLDER + "exit.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     if (decodes) {

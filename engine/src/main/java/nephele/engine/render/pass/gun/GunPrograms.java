@@ -11,7 +11,6 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.SolidBatch;
@@ -55,10 +54,7 @@ final class GunPrograms {
                 context.gl(),
                 ShaderSource.load(FOLDER + "gun.vert", onlyDepth),
                 ShaderSource.load(FOLDER + "depth.frag", onlyDepth),
-                uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    return vectors(uniforms, DRAWN);
-                });
+                uniforms -> vectors(uniforms, DRAWN));
         SurfaceLight light = context.shared().surfaceLight();
         SurfaceVariant surface = SurfaceVariant.of(KIND, context.quality());
         var defines = surface.addTo(light.addForGun(Defines.of(context)), materialsPerBlock)

@@ -11,7 +11,6 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.View;
@@ -68,7 +67,6 @@ final class PlantProgram {
     }
 
     private static Numbers numbers(LoadContext context, Kind kind, Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
         MeteredExposure.tieInView(context, uniforms);
         context.shared().surfaceLight().tieForDynamicObjects(uniforms);
         uniforms.sampler("plants", TextureUnit.PLANTS);

@@ -17,7 +17,6 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.scene.View;
 import org.lwjgl.system.MemoryUtil;
 
@@ -65,7 +64,6 @@ final class BoltProgram {
                 ShaderSource.load(FOLDER + "bolt.vert", defines),
                 ShaderSource.load(FOLDER + "bolt.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
                     if (behindClouds) {

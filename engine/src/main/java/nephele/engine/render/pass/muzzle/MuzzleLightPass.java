@@ -29,7 +29,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.View;
@@ -69,7 +68,6 @@ public final class MuzzleLightPass implements Pass {
                 ShaderSource.load(FOLDER + "muzzle.vert", defines),
                 ShaderSource.load(FOLDER + "muzzle.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);

@@ -13,7 +13,6 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
 
 /** The shaders of particles, with the pictures that the level's kinds need. */
 final class ParticleProgram {
@@ -43,7 +42,6 @@ final class ParticleProgram {
                 ShaderSource.load(FOLDER + "particle.vert", defines),
                 ShaderSource.load(FOLDER + "particle.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("particles", TextureUnit.DYNAMIC_INSTANCES);
                     if (meetSurfaces) {

@@ -32,7 +32,6 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
-import nephele.engine.render.resource.FrameUniforms;
 import org.joml.Vector3d;
 
 /** Draws six pictures around the eye where no solid has been drawn. Fog hides them. */
@@ -78,7 +77,6 @@ public final class SkyboxPass implements Pass {
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms.scalar("whiteRadiance");
                 });

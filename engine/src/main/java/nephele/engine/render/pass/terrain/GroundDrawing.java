@@ -139,7 +139,6 @@ final class GroundDrawing {
     private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
         surface.set(uniforms);
         light.tieForDynamicObjects(uniforms);
-        uniforms.samplerIfRead("terrainSlopes", TextureUnit.TERRAIN_SLOPES);
         if (tiles != null) {
             uniforms.sampler("terrainTiles", TextureUnit.TERRAIN_TILES);
         }

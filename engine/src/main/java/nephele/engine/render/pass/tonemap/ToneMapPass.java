@@ -16,7 +16,6 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.FrameUniforms;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
@@ -34,8 +33,6 @@ public final class ToneMapPass implements Pass {
             uniforms.sampler("linearPicture", TextureUnit.COLOURS);
             if (isMetered) {
                 context.shared().exposure().tie(uniforms);
-            } else {
-                uniforms.block("Frame", FrameUniforms.BINDING);
             }
         });
     }
