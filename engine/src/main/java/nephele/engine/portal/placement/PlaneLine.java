@@ -3,26 +3,63 @@ package nephele.engine.portal.placement;
 import nephele.engine.math.Aabb;
 
 /**
- * A segment in a plane, and its parts in or near convex polygons; positions along it are metres from (x, y) in the unit
- * direction (dx, dy).
+ * A segment of a line in a plane. Positions along the line are metres from (x, y) in the unit direction (dx, dy), offsets
+ * are metres to its left; intervals are pairs of positions.
  */
-record LineCoverage(double x, double y, double dx, double dy, double length) {
-    static LineCoverage beyond(ConvexPolygon polygon, int edge, double metres) {
+record PlaneLine(double x, double y, double dx, double dy, double length) {
+    /** Returns an edge of a polygon, moved outwards. */
+    static PlaneLine beyond(ConvexPolygon polygon, int edge, double metres) {
         double nx = polygon.normalX(edge);
         double ny = polygon.normalY(edge);
-        return new LineCoverage(
+        return new PlaneLine(
                 polygon.x(edge) + metres * nx, polygon.y(edge) + metres * ny, -ny, nx, polygon.length(edge));
     }
 
     /** Returns a segment to the right, which is out of the polygon. */
-    LineCoverage outFrom(double along, double metres) {
-        return new LineCoverage(atX(along), atY(along), dy, -dx, metres);
+    PlaneLine outFrom(double along, double metres) {
+        return new PlaneLine(atX(along), atY(along), dy, -dx, metres);
+    }
+
+    /** Returns a line through a point of this one, with a slope against it. */
+    PlaneLine moved(double along, double off, double slope) {
+        double unit = Math.sqrt(1 + slope * slope);
+        return new PlaneLine(
+                atX(along, off), atY(along, off), (dx - slope * dy) / unit, (dy + slope * dx) / unit, length);
+    }
+
+    /** Returns the position of a polygon's corner. */
+    double along(ConvexPolygon polygon, int corner) {
+        return (polygon.x(corner) - x) * dx + (polygon.y(corner) - y) * dy;
+    }
+
+    /** Returns the offset of a polygon's corner. */
+    double off(ConvexPolygon polygon, int corner) {
+        return (polygon.y(corner) - y) * dx - (polygon.x(corner) - x) * dy;
+    }
+
+    /** Returns the interval between the ends of another segment. */
+    double[] span(ConvexPolygon segment) {
+        double a = along(segment, 0);
+        double b = along(segment, 1);
+        return new double[] {Math.min(a, b), Math.max(a, b)};
+    }
+
+    /** Returns the cosine of the angle to another segment. */
+    double cosine(ConvexPolygon segment) {
+        return -segment.normalY(0) * dx + segment.normalX(0) * dy;
+    }
+
+    /** Returns the bounds of an interval. */
+    Aabb bounds(double from, double to) {
+        double fromX = atX(from);
+        double fromY = atY(from);
+        double toX = atX(to);
+        double toY = atY(to);
+        return new Aabb(Math.min(fromX, toX), Math.min(fromY, toY), 0, Math.max(fromX, toX), Math.max(fromY, toY), 0);
     }
 
     Aabb bounds() {
-        double endX = x + length * dx;
-        double endY = y + length * dy;
-        return new Aabb(Math.min(x, endX), Math.min(y, endY), 0, Math.max(x, endX), Math.max(y, endY), 0);
+        return bounds(0, length);
     }
 
     double atX(double along) {
@@ -31,6 +68,14 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
 
     double atY(double along) {
         return y + along * dy;
+    }
+
+    double atX(double along, double off) {
+        return x + along * dx - off * dy;
+    }
+
+    double atY(double along, double off) {
+        return y + along * dy + off * dx;
     }
 
     /** Returns the interval inside a polygon; {@code null} for none. */
@@ -48,8 +93,8 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
         return span == null || span[1] <= 0 || span[0] >= length ? null : span;
     }
 
-    /** Returns the union, which is one interval because the shape is convex. */
-    private static double[] union(double[] a, double[] b) {
+    /** Returns the least interval that holds both; of {@code null} and another one the other. */
+    static double[] union(double[] a, double[] b) {
         if (a == null || b == null) {
             return a == null ? b : a;
         }
