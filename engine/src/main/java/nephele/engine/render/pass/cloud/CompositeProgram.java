@@ -3,6 +3,9 @@ package nephele.engine.render.pass.cloud;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /** {@code composite.frag}, which draws a layer of clouds over a view. */

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.cloud;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /**
  * The uniforms of {@code cloud-pixel.glsl}, which the programs of all techniques have.

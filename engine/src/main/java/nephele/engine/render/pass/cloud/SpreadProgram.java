@@ -5,6 +5,7 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.View;
 
 /** {@code spread.frag}, which completes a layer of which a frame has marched a share. */

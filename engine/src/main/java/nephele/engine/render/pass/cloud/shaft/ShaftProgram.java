@@ -14,6 +14,7 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.BoxUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code shaft.frag} with its numbers. */
 final class ShaftProgram {
