@@ -8,7 +8,7 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.PlacedModel;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
@@ -21,15 +21,15 @@ import nephele.engine.math.bvh.SpatialIndex;
 /** Finds the path from the player's start out of a level that seems to be closed: through a gap that somebody forgot. */
 public final class Leak {
     /** The rule that a level without sun and sky, with nothing to see outside, has no gap to the outside. */
-    static final PlacedRule CLOSED = (level, statics, report) -> {
-        List<Vec3> line = hasOutside(level) ? List.of() : Leak.line(level, statics);
+    public static final LevelRule CLOSED = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
+        List<Vec3> line = hasOutside(level) ? List.of() : line(level, statics);
         if (!line.isEmpty()) {
             Vec3 gap = line.get(Math.max(0, line.size() - 2));
             String message = "the level leaks: from the start one gets out into the void, near " + rounded(gap)
                     + ": close the gap";
             report.accept(Problem.warning("player.feet", message).about(new Subject(Topic.LEAK, List.of(), line)));
         }
-    };
+    });
 
     /** Height of the start's point above the feet. */
     private static final double MIDDLE_METRES = 0.9;
