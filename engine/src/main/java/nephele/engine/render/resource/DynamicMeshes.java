@@ -54,7 +54,7 @@ public final class DynamicMeshes implements GlObject {
         DynamicObjects all = DynamicObjects.of(
                 scene.level(), scene.materials(), context.request().character());
         Vec3 anchor = context.get(SurfaceLight.RESOURCE).anchor();
-        return context.own(new DynamicMeshes(context.gl(), all, anchor, context.get(SkyLight.PROBES)));
+        return context.own(new DynamicMeshes(context.gl(), all, anchor, context.get(AmbientLight.PROBES)));
     }
 
     public DynamicObjects dynamicObjects() {

@@ -45,7 +45,7 @@ public final class SurfaceLight {
     private final ShadowSampling sampling;
     private final LightParts parts;
     private final LightBlock block;
-    private final SkyLight sky;
+    private final AmbientLight sky;
     /** {@code null} without punctual lights. */
     private final PunctualLightTable lights;
 
@@ -78,7 +78,7 @@ public final class SurfaceLight {
         sampling = request.quality().shadowFilter();
         parts = request.quality().lightParts();
         block.parts(shares(parts));
-        sky = context.get(SkyLight.RESOURCE);
+        sky = context.get(AmbientLight.RESOURCE);
         lights = scene.lights() == null
                 ? null
                 : scene.lights().withMostShadows(request.quality().lightShadows());

@@ -26,8 +26,8 @@ import nephele.engine.scene.light.SkyProbes;
 import org.joml.Vector3d;
 
 /** The light of a level's sky on surfaces, and what of the sky they see where they have no place in the light map. */
-public final class SkyLight {
-    public static final SharedResource<SkyLight> RESOURCE = SharedResource.of("sky light", SkyLight::new);
+public final class AmbientLight {
+    public static final SharedResource<AmbientLight> RESOURCE = SharedResource.of("ambient light", AmbientLight::new);
 
     /** The sky visibility of what has no place in the light map; {@code null} if no sky shines. */
     public static final SharedResource<SkyProbes> PROBES = SharedResource.of(
@@ -47,7 +47,7 @@ public final class SkyLight {
     /** What the light without clouds follows from. @param sun {@code null} if the sky does not depend on it */
     record Causes(Same level, Sky sky, Sun sun) {}
 
-    private SkyLight(LoadContext context) {
+    private AmbientLight(LoadContext context) {
         this.context = context;
         clouds = context.get(RendererClouds.RESOURCE);
     }
