@@ -10,21 +10,20 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
 import nephele.editor.document.Document;
+import nephele.editor.document.Grid;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
-import nephele.editor.pick.Grid;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 
 /** A tool in use on a level, aimed at points of the world. */
 public final class ToolTrial {
@@ -114,7 +113,7 @@ public final class ToolTrial {
 
     /** Asserts that an edit was made in one step, breaks no rule of the structure and survives the file. */
     public void assertOneSoundStep(Level before) {
-        assertEquals(List.of(), LevelRules.check(LevelRules.STRUCTURE, level(), NoFiles.AT_ALL));
+        assertEquals(List.of(), LevelRules.checkRecords(level()));
         assertEquals(level(), read(level()));
         document.undo();
         assertSame(before, level());

@@ -1,19 +1,20 @@
 package nephele.engine.render;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.Texture;
 
 /**
  * A trial pass that reads its view: red is the distance along the view's axis in units of 16 m, green the previous red,
@@ -23,15 +24,12 @@ final class DistancePass implements Pass {
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
 
     private final FullScreenDrawing drawing;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
 
     private DistancePass(LoadContext context) {
-        shared = context.shared();
-        var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
-        drawing = new FullScreenDrawing(context, "/nephele/engine/render/trial/", stages, uniforms -> {
-            uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-            uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-        });
+        targets = context.targets();
+        String folder = "/nephele/engine/render/trial/";
+        drawing = new FullScreenDrawing(context, Defines.of(context), folder + "trial.vert", folder + "distance.frag");
     }
 
     static RenderFeature of(Stage stage) {
@@ -45,7 +43,7 @@ final class DistancePass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        READS.bind(shared);
+        READS.bind(targets);
         drawing.draw(frame.surface(), Depth.OFF);
     }
 }

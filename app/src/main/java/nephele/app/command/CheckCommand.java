@@ -18,9 +18,9 @@ import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.PackageContent;
-import nephele.engine.sim.WorldRules;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.engine.rule.LevelRules;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
 /** Prints the problems of levels, one a line, and says so if a level has no error. */
@@ -83,7 +83,7 @@ final class CheckCommand implements Command {
 
     private static List<Problem> problems(Level level, AssetSource assets) {
         try {
-            return WorldRules.check(level, assets);
+            return LevelRules.check(level, assets);
         } catch (AssetException wrong) {
             // Files that are good one by one, but do not fit into memory together.
             String place = AssetPlaces.of(level).getOrDefault(wrong.assetId(), wrong.assetId());

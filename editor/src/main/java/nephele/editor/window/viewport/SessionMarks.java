@@ -6,18 +6,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.LevelShapes;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.Mark.Visibility;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.LevelShapes;
+import nephele.editor.pane.EntityMarks;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.Mark.Visibility;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.symbol.EntityMarks;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Body;
@@ -135,17 +135,10 @@ final class SessionMarks {
         for (int corner = 0; corner < 8; corner++) {
             for (int axis = 1; axis < 8; axis <<= 1) {
                 if ((corner & axis) == 0) {
-                    made.add(line(corner(box, corner), corner(box, corner | axis)));
+                    made.add(line(box.corner(corner), box.corner(corner | axis)));
                 }
             }
         }
-    }
-
-    private static Vec3 corner(Aabb box, int corner) {
-        return new Vec3(
-                (corner & 1) == 0 ? box.minX() : box.maxX(),
-                (corner & 2) == 0 ? box.minY() : box.maxY(),
-                (corner & 4) == 0 ? box.minZ() : box.maxZ());
     }
 
     private static void addFace(FaceRef ref, Level level, LevelShapes shapes, List<Mark> made) {

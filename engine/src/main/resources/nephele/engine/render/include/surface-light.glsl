@@ -1,4 +1,4 @@
-// Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
+// Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
 // faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
@@ -101,7 +101,7 @@ vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
 
 #if defined(MODEL) && (defined(SUN) || defined(PUNCTUAL_LIGHTS))
 // Fades light where a triangle, but not yet its curved surface, faces away from it; otherwise light would end along the
-// triangle's edges (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
+// triangle's edges (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: reference.SurfacePoint#terminator.
 float terminatorShare(Surface s, vec3 toLight) {
     float onCurve = dot(s.smoothNormal, toLight) * dot(s.faceNormal, s.smoothNormal);
     float g = onCurve > 0.0 ? min(dot(s.faceNormal, toLight) / onCurve, 1.0) : 1.0;

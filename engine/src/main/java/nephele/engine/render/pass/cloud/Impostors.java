@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudPuffs.Puff;
@@ -11,7 +12,6 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.QuadStream;
@@ -19,7 +19,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
@@ -39,7 +39,7 @@ public final class Impostors {
 
     private final LoadContext context;
     private final GlContext gl;
-    private final SharedResources shared;
+    private final RendererClouds levelClouds;
     private final int divisor;
     private final int side;
     private final Aabb surfaces;
@@ -64,7 +64,7 @@ public final class Impostors {
     Impostors(LoadContext context, int divisor, int side) {
         this.context = context;
         gl = context.gl();
-        shared = context.shared();
+        levelClouds = context.get(RendererClouds.RESOURCE);
         this.divisor = divisor;
         this.side = side;
         surfaces = context.scene().statics().bounds();
@@ -117,8 +117,8 @@ public final class Impostors {
         pictureHeight = frame.surface().height();
         Vec3 moved = eye == null ? Vec3.ZERO : view.eye().minus(eye);
         eye = view.eye();
-        if (cuts != shared.cuts()) {
-            cuts = shared.cuts();
+        if (cuts != levelClouds.cuts()) {
+            cuts = levelClouds.cuts();
             all.forEach(Impostor::forget);
             return;
         }
@@ -145,7 +145,7 @@ public final class Impostors {
             next = neediest();
         }
         gl.state().endLayer(before);
-        shared.frameUniforms().upload(view, shared.surroundings().exposure());
+        context.resources().resume(view);
     }
 
     private Impostor neediest() {
@@ -172,7 +172,7 @@ public final class Impostors {
         PuffSlabs.Raster raster = picture.slabs().raster();
         double plane = picture.slabs().slabs().get(slab).middle();
         var grid = new CloudCanvas.Grid(1, 0, 0, 2.0 / raster.width(), 2.0 / raster.height(), plane, 0);
-        canvas.begin(CloudPixels.CAPTURED, from, shared.clouds().focus(), grid);
+        canvas.begin(CloudPixels.CAPTURED, from, levelClouds.current().focus(), grid);
         impostor.cloud().use(canvas);
         long texels = picture.draw(count);
         if (picture.isComplete()) {

@@ -18,11 +18,11 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.lwjgl.system.MemoryUtil;
@@ -31,7 +31,7 @@ import org.lwjgl.system.MemoryUtil;
  * A cloud as shaders light it: its cells at two sampled times in textures, and the light around it at the time of the frame.
  */
 public final class LitCloud {
-    private final SharedResources shared;
+    private final AmbientLight ambient;
     private final PlacedCloud placed;
     private final CloudSource cloud;
     private final Texture density;
@@ -76,7 +76,7 @@ public final class LitCloud {
     }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
-        shared = context.shared();
+        ambient = context.get(AmbientLight.RESOURCE);
         this.placed = placed;
         cloud = placed.source();
         CellBox cells = cloud.narrowest();
@@ -173,7 +173,7 @@ public final class LitCloud {
         followed = now;
         Aabb extent = cloud.bounds();
         Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
-        SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
+        SkyIrradiance sky = ambient.clearIrradiance(now);
         around = new Around(
                 CloudTimeline.towardsSun(now),
                 sun == null ? Vec3.ZERO : sun.irradiance(),

@@ -3,7 +3,6 @@ package nephele.engine.render.pass.exit;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.IntStream;
 import nephele.engine.level.Exit;
 import nephele.engine.level.appearance.ExitCurtain;
 import nephele.engine.math.Aabb;
@@ -11,13 +10,11 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -26,9 +23,9 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
 
 /**
@@ -38,11 +35,16 @@ import nephele.engine.scene.View;
  * see the proof {@code standing-out}.
  */
 public final class ExitPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT))
+            .using(MeteredExposure.RESOURCE);
 
     public static final RenderFeature VEIL = new RenderFeature(
-            "exit.veil", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Part.VEIL));
+                    "exit.veil",
+                    Stage.IN_VIEWS_AFTER_OPAQUE,
+                    Role.DECORATION,
+                    request -> requiredBy(request, Part.VEIL))
+            .using(MeteredExposure.RESOURCE);
 
     /** What a pass draws of all curtains. */
     private enum Part {
@@ -59,7 +61,7 @@ public final class ExitPass implements Pass {
     private static final String FOLDER = "/nephele/engine/render/pass/exit/";
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final Blend blend;
     private final List<Exit> exits;
@@ -71,23 +73,11 @@ public final class ExitPass implements Pass {
             Uniforms.Whole drawnExit,
             Uniforms.Scalar seconds,
             List<Uniforms.Vector4> feetAndRadius,
-            List<Uniforms.Scalar> heightMetres) {
-        static Places of(Uniforms uniforms, int exits) {
-            return new Places(
-                    uniforms.whole("drawnExit"),
-                    uniforms.scalar("seconds"),
-                    IntStream.range(0, exits)
-                            .mapToObj(i -> uniforms.vector4("feetAndRadius[" + i + "]"))
-                            .toList(),
-                    IntStream.range(0, exits)
-                            .mapToObj(i -> uniforms.scalar("heightMetres[" + i + "]"))
-                            .toList());
-        }
-    }
+            List<Uniforms.Scalar> heightMetres) {}
 
     private ExitPass(LoadContext context, Part part) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         boolean decodes = part == Part.LIGHT && context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
         blend = part == Part.VEIL
@@ -96,23 +86,13 @@ public final class ExitPass implements Pass {
         exits = context.scene().level().exits();
         bounds = exits.stream().map(ExitPass::bounds).toList();
         prism = context.own(new PrismMesh(gl));
+        MeteredExposure.readInViews(context);
         Map<String, String> defines = Defines.of(context)
                 .with("SHELL_SHARE", ExitCurtain.SHELL_SHARE)
                 .with("EXITS", exits.size())
                 .withIf(part == Part.VEIL, "VEILS")
                 .values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "exit.vert", defines),
-                ShaderSource.load(FOLDER + "exit.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    if (decodes) {
-                        uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-                    }
-                    return Places.of(uniforms, exits.size());
-                });
+        program = GlProgram.of(gl, FOLDER + "exit.vert", FOLDER + "exit.frag", defines, Places.class);
     }
 
     private static List<Required> requiredBy(FrameRequest request, Part part) {
@@ -158,7 +138,7 @@ public final class ExitPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.OFF, blend, Cull.BACK, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.use();
         program.uniforms().seconds().set((float) frame.frameState().seconds());
         for (int i = 0; i < exits.size(); i++) {

@@ -9,7 +9,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
@@ -23,8 +22,8 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
@@ -35,8 +34,9 @@ import org.lwjgl.system.MemoryUtil;
  * shots it draws nothing.
  */
 public final class ShotPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shot", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, ShotPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shot", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, ShotPass::requiredBy)
+            .using(MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/shot/";
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);
@@ -73,21 +73,9 @@ public final class ShotPass implements Pass {
     private ShotPass(LoadContext context) {
         gl = context.gl();
         over = MeteredExposure.over(context);
+        MeteredExposure.readInViews(context);
         var defines = Defines.of(context).values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "shot.vert", defines),
-                ShaderSource.load(FOLDER + "shot.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    return new Places(
-                            uniforms.vector3("origin"),
-                            uniforms.vector3("along"),
-                            uniforms.vector3("across"),
-                            uniforms.vector2("widths"),
-                            uniforms.vector3("tint"),
-                            uniforms.vector3("ageAndKind"));
-                });
+        program = GlProgram.of(gl, FOLDER + "shot.vert", FOLDER + "shot.frag", defines, Places.class);
         quad = context.own(quad(gl));
     }
 

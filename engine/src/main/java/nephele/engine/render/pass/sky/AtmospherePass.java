@@ -32,8 +32,9 @@ import nephele.engine.render.resource.SunAndMoonTables;
  * stars, {@link NightSky}.
  */
 public final class AtmospherePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy)
+            .using(SunAndMoonTables.THREADS);
 
     private final SkyProgram day;
     /** With moon and stars; {@code null} until the sun has set, since the software renderer executes every branch. */
@@ -46,9 +47,8 @@ public final class AtmospherePass implements Pass {
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
-        day = SkyProgram.of(context, false);
-        tables = context.shared()
-                .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+        day = new SkyProgram(context, false);
+        tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         byHeight = context.own(new ByHeight<>(this::tables));
     }
 
@@ -63,7 +63,7 @@ public final class AtmospherePass implements Pass {
                         PixelFormat.RGBA32F,
                         extent,
                         Sampling.LINEAR_CLAMP),
-                context.shared().background(),
+                context.get(SunAndMoonTables.THREADS),
                 heightMetres,
                 sine -> new SkyTable(air, heightMetres, sine).texels());
     }
@@ -96,7 +96,7 @@ public final class AtmospherePass implements Pass {
             return day;
         }
         if (night == null) {
-            night = SkyProgram.of(context, true);
+            night = new SkyProgram(context, true);
         }
         return night;
     }

@@ -32,12 +32,14 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.resource.PictureArrays;
 import org.joml.Vector3d;
 
 /** Draws six pictures around the eye where no solid has been drawn. Fog hides them. */
 public final class SkyboxPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy)
+            .using(PictureArrays.DECODED);
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
     private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
@@ -53,7 +55,7 @@ public final class SkyboxPass implements Pass {
     /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxPictures pictures = SkyboxPictures.of(sky, context.shared()::picture);
+            SkyboxPictures pictures = SkyboxPictures.of(sky, context.get(PictureArrays.DECODED));
             return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
         }
 
@@ -67,19 +69,14 @@ public final class SkyboxPass implements Pass {
     private SkyboxPass(LoadContext context, Sky.Skybox sky) {
         gl = context.gl();
         cube = context.share(
-                Cube.class,
-                new MadeFrom(context.shared().openedLevel(), sky, context.output()),
-                () -> Cube.of(context, sky));
+                Cube.class, new MadeFrom(context.openedLevel(), sky, context.output()), () -> Cube.of(context, sky));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("faces", TextureUnit.COLOURS);
-                    return uniforms.scalar("whiteRadiance");
-                });
+                uniforms -> uniforms.scalar("whiteRadiance"));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -9,15 +9,14 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
-import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;
@@ -62,7 +61,7 @@ final class GroundDrawing {
         isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
         GroundLook said = GroundLook.of(grid, context.scene().materials());
         look = isBaked ? said.baked() : said;
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         paint = grid.painted().map(map -> paint(context, map)).orElse(null);
         parts = slopes(context.quality().normalMaps()).stream()
@@ -111,45 +110,26 @@ final class GroundDrawing {
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
-        return new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "terrain.vert", defines),
-                ShaderSource.load(FOLDER + "terrain.frag", defines),
-                uniforms -> uniforms(context, surface, uniforms));
+        return GlProgram.of(
+                context.gl(), FOLDER + "terrain.vert", FOLDER + "terrain.frag", defines, GroundUniforms.class);
     }
 
     private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
         var mixture = BakedLayers.of(
                 grid, context.scene().materials(), context.output().decoding());
-        return context.shared().colourPictures(List.of(mixture));
+        return PictureArrays.enlargedColours(context, List.of(mixture));
     }
 
     private static Texture colours(LoadContext context, LayerPictures pictures) {
         return pictures.array() == LayerPictures.OWN
-                ? context.shared().colourPictures(pictures.own())
-                : context.shared().colourPictures().get(pictures.array());
+                ? PictureArrays.enlargedColours(context, pictures.own())
+                : context.get(PictureArrays.COLOURS).get(pictures.array());
     }
 
     private static Texture normals(LoadContext context, LayerPictures pictures) {
         return pictures.array() == LayerPictures.OWN
-                ? context.shared().normalPictures(pictures.own())
-                : context.shared().normalPictures().get(pictures.array());
-    }
-
-    private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
-        surface.set(uniforms);
-        light.tieForDynamicObjects(uniforms);
-        if (tiles != null) {
-            uniforms.sampler("terrainTiles", TextureUnit.TERRAIN_TILES);
-        }
-        if (LightRequirements.skyShines(context.scene().level())) {
-            uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
-        }
-        if (paint != null) {
-            uniforms.sampler("layerMap", TextureUnit.TERRAIN_LAYERS);
-        }
-        return GroundUniforms.of(
-                uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
+                ? PictureArrays.enlargedNormals(context, pictures.own())
+                : context.get(PictureArrays.NORMALS).get(pictures.array());
     }
 
     void draw(FrameContext frame) {

@@ -3,11 +3,11 @@ package nephele.engine.render.pass.tonemap;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.appearance.LinearLight;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -27,14 +27,8 @@ public final class ToneMapPass implements Pass {
     private final boolean isMetered;
 
     private ToneMapPass(LoadContext context) {
-        isMetered = MeteredExposure.isRequiredBy(context.request());
-        var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
-        drawing = new FullScreenDrawing(context, FOLDER, stages, uniforms -> {
-            uniforms.sampler("linearPicture", TextureUnit.COLOURS);
-            if (isMetered) {
-                context.shared().exposure().tie(uniforms);
-            }
-        });
+        isMetered = context.request().metersExposure();
+        drawing = new FullScreenDrawing(context, Defines.of(context), FOLDER + "tonemap.vert", FOLDER + "tonemap.frag");
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

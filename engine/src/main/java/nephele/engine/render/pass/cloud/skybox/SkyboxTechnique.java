@@ -7,10 +7,9 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.BoundingSphere;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
@@ -23,14 +22,13 @@ import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPrograms;
 import nephele.engine.render.pass.cloud.CloudUniforms;
 import nephele.engine.render.pass.cloud.PlacedCloud;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
-import nephele.engine.sim.reach.EyeReach;
 
 /**
  * Draws a cloud by pictures around one point, which another technique has drawn; the wind moves them as what is as far as its
- * middle. If parts of it
- * are elsewhere by a texel, or its light has changed, since they were drawn, the next ones are drawn, one a frame, and then
- * fade in for as long as that has taken. After a jump in time all are drawn at once.
+ * middle. If parts of it are elsewhere by a texel, or its light has changed, since they were drawn, the next ones are drawn,
+ * one a frame, and then fade in for as long as that has taken. After a jump in time all are drawn at once.
  */
 public final class SkyboxTechnique implements CloudDrawing {
     /** A longer time between two frames is a jump. */
@@ -45,7 +43,7 @@ public final class SkyboxTechnique implements CloudDrawing {
     private static final double MOST_PRESENCE = 1.0 / 16;
     private static final Vec3 EYE_OVER_FEET = new Vec3(0, 1.65, 0);
 
-    private final SharedResources shared;
+    private final RendererClouds clouds;
     private final PlacedCloud placed;
     private final SkyBaker baker;
     private final CloudPrograms<SkyUniforms> programs;
@@ -76,7 +74,7 @@ public final class SkyboxTechnique implements CloudDrawing {
 
     private SkyboxTechnique(CloudContext context, PlacedCloud placed, Technique baked) {
         LoadContext load = context.load();
-        shared = load.shared();
+        clouds = load.get(RendererClouds.RESOURCE);
         this.placed = placed;
         PlacedCloud still = placed.again();
         baker = new SkyBaker(load, still, baked.build().apply(context, still), bakePoint(load, still));
@@ -104,13 +102,9 @@ public final class SkyboxTechnique implements CloudDrawing {
      */
     private static Vec3 bakePoint(LoadContext load, PlacedCloud cloud) {
         Level level = load.scene().level();
-        EyeReach reach = load.shared().eyeReach(load.scene());
-        if (!reach.isAnywhere()) {
-            Vec3 middle = reach.bounds().centre();
-            Aabb point = Aabb.around(middle, Vec3.ZERO);
-            if (reach.farthestMetres(middle) < EyeReach.metresBetween(point, cloud.source().bounds())) {
-                return middle;
-            }
+        BoundingSphere eyes = load.drawn().eyes();
+        if (eyes != null && eyes.radius() < cloud.source().bounds().nearest(eyes.centre())) {
+            return eyes.centre();
         }
         if (!level.cameras().isEmpty()) {
             return level.cameras().get(0).position();
@@ -130,9 +124,9 @@ public final class SkyboxTechnique implements CloudDrawing {
             return;
         }
         boolean isJump = handled == null || Math.abs(now.seconds() - handled.seconds()) > JUMP_SECONDS;
-        boolean isCut = shared.cuts() != cuts;
+        boolean isCut = clouds.cuts() != cuts;
         handled = now;
-        cuts = shared.cuts();
+        cuts = clouds.cuts();
         if (shown.faces() == null || isJump && change() > 0 || isCut && change() >= 1) {
             baker.begin(shown, environment, now);
             baker.draw(Integer.MAX_VALUE, view);

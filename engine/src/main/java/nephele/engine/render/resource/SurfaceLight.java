@@ -1,0 +1,281 @@
+package nephele.engine.render.resource;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LightMaps;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality.LightParts;
+import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.PunctualLightTable;
+import nephele.engine.scene.light.ShadowCasters;
+import nephele.engine.scene.light.ShadowFrame;
+
+/**
+ * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
+ * Positions are relative to the {@link #anchor}, so they do not depend on the eye.
+ */
+public final class SurfaceLight {
+    public static final SharedResource<SurfaceLight> RESOURCE = SharedResource.of("surface light", SurfaceLight::of)
+            .following((light, frame) -> light.follow(frame.frameState().environment()));
+
+    private final Level level;
+    private final Scene scene;
+    private final LoadContext context;
+    private final RendererClouds clouds;
+    private final LightMaps maps;
+    private final ShadowSampling sampling;
+    private final LightParts parts;
+    private final LightBlock block;
+    private final AmbientLight sky;
+    /** {@code null} without punctual lights. */
+    private final PunctualLightTable lights;
+
+    private final BufferTexture lightTexels;
+    private final BufferTexture lightGrid;
+    private final DynamicShadows dynamicShadows;
+    /** {@code null} without lightning. */
+    private final FrameLightning flash;
+
+    private Vec3 towardsSun;
+    /** The projection of the sun's shadow map; {@code null} without a sun that casts shadows. */
+    private ShadowFrame sunFrame;
+
+    private Environment followed;
+    /** {@code null} before the first frame, and without clouds. */
+    private CloudInterval cloudsFollowed;
+    /** Whether the last frame was lit by a flash. */
+    private boolean wasLit;
+
+    private SurfaceLight(LoadContext context) {
+        this.context = context;
+        scene = context.scene();
+        level = scene.level();
+        FrameRequest request = context.request();
+        GlContext gl = context.gl();
+        maps = request.lightMaps();
+        clouds = context.get(RendererClouds.RESOURCE);
+        flash = context.get(FrameLightning.RESOURCE);
+        block = context.own(new LightBlock(gl, flash != null));
+        sampling = request.quality().shadowFilter();
+        parts = request.quality().lightParts();
+        block.parts(shares(parts));
+        sky = context.get(AmbientLight.RESOURCE);
+        lights = scene.lights() == null
+                ? null
+                : scene.lights().withMostShadows(request.quality().lightShadows());
+        lightTexels = lights == null
+                ? null
+                : context.own(BufferTexture.ofFloats(gl, "punctual lights", lights.packed(anchor())));
+        lightGrid =
+                lights == null ? null : context.own(BufferTexture.ofIntegers(gl, "light grid", lights.packedGrid()));
+        dynamicShadows = context.own(new DynamicShadows(gl, maps));
+    }
+
+    private static SurfaceLight of(LoadContext context) {
+        SurfaceLight light = new SurfaceLight(context);
+        light.follow(context.scene().level().environment());
+        return light;
+    }
+
+    private static Vec3 shares(LightParts shown) {
+        return switch (shown) {
+            case ALL -> new Vec3(1, 1, 1);
+            case AMBIENT -> new Vec3(1, 0, 0);
+            case DIFFUSE -> new Vec3(0, 1, 0);
+            case SPECULAR -> new Vec3(0, 0, 1);
+        };
+    }
+
+    /**
+     * Updates the numbers to the current environment, if it has changed.
+     *
+     * @param now has a sun, sky or constant only if the level has
+     */
+    private void follow(Environment now) {
+        CloudInterval interval = clouds.current().now();
+        boolean isSame = interval == null
+                || cloudsFollowed != null
+                        && interval.from() == cloudsFollowed.from()
+                        && interval.share() == cloudsFollowed.share();
+        if (now == followed && isSame) {
+            followFlash();
+            return;
+        }
+        putFlash();
+        if (LightRequirements.sun(level)) {
+            putSun(Daylight.onGround(now));
+        }
+        if (lights != null) {
+            block.lightGrid(lights.grid(), anchor());
+        }
+        if (now.ambient() != null) {
+            block.ambient(now.ambient());
+        }
+        if (LightRequirements.skyShines(level)
+                && (!isSame || followed == null || !sky.causes(now).equals(sky.causes(followed)))) {
+            block.sky(sky.irradiance(now));
+        }
+        block.upload();
+        followed = now;
+        cloudsFollowed = interval;
+    }
+
+    private void putSun(Sun sun) {
+        block.sun(sun);
+        if (maps.has(Target.CLOUD_SHADE)) {
+            block.cloudShade(FrameClouds.shadeRegion(scene.statics()).moved(anchor().negated()));
+        }
+        boolean isTurned = !sun.directionTowardsSun().equals(towardsSun);
+        towardsSun = sun.directionTowardsSun();
+        if (maps.has(Target.SUN_SHADOW)) {
+            sunFrame = isTurned ? fitted() : sunFrame;
+            block.sunShadow(sunFrame);
+        }
+    }
+
+    /** Returns a projection that holds everything that casts a shadow of the sun. */
+    private ShadowFrame fitted() {
+        StaticShapes statics = scene.statics();
+        List<Vec3> corners = new ArrayList<>(ShadowCasters.corners(statics, towardsSun));
+        corners.addAll(PlantedBillboards.reach(level, statics));
+        corners.addAll(PlantedModels.reach(statics));
+        if (corners.isEmpty()) {
+            // The frame plan is made from the level alone, which does not tell that all meshes are empty.
+            corners = List.of(anchor());
+        }
+        return ShadowFrame.fit(corners, towardsSun, anchor(), context.quality().shadowTexels());
+    }
+
+    private void followFlash() {
+        if (flash != null && (wasLit || flash.isLit())) {
+            putFlash();
+            block.upload();
+        }
+    }
+
+    private void putFlash() {
+        if (flash != null) {
+            block.flash(flash, anchor());
+            wasLit = flash.isLit();
+        }
+    }
+
+    /** Returns the world position that is the origin of positions in light shaders. */
+    public Vec3 anchor() {
+        boolean isBare = scene.solids().isEmpty() && scene.statics().ground().isEmpty();
+        return isBare ? Vec3.ZERO : scene.solids().origin();
+    }
+
+    /** Returns the shadows of dynamic objects. */
+    public DynamicShadows dynamicShadows() {
+        return dynamicShadows;
+    }
+
+    /** Returns the direction towards the sun, or towards the moon when that is the level's directional light. */
+    public Vec3 towardsSun() {
+        return towardsSun;
+    }
+
+    /** Returns the map's projection for the current sun; {@code null} without a sun that casts shadows. */
+    public ShadowFrame sunFrame() {
+        return sunFrame;
+    }
+
+    /** Returns {@code null} without punctual lights. */
+    public PunctualLightTable lights() {
+        return lights;
+    }
+
+    private boolean hasSkyVisibility() {
+        return maps.has(Target.SKY_VISIBILITY);
+    }
+
+    /** Returns true if light varies over a face. */
+    public boolean variesOverFaces() {
+        return needsPositions() || hasSkyVisibility();
+    }
+
+    /** Returns true if shaders need positions in the level. */
+    public boolean needsPositions() {
+        return maps.has(Target.SUN_SHADOW)
+                || maps.has(Target.CLOUD_SHADE)
+                || lights != null
+                || dynamicShadows.sun()
+                || flash != null;
+    }
+
+    public Defines addTo(Defines defines) {
+        return addForModels(defines).withIf(hasSkyVisibility(), "SKY_VISIBILITY");
+    }
+
+    /** Adds the defines for models, whose sky visibility is a vertex attribute. */
+    public Defines addForModels(Defines defines) {
+        return addLights(defines).withIf(needsPositions(), "ANCHOR_POSITION").withIf(hasSkyVisibility(), "SKY_AMBIENT");
+    }
+
+    /**
+     * Adds the defines for dynamic objects, which have no place in the light map; their sky visibility comes from
+     * probes.
+     */
+    public Defines addForDynamicObjects(Defines defines) {
+        return addLights(defines).with("ANCHOR_POSITION").withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
+    }
+
+    /** Adds the defines for the gun before the eye, on which no dynamic object's shadow falls. */
+    public Defines addForGun(Defines defines) {
+        return addStaticLights(defines)
+                .with("ANCHOR_POSITION")
+                .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
+    }
+
+    private Defines addLights(Defines defines) {
+        return addStaticLights(dynamicShadows.addTo(defines));
+    }
+
+    private Defines addStaticLights(Defines defines) {
+        return defines.withIf(LightRequirements.sun(level), "SUN")
+                .withIf(maps.has(Target.SUN_SHADOW), "SUN_SHADOW")
+                .withIf(maps.has(Target.CLOUD_SHADE), "CLOUD_SHADE")
+                .withIf(lights != null, "PUNCTUAL_LIGHTS")
+                .withIf(maps.has(Target.LIGHT_SHADOW), "LIGHT_SHADOW")
+                .withIf(flash != null, "FLASH")
+                .withIf(parts != LightParts.ALL, "LIGHT_PARTS")
+                .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
+                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
+    }
+
+    /**
+     * Binds the textures of a program compiled with {@link #addTo}, {@link #addForModels} or {@link
+     * #addForDynamicObjects}.
+     *
+     * @param reads those of {@link LightMaps} that the pass declares
+     */
+    public void bind(TargetReads reads) {
+        reads.bind(context.targets());
+        block.bind();
+        if (lights != null) {
+            lightTexels.bind(TextureUnit.PUNCTUAL_LIGHTS);
+            lightGrid.bind(TextureUnit.LIGHT_GRID);
+        }
+        dynamicShadows.bind();
+    }
+}
