@@ -35,7 +35,7 @@ final class NearShade {
         for (Towards towards : Towards.values()) {
             Vec3 direction = towards.direction(light);
             for (int block = 0; block < count; block++) {
-                near[towards.ordinal()][block] = BoxesAhead.of(index, block(block), direction);
+                near[towards.ordinal()][block] = ShadingCloud.ahead(index, block(block), direction);
             }
         }
     }

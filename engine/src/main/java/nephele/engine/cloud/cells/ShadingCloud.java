@@ -1,5 +1,7 @@
 package nephele.engine.cloud.cells;
 
+import nephele.engine.math.bvh.SpatialIndex;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import nephele.engine.math.Aabb;
@@ -146,5 +148,40 @@ public final class ShadingCloud {
     @Override
     public int hashCode() {
         return Objects.hash(shape.density, shift, weight);
+    }
+
+    /**
+     * Returns the items of an index whose boxes another box meets on an endless path in one direction, in ascending order.
+     *
+     * @param from where it begins; sides may be infinite
+     */
+    static int[] ahead(SpatialIndex index, Aabb from, Vec3 direction) {
+        int[] found = new int[index.size()];
+        int[] count = new int[1];
+        index.query((bounds, at) -> meets(from, direction, bounds, at), item -> found[count[0]++] = item);
+        int[] met = Arrays.copyOf(found, count[0]);
+        Arrays.sort(met);
+        return met;
+    }
+
+    private static boolean meets(Aabb from, Vec3 direction, double[] bounds, int at) {
+        double enter = 0;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double least = axis == 0 ? from.minX() : axis == 1 ? from.minY() : from.minZ();
+            double most = axis == 0 ? from.maxX() : axis == 1 ? from.maxY() : from.maxZ();
+            double min = bounds[at + axis] - most;
+            double max = bounds[at + 3 + axis] - least;
+            double along = axis == 0 ? direction.x() : axis == 1 ? direction.y() : direction.z();
+            if (along == 0) {
+                if (min > 0 || max < 0) {
+                    return false;
+                }
+            } else {
+                enter = Math.max(enter, (along > 0 ? min : max) / along);
+                leave = Math.min(leave, (along > 0 ? max : min) / along);
+            }
+        }
+        return enter <= leave;
     }
 }

@@ -2,7 +2,7 @@ package nephele.engine.render.frame;
 
 import java.util.List;
 import nephele.engine.cloud.drawn.SkyplaneShape;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.cloud.light.PuffLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.RecordCopy;
 
@@ -172,7 +172,7 @@ public record Quality(
                                 + " model of 2000 has light that is scattered once; Harris' of 2001 also light"
                                 + " that was scattered forwards before, here so that it does not depend on the"
                                 + " number of balls. Both lose what leaves the beam.")
-                BallLight particleLight,
+                PuffLight particleLight,
         @QualitySetting(
                         high = "auto",
                         ultra = "off",

@@ -1,7 +1,7 @@
 package nephele.engine.cloud.light;
 
 /** The model of sunlight in clouds that are drawn as soft balls. */
-public enum BallLight {
+public enum PuffLight {
     /** {@link CloudLight}, as in clouds that are marched: what is scattered often is found too. */
     TAIL,
     /**
