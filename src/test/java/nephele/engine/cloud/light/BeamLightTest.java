@@ -1,5 +1,6 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.render.frame.Quality.PuffLight;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 

@@ -3,7 +3,7 @@ package nephele.workshop.prove.cloud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.engine.cloud.light.PuffLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality;

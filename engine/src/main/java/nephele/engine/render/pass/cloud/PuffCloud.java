@@ -4,7 +4,7 @@ import java.util.function.UnaryOperator;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
-import nephele.engine.cloud.light.PuffLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.light.BeamLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.cloud.field.PuffsField;
-import nephele.engine.cloud.light.PuffLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.light.BeamLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** The models of sunlight in soft balls. */
 @TestInstance(Lifecycle.PER_CLASS)
-class BallLightGlTest {
+class PuffLightGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
     private static final double SUN = 4;
