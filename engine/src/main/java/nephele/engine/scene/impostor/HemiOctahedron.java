@@ -5,7 +5,7 @@ import nephele.engine.math.Vec3;
 
 /**
  * The hemisphere of directions above the horizon as a square (Cigolle et al. 2014, "A Survey of Efficient Representations
- * for Independent Unit Vectors", hemi-oct). Its border is the horizon. The twin of {@code impostor.glsl}.
+ * for Independent Unit Vectors", hemi-oct). Its border is the horizon. The twin of {@code impostor-views.glsl}.
  */
 public final class HemiOctahedron {
     private HemiOctahedron() {}
