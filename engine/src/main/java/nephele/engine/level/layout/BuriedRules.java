@@ -9,17 +9,17 @@ import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.appearance.LightReach;
 import nephele.engine.level.appearance.PunctualLight;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
 /** The rule that a light is outside solids and reaches something. A camera may look through a wall from inside it. */
-final class BuriedRules {
+public final class BuriedRules {
     /** Depth from which something counts as inside. */
     private static final double DEEP_METRES = 1e-3;
 
-    static final PlacedRule LIGHTS = (level, statics, report) -> {
+    public static final LevelRule LIGHTS = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
         for (int i = 0; i < level.lights().size(); i++) {
             Light light = level.lights().get(i);
@@ -35,7 +35,7 @@ final class BuriedRules {
                         .about(Topic.LIGHT_WITHOUT_EFFECT));
             }
         }
-    };
+    });
 
     private BuriedRules() {}
 

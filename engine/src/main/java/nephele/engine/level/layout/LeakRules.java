@@ -5,12 +5,12 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.math.Vec3;
 
 /** The rule that a level without sun and sky, with nothing to see outside, has no gap to the outside. */
-final class LeakRules {
-    static final PlacedRule CLOSED = (level, statics, report) -> {
+public final class LeakRules {
+    public static final LevelRule CLOSED = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         List<Vec3> line = hasOutside(level) ? List.of() : Leak.line(level, statics);
         if (!line.isEmpty()) {
             Vec3 gap = line.get(Math.max(0, line.size() - 2));
@@ -18,7 +18,7 @@ final class LeakRules {
                     + ": close the gap";
             report.accept(Problem.warning("player.feet", message).about(new Subject(Topic.LEAK, List.of(), line)));
         }
-    };
+    });
 
     private LeakRules() {}
 
