@@ -14,7 +14,7 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
-import nephele.engine.level.appearance.SkyboxSizes;
+import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.placed.LevelRule;
 
@@ -86,9 +86,9 @@ final class AssetRules {
         private void size(String path, String file, Verdict size, Verdict first) {
             try {
                 if (first == null) {
-                    SkyboxSizes.crossSide(file, size.width(), size.height());
+                    SkyboxPictures.crossSide(file, size.width(), size.height());
                 } else {
-                    SkyboxSizes.requireFace(file, size.width(), size.height(), first.width());
+                    SkyboxPictures.requireFace(file, size.width(), size.height(), first.width());
                 }
             } catch (AssetException problem) {
                 report.accept(Problem.error(path, problem.getMessage()));

@@ -12,7 +12,7 @@ import nephele.engine.level.layout.BuriedRules;
 import nephele.engine.level.layout.FaceRules;
 import nephele.engine.level.layout.GroundRules;
 import nephele.engine.level.layout.ImpostorCost;
-import nephele.engine.level.layout.LeakRules;
+import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.LevelRule.Stage;
 import nephele.engine.level.placed.StaticShapes;
@@ -69,7 +69,7 @@ public final class LevelRules {
             BrushRules.IN_SIGHT,
             FaceRules.APART,
             BuriedRules.LIGHTS,
-            LeakRules.CLOSED,
+            Leak.CLOSED,
             GroundRules.ABOVE,
             ImpostorCost.FEW,
             LandmarkRules.SEEN,

@@ -7,7 +7,6 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.appearance.LightReach;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShape;
@@ -57,6 +56,6 @@ public final class BuriedRules {
         // A body may be carried into the light from anywhere.
         return hasShapes
                 && level.bodies().isEmpty()
-                && statics.all().stream().map(StaticShape::bounds).noneMatch(box -> LightReach.touches(light, box));
+                && statics.all().stream().map(StaticShape::bounds).noneMatch(light::touches);
     }
 }

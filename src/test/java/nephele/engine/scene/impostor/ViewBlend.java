@@ -12,8 +12,8 @@ import nephele.engine.math.Vec3;
 record ViewBlend(int[] views, double[] weights) {
     /** @param side views along a side of the grid */
     static ViewBlend of(Vec3 direction, int side) {
-        double x = (0.5 + 0.5 * HemiOctahedron.u(direction)) * (side - 1);
-        double y = (0.5 + 0.5 * HemiOctahedron.v(direction)) * (side - 1);
+        double x = (0.5 + 0.5 * AtlasView.u(direction)) * (side - 1);
+        double y = (0.5 + 0.5 * AtlasView.v(direction)) * (side - 1);
         int column = Math.min((int) Math.floor(x), side - 2);
         int row = Math.min((int) Math.floor(y), side - 2);
         double right = x - column;
