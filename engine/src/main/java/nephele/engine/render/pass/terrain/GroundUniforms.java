@@ -12,7 +12,7 @@ import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.TerrainUniforms;
 
-/** The uniforms of a terrain's program. It reads those of which the terrain, its layers and its light have need. */
+/** The uniforms of a terrain's program. The program reads what the terrain, its layers and its light require. */
 record GroundUniforms(
         TerrainUniforms place,
         @IfRead Vector4 detailView,
