@@ -60,7 +60,7 @@ final class ApertureCutter {
             Piece whole = piece(item);
             List<Piece> left = carved(List.of(whole), openings);
             if (!isUnchanged(whole, left)) {
-                cut.item(item);
+                cut.accept(item);
                 pieces.addAll(left);
             }
         }

@@ -48,7 +48,7 @@ final class Walls {
     }
 
     Walls sheet(Vec3... corners) {
-        sheets.add(new SurfacePolygon(List.of(corners), false));
+        sheets.add(SurfacePolygon.of(List.of(corners), false));
         return this;
     }
 
@@ -73,7 +73,7 @@ final class Walls {
     }
 
     Walls triangle(double... xy) {
-        sheets.add(new SurfacePolygon(List.of(at(xy, 0), at(xy, 1), at(xy, 2)), true));
+        sheets.add(SurfacePolygon.of(List.of(at(xy, 0), at(xy, 1), at(xy, 2)), true));
         return this;
     }
 
