@@ -143,9 +143,10 @@ class EditorKeysTest {
     void searchKnowsWordsWithoutAccentsAndPutsBeginningsFirst() {
         EditorCommand hide = command("hide", "Ocultar seleção");
         EditorCommand select = command("all", "Seleção inteira");
-        List<EditorCommand> found = CommandSearch.find(List.of(hide, select), "selecao", Language.PT_BR);
+        List<EditorCommand> found = EditorCommands.find(List.of(hide, select), "selecao", Language.PT_BR);
         assertEquals(List.of(select, hide), found);
-        assertEquals(List.of(hide), CommandSearch.find(List.of(hide, select), "sel ocu", Language.PT_BR));
-        assertTrue(CommandSearch.find(List.of(hide, select), "zzz", Language.EN).isEmpty());
+        assertEquals(List.of(hide), EditorCommands.find(List.of(hide, select), "sel ocu", Language.PT_BR));
+        assertTrue(
+                EditorCommands.find(List.of(hide, select), "zzz", Language.EN).isEmpty());
     }
 }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
@@ -13,7 +12,7 @@ import nephele.engine.level.json.LevelJson;
 public record ScriptedSession(EditorSession session, ScriptRunner script) {
     /** Returns a session of an empty level. */
     public static ScriptedSession empty() {
-        return of(NewDocument.opened().level());
+        return of(DocumentFile.untitled().level());
     }
 
     public static ScriptedSession of(Level level) {

@@ -20,7 +20,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Terrain;
@@ -46,7 +45,7 @@ class SavedElsewhereTest {
         ImageIO.write(grey, "png", working.resolve("terrain/own.png").toFile());
         session = new EditorSession(
                 DocumentFile.UNTITLED,
-                NewDocument.opened().level(),
+                DocumentFile.untitled().level(),
                 LevelAssets.beside(working.resolve("untitled.json")),
                 EditorSettings.DEFAULT);
         session.filing(Filing.of(FiledSession.files(folder)));

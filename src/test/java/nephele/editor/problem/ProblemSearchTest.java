@@ -251,11 +251,11 @@ class ProblemSearchTest {
         Level sorted = read("\"solids\": [" + crate + "," + WALLS + "]" + START + EXIT);
         assertEquals(keys(level), keys(sorted));
         LevelProblem problem = problems(level).get(0);
-        Level hidden = HiddenProblems.hide(level, problem);
-        assertTrue(HiddenProblems.isHidden(hidden, problems(hidden).get(0)));
-        assertSame(hidden, HiddenProblems.hide(hidden, problem));
-        assertFalse(HiddenProblems.isHidden(level, problem));
-        assertEquals(level, HiddenProblems.show(hidden, problem));
+        Level hidden = LevelProblem.hide(level, problem);
+        assertTrue(LevelProblem.isHidden(hidden, problems(hidden).get(0)));
+        assertSame(hidden, LevelProblem.hide(hidden, problem));
+        assertFalse(LevelProblem.isHidden(level, problem));
+        assertEquals(level, LevelProblem.show(hidden, problem));
     }
 
     @Test

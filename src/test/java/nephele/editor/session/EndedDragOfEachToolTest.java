@@ -19,6 +19,7 @@ import nephele.editor.action.ScriptDesk;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
+import nephele.editor.save.DocumentFile;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
@@ -197,7 +198,7 @@ class EndedDragOfEachToolTest {
         Drag drag = Drag.with(tool);
         ToolScene scene = drag.scene();
         drag.begin();
-        Level other = NewDocument.opened().level();
+        Level other = DocumentFile.untitled().level();
         scene.document().edit(Words.same("reload"), mine -> other);
         scene.drag(drag.from());
         scene.release(drag.from());
@@ -235,7 +236,7 @@ class EndedDragOfEachToolTest {
         String text = LevelJson.write(before);
         drag.begin();
         EditorSession session = scene.session();
-        Level other = NewDocument.opened().level();
+        Level other = DocumentFile.untitled().level();
         session.open(session.file(), other, session.assets());
         Snapshot opened = scene.document().now();
         assertSame(other, opened.level());

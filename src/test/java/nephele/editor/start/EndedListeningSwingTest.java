@@ -10,7 +10,6 @@ import nephele.editor.document.Registration;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
 import nephele.editor.window.WindowLook;
@@ -21,7 +20,7 @@ class EndedListeningSwingTest {
     private final EditorSession session = session();
 
     private static EditorSession session() {
-        DocumentFile.Opened opened = NewDocument.opened();
+        DocumentFile.Opened opened = DocumentFile.untitled();
         return new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
     }
 

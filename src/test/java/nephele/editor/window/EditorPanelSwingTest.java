@@ -32,7 +32,7 @@ import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
-import nephele.editor.pane.PlanNavigation;
+import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -194,7 +194,7 @@ class EditorPanelSwingTest {
         open(settings(Theme.DARK, 100, Language.EN), new Dimension(900, 600));
         panel.viewport().picture();
         PaneView top = session.panes().views().get(TOP_PANE);
-        session.panes(layout -> layout.with(TOP_PANE, top.with(PlanNavigation.at(top.plan(), selectedCentre()))));
+        session.panes(layout -> layout.with(TOP_PANE, top.with(PlanCamera.at(top.plan(), selectedCentre()))));
     }
 
     private void mouse(int id, int button, double x, double y) {
@@ -253,7 +253,7 @@ class EditorPanelSwingTest {
                 session.grid().snapped(before.x() + metres), selectedCentre().x(), 0.5);
         assertEquals(TOP_PANE, session.panes().active());
         assertTrue(session.document().isModified());
-        assertTrue(EditorTitle.of(session).startsWith("*02-first-shot.json"), EditorTitle.of(session));
+        assertTrue(EditorWindow.title(session).startsWith("*02-first-shot.json"), EditorWindow.title(session));
     }
 
     @Test

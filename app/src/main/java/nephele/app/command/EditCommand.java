@@ -14,7 +14,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.session.FileRefusal;
 import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
 import nephele.editor.start.ScriptedEditing;
 import nephele.editor.start.WindowedEditing;
 import nephele.editor.text.Words;
@@ -57,7 +56,7 @@ final class EditCommand implements Command {
         }
         EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
         EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;
-        DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
+        DocumentFile.Opened opened = level == null ? DocumentFile.untitled() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
         session.panes(panes -> OpeningViews.of(opened.level(), panes));

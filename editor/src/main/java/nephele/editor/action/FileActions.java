@@ -18,7 +18,6 @@ import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.FileRefusal;
-import nephele.editor.session.NewDocument;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
@@ -81,7 +80,7 @@ final class FileActions {
 
     private static void newLevel(ActionCall call) {
         if (mayLeave(call)) {
-            DocumentFile.Opened fresh = NewDocument.opened();
+            DocumentFile.Opened fresh = DocumentFile.untitled();
             call.session().open(fresh.file(), fresh.level(), fresh.assets());
         }
     }

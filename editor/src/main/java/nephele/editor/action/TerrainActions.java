@@ -14,11 +14,11 @@ import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.terrain.LayerChoice;
-import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
 import nephele.editor.terrain.TerrainRefusal;
+import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.Words;
 import nephele.editor.tool.terrain.TerrainTool;
 import nephele.engine.level.Terrain;
@@ -123,7 +123,7 @@ final class TerrainActions {
             session.options().terrainBrush(after);
             session.status(
                     after.strength() == before.strength()
-                            ? RADIUS.with(NumberWords.of(after.radiusMetres()))
+                            ? RADIUS.with(TerrainText.number(after.radiusMetres()))
                             : STRENGTH.with(Math.round(100 * after.strength())));
             session.tell(Change.VIEW);
         });

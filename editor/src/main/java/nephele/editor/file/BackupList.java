@@ -44,7 +44,7 @@ public final class BackupList {
     }
 
     private Words time(Backup backup) {
-        return TimeWords.of(backup.replaced(), now, zone);
+        return FileText.time(backup.replaced(), now, zone);
     }
 
     private static Words size(Path file) {

@@ -14,7 +14,6 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemFix;
 import nephele.editor.session.EditorSession;
@@ -88,7 +87,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         isUpdating = true;
         problems.clear();
         for (LevelProblem problem : found) {
-            if (!HiddenProblems.isHidden(session.document().level(), problem)) {
+            if (!LevelProblem.isHidden(session.document().level(), problem)) {
                 problems.addElement(problem);
                 if (before != null && before.key().equals(problem.key())) {
                     list.setSelectedIndex(problems.size() - 1);
@@ -159,7 +158,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private void hideSelected() {
         LevelProblem selected = list.getSelectedValue();
         keepKeyboard();
-        session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> HiddenProblems.hide(level, selected));
+        session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> LevelProblem.hide(level, selected));
     }
 
     /** A button that is disabled while it has the keyboard would pass it on to a field of the inspector. */

@@ -1,5 +1,6 @@
 package nephele.editor.start;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BiConsumer;
@@ -19,6 +20,7 @@ import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.session.Tools;
@@ -28,6 +30,11 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
 import nephele.editor.window.dialog.DialogFrame;
+import nephele.editor.window.dialog.DialogOpener;
+import nephele.editor.window.dialog.EditorDialogs;
+import nephele.editor.window.page.PageText;
+import nephele.editor.window.page.SettingsPage;
+import nephele.host.userfile.UserFolders;
 
 /** Puts the panels around the viewport. */
 public final class EditorParts {
@@ -77,7 +84,7 @@ public final class EditorParts {
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, slots);
         panel.closeToo(translation);
-        EditorPages.register(session, panel, around);
+        register(session, panel, around);
         parts.accept("guide", guide::start);
         parts.accept("search", () -> {
             left.setSelectedIndex(0);
@@ -102,5 +109,22 @@ public final class EditorParts {
     private static void focus(EditorCommands commands, EditorSession session, EntityRef ref) {
         session.document().select(Selection.of(ref));
         commands.named("focus").ifPresent(command -> command.run());
+    }
+
+    /** Registers each part by its name with what opens it. */
+    private static void register(EditorSession session, EditorPanel panel, EditorSurroundings around) {
+        DialogOpener dialogues = around.dialogues().apply(panel);
+        BiConsumer<String, Runnable> parts = around.parts();
+        new EditorDialogs(session, around.desk(), panel, dialogues).register(parts);
+        parts.accept("settings", () -> show(session, panel, dialogues, SettingsPage.Tab.GENERAL));
+        parts.accept("keys", () -> show(session, panel, dialogues, SettingsPage.Tab.KEYS));
+    }
+
+    private static void show(EditorSession session, EditorPanel panel, DialogOpener dialogues, SettingsPage.Tab tab) {
+        Path file = EditorFiles.in(UserFolders.ofThisUser()).settings();
+        dialogues.open(PageText.SETTINGS.in(session.language()), close -> {
+            SettingsPage page = new SettingsPage(session, panel.commands().all(), file, close).at(tab);
+            return new DialogFrame.Content(page, page.tabs(), null);
+        });
     }
 }

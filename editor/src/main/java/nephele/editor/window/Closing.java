@@ -14,7 +14,7 @@ public record Closing(EditorSession session, CloseQuestion question, BooleanSupp
         if (!session.document().isModified()) {
             return true;
         }
-        return switch (question.ask(EditorTitle.name(session), session.language())) {
+        return switch (question.ask(EditorWindow.name(session), session.language())) {
             case SAVE -> save.getAsBoolean();
             case DISCARD -> true;
             case CANCEL -> false;

@@ -7,6 +7,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
@@ -52,7 +53,7 @@ public final class EditorWindow extends JFrame {
         });
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
         registration = session.listen(this::follow);
-        setTitle(EditorTitle.of(session));
+        setTitle(title(session));
     }
 
     /** Returns a size in points of text at the scale of the settings, at most that of the screen without its bars. */
@@ -75,7 +76,7 @@ public final class EditorWindow extends JFrame {
             WindowLook.apply(look);
             SwingUtilities.updateComponentTreeUI(this);
         }
-        String title = EditorTitle.of(session);
+        String title = title(session);
         if (!title.equals(getTitle())) {
             setTitle(title);
         }
@@ -103,5 +104,20 @@ public final class EditorWindow extends JFrame {
         dispose();
         closed.run();
         return true;
+    }
+
+    /** Returns the level's file name, or a word for none. */
+    static String name(EditorSession session) {
+        return session.file()
+                .path()
+                .map(Path::getFileName)
+                .map(Path::toString)
+                .orElseGet(() -> WindowText.UNTITLED.in(session.language()));
+    }
+
+    /** Returns the title, with an asterisk if something is not saved. */
+    static String title(EditorSession session) {
+        String mark = session.document().isModified() ? "*" : "";
+        return mark + name(session) + " – " + WindowText.TITLE.in(session.language());
     }
 }

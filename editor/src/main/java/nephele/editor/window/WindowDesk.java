@@ -76,7 +76,7 @@ public final class WindowDesk implements Desk {
         if (session.file().path().isEmpty()) {
             inOwnLevels(chooser);
         }
-        String name = EditorTitle.name(session).replaceFirst("\\.json$", "") + ".zip";
+        String name = EditorWindow.name(session).replaceFirst("\\.json$", "") + ".zip";
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
                 ? Optional.of(chooser.getSelectedFile().toPath())

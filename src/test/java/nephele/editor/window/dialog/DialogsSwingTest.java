@@ -196,10 +196,10 @@ class DialogsSwingTest {
 
     @Test
     void assetsAreThoseOfTheFamilyThatTheLevelCanName() {
-        List<String> pictures = AssetFiles.of(session.assets(), AssetFamily.of("texture", ""));
+        List<String> pictures = AssetDialog.of(session.assets(), AssetFamily.of("texture", ""));
         assertTrue(pictures.stream().anyMatch(id -> id.startsWith("textures/")), pictures.toString());
         assertTrue(pictures.stream().allMatch(id -> session.assets().exists(id)));
-        List<String> models = AssetFiles.of(session.assets(), AssetFamily.of("file", "models/any.obj"));
+        List<String> models = AssetDialog.of(session.assets(), AssetFamily.of("file", "models/any.obj"));
         assertTrue(models.stream().allMatch(id -> AssetFamily.of(id) == AssetFamily.MODEL));
         assertFalse(models.isEmpty());
     }
@@ -208,7 +208,7 @@ class DialogsSwingTest {
     void whatIsAddedLiesInView() {
         assertEquals(
                 "",
-                run("add", Map.of("kind", "bodies.box", "at", ViewedPlace.text(session)))
+                run("add", Map.of("kind", "bodies.box", "at", EditorDialogs.text(session)))
                         .english());
         assertEquals(
                 LEVEL.level().bodies().size() + 1,

@@ -17,11 +17,11 @@ import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.ScriptDesk;
+import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
 import nephele.editor.session.Tools;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
@@ -38,7 +38,7 @@ class SettingsPageSwingTest {
 
     private void open(EditorSettings settings) {
         WindowLook.apply(settings);
-        var level = NewDocument.opened();
+        var level = DocumentFile.untitled();
         session = new EditorSession(level.file(), level.level(), level.assets(), settings);
         List<EditorCommand> commands =
                 new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, Tools.ALL).all();

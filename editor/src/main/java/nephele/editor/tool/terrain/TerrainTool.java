@@ -7,7 +7,6 @@ import nephele.editor.pane.Mark;
 import nephele.editor.pane.Mark.Visibility;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.terrain.LayerChoice;
-import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
@@ -157,14 +156,14 @@ public final class TerrainTool implements Tool {
         if (shown.effect().isPaint()) {
             return TerrainText.PAINT_BRUSH.with(
                     title(shown, hovered.terrain()),
-                    NumberWords.of(shown.radiusMetres()),
+                    TerrainText.number(shown.radiusMetres()),
                     Math.round(100 * shown.strength()));
         }
         return TerrainText.BRUSH.with(
                 shown.effect().title(),
-                NumberWords.of(shown.radiusMetres()),
+                TerrainText.number(shown.radiusMetres()),
                 Math.round(100 * shown.strength()),
-                NumberWords.of(y(hovered.point().x(), hovered.point().z())
+                TerrainText.number(y(hovered.point().x(), hovered.point().z())
                         - hovered.terrain().centre().y()));
     }
 

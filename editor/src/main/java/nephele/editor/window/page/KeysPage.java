@@ -23,7 +23,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.widget.ComponentKeys;
 import nephele.editor.widget.TextListener;
-import nephele.editor.window.dialog.ToldColour;
+import nephele.editor.window.dialog.DialogFrame;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -140,7 +140,7 @@ final class KeysPage extends JPanel {
         capture.setText(PageText.HOW.in(language));
         int count = choices().keys().conflicts().size();
         conflicts.setText(count == 0 ? PageText.NO_CONFLICTS.in(language) : PageText.CONFLICTS.in(language, count));
-        conflicts.setForeground(count == 0 ? UIManager.getColor("Label.foreground") : ToldColour.error());
+        conflicts.setForeground(count == 0 ? UIManager.getColor("Label.foreground") : DialogFrame.errorColour());
     }
 
     JTable table() {
@@ -159,7 +159,10 @@ final class KeysPage extends JPanel {
                 JTable all, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
             super.getTableCellRendererComponent(all, value, isSelected, hasFocus, row, column);
             boolean isRed = !isSelected && column >= KeyTable.CONFLICT - 1 && model.hasConflict(row);
-            setForeground(isRed ? ToldColour.error() : isSelected ? all.getSelectionForeground() : all.getForeground());
+            setForeground(
+                    isRed
+                            ? DialogFrame.errorColour()
+                            : isSelected ? all.getSelectionForeground() : all.getForeground());
             setToolTipText(String.valueOf(value));
             return this;
         }

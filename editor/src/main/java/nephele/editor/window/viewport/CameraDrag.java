@@ -3,9 +3,7 @@ package nephele.editor.window.viewport;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveNavigation;
 import nephele.editor.pane.PlanCamera;
-import nephele.editor.pane.PlanNavigation;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
@@ -35,14 +33,14 @@ record CameraDrag(Way way, Vec3 grabbed, PaneSize size) {
     /** Returns the camera after a movement of the pointer by pixels to the right and down. */
     PaneCamera moved(PaneCamera camera, double across, double down, double pixelsPerPoint) {
         if (camera instanceof PlanCamera plan) {
-            return PlanNavigation.pan(plan, across, down);
+            return PlanCamera.pan(plan, across, down);
         }
         PerspectiveCamera eye = (PerspectiveCamera) camera;
         double degrees = DEGREES_PER_POINT / pixelsPerPoint;
         return switch (way) {
-            case LOOK -> PerspectiveNavigation.look(eye, across, down, degrees);
-            case ORBIT -> PerspectiveNavigation.orbit(eye, grabbed, across * degrees * 2, down * degrees * 2);
-            case PAN -> PerspectiveNavigation.pan(eye, across, down, grabbed, size);
+            case LOOK -> PerspectiveCamera.look(eye, across, down, degrees);
+            case ORBIT -> PerspectiveCamera.orbit(eye, grabbed, across * degrees * 2, down * degrees * 2);
+            case PAN -> PerspectiveCamera.pan(eye, across, down, grabbed, size);
         };
     }
 }

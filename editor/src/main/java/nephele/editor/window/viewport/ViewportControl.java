@@ -17,10 +17,8 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveNavigation;
-import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
+import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.editor.pane.PlanCamera;
-import nephele.editor.pane.PlanNavigation;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
 import nephele.engine.math.Ray;
@@ -187,17 +185,16 @@ final class ViewportControl extends MouseAdapter {
 
     private PaneCamera wheeled(PaneCamera before, double notches, Pointer pointer) {
         if (before instanceof PlanCamera plan) {
-            return PlanNavigation.zoom(plan, notches, pointer.x(), pointer.y(), pointer.size());
+            return PlanCamera.zoom(plan, notches, pointer.x(), pointer.y(), pointer.size());
         }
         Ray sight = pointer.ray();
         Vec3 eye = ((PerspectiveCamera) before).eye();
         double distance = pointers.grabbed(pointer).minus(eye).length();
-        return PerspectiveNavigation.dolly((PerspectiveCamera) before, notches, sight, distance);
+        return PerspectiveCamera.dolly((PerspectiveCamera) before, notches, sight, distance);
     }
 
     private void fly(FlightKeys keys, double metres) {
-        look(before ->
-                before instanceof PerspectiveCamera eye ? PerspectiveNavigation.fly(eye, keys, metres, 1) : before);
+        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres, 1) : before);
     }
 
     /** Takes a key that belongs to the flight or to the tool; returns false for any other. */

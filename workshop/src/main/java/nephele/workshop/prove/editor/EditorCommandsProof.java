@@ -16,7 +16,6 @@ import nephele.editor.save.ContentHash;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.workshop.prove.proof.Claim;
@@ -101,7 +100,7 @@ public final class EditorCommandsProof implements Proof {
 
         Run(SplittableRandom random) {
             this.random = random;
-            DocumentFile.Opened fresh = NewDocument.opened();
+            DocumentFile.Opened fresh = DocumentFile.untitled();
             session = new EditorSession(fresh.file(), fresh.level(), fresh.assets(), EditorSettings.DEFAULT);
             script = new ScriptRunner(
                     session, new ScriptDesk(() -> new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB)));
@@ -150,7 +149,7 @@ public final class EditorCommandsProof implements Proof {
                 backwards.add(hash());
             }
             steps = backwards.size() - 1;
-            String empty = LevelJson.write(NewDocument.opened().level());
+            String empty = LevelJson.write(DocumentFile.untitled().level());
             if (!LevelJson.write(document.level()).equals(empty)) {
                 failures.add("all undone, the level is not the one of the beginning");
             }

@@ -15,7 +15,6 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.NewDocument;
 import nephele.editor.start.EditorParts;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
@@ -34,7 +33,7 @@ final class PicturedEditor implements AutoCloseable {
     PicturedEditor(EditorLook look) throws ActionFailure {
         this.look = look;
         WindowLook.apply(look.settings());
-        DocumentFile.Opened empty = NewDocument.opened();
+        DocumentFile.Opened empty = DocumentFile.untitled();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
         panel = EditorParts.panel(session, desk.surroundings());
         script = new ScriptRunner(session, desk);
