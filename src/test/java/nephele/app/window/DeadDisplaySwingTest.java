@@ -10,10 +10,13 @@ import java.util.Map;
 import nephele.app.ChildJvm;
 import nephele.app.Main;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Commands that open a window where the environment names a display that doesn't answer, or none that Swing can use. */
+@Execution(ExecutionMode.SAME_THREAD)
 class DeadDisplaySwingTest {
     @TempDir
     Path folder;
