@@ -53,5 +53,5 @@ path=$(printf '%s:' "$@")
     idea("one tick", "engine.sim.Simulation", "engine.sim* engine.collision* engine.portal*")
     idea("a marched cloud", "engine.render.pass.cloud.volume.VolumeTechnique", "engine.cloud* engine.render.pass.cloud*")
     idea("a portal placed", "engine.portal.placement.Placement", "engine.portal*")
-    idea("a drag of the editor", "editor.tool.transform.TransformTool editor.tool.select.SelectTool", "editor.tool* editor.document editor.brush editor.session editor.transform editor.pick")
+    idea("a drag of the editor", "editor.tool.transform.TransformTool editor.tool.select.SelectTool", "editor.tool* editor.document editor.brush editor.session")
   }'

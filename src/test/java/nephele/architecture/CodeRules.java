@@ -29,7 +29,7 @@ final class CodeRules {
                     .that()
                     .resideInAnyPackage("nephele.engine..", "nephele.scenes..")
                     .should(PackageTable.useOnlyWhatTheTableAllows())
-                    .as("packages of engine and scenes use only what the table in ARCHITECTURE allows"),
+                    .as("packages of engine and scenes use only what PackageTable allows"),
             classes()
                     .that()
                     .resideInAPackage("nephele.engine.render.pass..")
@@ -39,7 +39,7 @@ final class CodeRules {
                     .that()
                     .resideInAPackage("nephele..")
                     .should(PackageTable.useOnlyModulesOfTheTable())
-                    .as("a module uses only those that the table in ARCHITECTURE allows"),
+                    .as("a module uses only those that PackageTable allows"),
             noClasses()
                     .that()
                     .resideInAPackage("nephele.app..")

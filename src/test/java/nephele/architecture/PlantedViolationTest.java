@@ -59,12 +59,16 @@ class PlantedViolationTest {
         plant("nephele.engine.render.pass.fog.SeesSky", "nephele.engine.render.pass.sky.Sky s;");
         plant("nephele.engine.render.pass.sky.Sky", "nephele.engine.render.pass.cloud.Shared s;");
         plant("nephele.engine.render.pass.cloud.Shared", "");
+        plant("nephele.engine.choice.Chosen", "");
+        plant("nephele.engine.render.frame.SeesChoice", "nephele.engine.choice.Chosen c;");
+        plant("nephele.engine.sim.reach.Reach", "");
+        plant("nephele.engine.render.pass.fog.SeesSim", "nephele.engine.sim.reach.Reach r;");
         plant("nephele.app.Top", "");
         plant("nephele.editor.SeesApp", "nephele.app.Top t;");
         plant("nephele.lab.SeesApp", "nephele.app.Top t;");
         plant("nephele.engine.scene.SeesEditor", "nephele.editor.SeesApp e;");
         plant("nephele.lab.SeesEditor", "nephele.editor.SeesApp e;");
-        plant("nephele.engine.playthrough.SeesLab", "nephele.lab.SeesApp l;");
+        plant("nephele.host.playthrough.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.play.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.command.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.scenes.fixed.Drawing", "");
@@ -113,6 +117,8 @@ class PlantedViolationTest {
         return List.of(
                 new String[] {"engine and scenes use only", "math.SeesLevel"},
                 new String[] {"engine and scenes use only", "unknown.InNoRow"},
+                new String[] {"engine and scenes use only", "render.frame.SeesChoice"},
+                new String[] {"engine and scenes use only", "fog.SeesSim"},
                 new String[] {"a pass uses no other pass", "fog.SeesSky"},
                 new String[] {"engine and scenes use only", "scenes.xml.SeesDrawing"},
                 new String[] {"a module uses only", "editor.SeesApp"},

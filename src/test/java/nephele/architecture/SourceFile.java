@@ -15,8 +15,8 @@ import java.util.stream.Stream;
  * @param path relative to the repository, with slashes
  */
 record SourceFile(String path, String text) {
-    private static final List<String> ROOTS =
-            List.of("engine/src", "scenes/src", "lab/src", "editor/src", "app/src", "workshop/src", "src/test");
+    private static final List<String> ROOTS = List.of(
+            "engine/src", "host/src", "scenes/src", "lab/src", "editor/src", "app/src", "workshop/src", "src/test");
 
     /** Returns every Java file and shader of the checkout. */
     static List<SourceFile> all() throws IOException {

@@ -1,5 +1,5 @@
 /**
- * The package table of docs/ARCHITECTURE.md and the house style as rules, and planted violations that each rule must
- * find.
+ * The table of dependencies and the house style as rules, the names and links of the documents, and planted violations
+ * that each rule must find.
  */
 package nephele.architecture;

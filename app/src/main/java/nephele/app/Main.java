@@ -9,8 +9,8 @@ import java.util.Locale;
 import nephele.app.command.CommandEntry;
 import nephele.app.command.CommandLineFront;
 import nephele.app.command.Commands;
-import nephele.engine.terminal.LongWork;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.LongWork;
+import nephele.host.terminal.Terminal;
 
 /** The main class of the jar. */
 public final class Main {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 
 final class AssistNamesTest {

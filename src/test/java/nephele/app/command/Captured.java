@@ -7,7 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.Terminal;
 import nephele.workshop.Workshop;
 
 /** The exit code and output of a command run in this process. */

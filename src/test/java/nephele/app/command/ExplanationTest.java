@@ -7,7 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.util.List;
-import nephele.engine.terminal.ExitCode;
+import nephele.host.terminal.ExitCode;
 import org.junit.jupiter.api.Test;
 
 class ExplanationTest {

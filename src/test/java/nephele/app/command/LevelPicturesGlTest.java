@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Locale;
 import nephele.app.command.CommandLineFront;
 import nephele.app.command.Commands;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 
 /** Checks level files and shows the accepted ones; runs in its own process, to bound its memory. */
 final class CorpusRun {

@@ -20,7 +20,7 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.model.file.ModelFiles;
 import nephele.engine.model.shape.BezierPatches;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.userfile.UserFile;
+import nephele.host.userfile.UserFile;
 import nephele.scenes.xml.XmlSceneFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

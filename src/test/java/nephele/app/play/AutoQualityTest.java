@@ -13,10 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.QualityMemory;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.LevelName;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

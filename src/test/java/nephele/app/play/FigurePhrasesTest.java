@@ -6,16 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.Map;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
-import nephele.app.text.Phrase;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.draw.QualityFront;
+import nephele.host.compare.TechniquePair;
+import nephele.host.draw.QualityChoice;
+import nephele.host.draw.QualityFront;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Language;
 import nephele.engine.render.RenderFeatures;
 import nephele.engine.render.frame.RenderFeature;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 
 /** The panel of figures and the comparison of techniques speak the player's language; in English they say names of files. */

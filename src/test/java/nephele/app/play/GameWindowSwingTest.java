@@ -58,7 +58,7 @@ class GameWindowSwingTest {
         assertEquals(0, run.exitCode());
         assertTrue(recordedTicks("walk.json") > 0);
         assertTrue(recordedTicks("walk-2.json") >= 0);
-        assertOnlyTheGame("nephele.engine.playthrough.Playthrough ");
+        assertOnlyTheGame("nephele.host.playthrough.Playthrough ");
     }
 
     private void assertOnlyTheGame(String loadedClass) throws IOException {

@@ -12,7 +12,7 @@ import nephele.engine.level.Hint;
 import nephele.engine.level.Language;
 import nephele.engine.level.Place;
 import nephele.engine.math.Vec3;
-import nephele.engine.playthrough.HintClock;
+import nephele.host.playthrough.HintClock;
 import org.junit.jupiter.api.Test;
 
 /** What a player reads who asks for hints too early, in time and again, and what is read when lines come together. */

@@ -11,12 +11,12 @@ import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
 import nephele.app.window.PadState;
 import nephele.engine.level.Level;
-import nephele.engine.named.LevelName;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
+import nephele.host.named.LevelName;
+import nephele.host.playthrough.Playthrough;
 import org.junit.jupiter.api.Test;
 
 class LiveInputTest {

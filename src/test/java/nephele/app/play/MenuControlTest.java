@@ -21,9 +21,9 @@ import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

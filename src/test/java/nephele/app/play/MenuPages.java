@@ -18,15 +18,15 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFile;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
 import nephele.engine.render.Capture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayPass;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 
 /**
  * Every page of the menu, as players of each language see it. As a program it draws all of them, or those whose name

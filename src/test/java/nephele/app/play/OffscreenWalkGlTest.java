@@ -11,11 +11,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import nephele.app.settings.PlayerFiles;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimSettings;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Map;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 
 /** Options of the command line go before the player's settings, which hold where no option is given. */

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.ExitCode;
+import nephele.host.terminal.CommandFailure;
+import nephele.host.terminal.ExitCode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -12,15 +12,15 @@ import nephele.app.play.SlowAdvice.Cause;
 import nephele.app.play.SlowAdvice.PictureNow;
 import nephele.app.play.SlowAdvice.QualityNow;
 import nephele.app.settings.GameSettings;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.QualityPreset;
-import nephele.app.text.Phrase;
 import nephele.app.window.WindowMode;
 import nephele.app.window.WindowSize;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.Language;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 
 /** Advice about slow frames names what helps, and never what is so already. */

@@ -13,11 +13,11 @@ import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.app.window.WindowMode;
 import nephele.app.window.WindowSize;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.state.SimSettings;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
+import nephele.host.userfile.UserFolders;
 import org.lwjgl.system.MemoryUtil;
 
 /**

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
-import nephele.app.text.Phrase;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
 

@@ -6,10 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.editor.brush.TextureLock;
 import nephele.editor.document.Document;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.text.Words;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -84,8 +83,8 @@ class OutOfRangeTest {
         Level before = document.level();
         List<Words> told = new ArrayList<>();
         document.onRefusal(told::add);
-        document.drag(start -> start.with(EntityTransform.moved(
-                start.level(), start.selection().entities(), new Vec3(1e8, 0, 0), TextureLock.WORLD)));
+        document.drag(start -> start.with(
+                EntityTransform.moved(start.level(), start.selection().entities(), new Vec3(1e8, 0, 0), false)));
         document.commitDrag(Words.same("move"));
         assertEquals(before, document.level());
         assertEquals(1, told.size());

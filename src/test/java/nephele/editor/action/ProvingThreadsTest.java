@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import nephele.editor.heat.HeatText;
+import nephele.editor.proving.HeatText;
 import nephele.editor.proving.Proving;
 import nephele.editor.proving.ProvingThreads;
 import org.junit.jupiter.api.Test;

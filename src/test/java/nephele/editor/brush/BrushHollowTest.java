@@ -23,7 +23,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class BrushHollowTest {
     private static BrushEdit<List<Solid>> hollowed(Solid solid, double wall) {
         AtomicInteger next = new AtomicInteger();
-        return BrushHollow.hollowed(solid, wall, () -> "wall " + next.incrementAndGet());
+        return BrushBoolean.hollowed(solid, wall, () -> "wall " + next.incrementAndGet());
     }
 
     @Test

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LockableTransformTest {
     private static final List<Material> MATERIALS =
             List.of(picture("brick", 0.75), picture("tile", 1.5), picture("metal", 2));
-    private static final LockableTransform LOCKED = LockableTransform.of(TextureLock.LOCKED, MATERIALS);
+    private static final LockableTransform LOCKED = LockableTransform.of(true, MATERIALS);
     private static final TexturePlacement PLACEMENT = new TexturePlacement(0.25, -0.5, 20, -0.5, 2);
 
     private static final Vec3 PIECE = new Vec3(0.125, 0, 0);
@@ -101,7 +101,7 @@ class LockableTransformTest {
 
     @Test
     void withoutTheLockPlacementsStayAsTheyAre() {
-        LockableTransform world = LockableTransform.of(TextureLock.WORLD, MATERIALS);
+        LockableTransform world = LockableTransform.of(false, MATERIALS);
         RandomSolids solids = new RandomSolids(92);
         Vec3 up = new Vec3(0, 1, 0);
         for (int i = 0; i < 20; i++) {

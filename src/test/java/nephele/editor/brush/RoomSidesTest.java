@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.editor.action.ScriptedSession;
-import nephele.editor.pick.EntityBounds;
+import nephele.editor.document.EntityBounds;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;

@@ -84,7 +84,7 @@ final class SolidShape {
         List<Solid> named = new ArrayList<>();
         for (Solid solid : solids) {
             assertEquals(Optional.empty(), BrushCheck.reason(solid));
-            named.add(Identity.withId(solid, "solid " + named.size()));
+            named.add(solid.withId("solid " + named.size()));
         }
         TestLevel level = new TestLevel();
         for (String material : List.of("brick", "tile", "metal")) {

@@ -7,7 +7,7 @@ import java.util.Optional;
 import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;

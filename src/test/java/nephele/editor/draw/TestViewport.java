@@ -11,7 +11,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import nephele.editor.draw.TestFrames.NoFiles;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;

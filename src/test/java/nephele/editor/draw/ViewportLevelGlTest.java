@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.ViewMode;

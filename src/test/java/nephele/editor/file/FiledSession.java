@@ -2,11 +2,11 @@ package nephele.editor.file;
 
 import java.nio.file.Path;
 import nephele.editor.save.DocumentFile;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.EditorSettings;
 import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
-import nephele.editor.settings.EditorFiles;
-import nephele.editor.settings.EditorSettings;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;

@@ -18,7 +18,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.ListEdit;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSettings;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.Words;

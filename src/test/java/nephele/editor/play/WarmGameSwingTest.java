@@ -25,7 +25,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.LevelName;
+import nephele.host.named.LevelName;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

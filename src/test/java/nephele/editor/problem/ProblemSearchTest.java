@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.document.Notes;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;

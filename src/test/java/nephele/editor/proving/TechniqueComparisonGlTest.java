@@ -9,14 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptedSession;
-import nephele.editor.compare.ComparedPictures;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
 import org.junit.jupiter.api.Test;
 
 /** The comparison in the inspector, from a script: everything is drawn at once. */

@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSettings;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Terrain;

@@ -15,7 +15,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import javax.swing.JLabel;
-import nephele.editor.work.Aside;
+import nephele.editor.document.BackgroundReading;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -25,10 +25,10 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 class WaitingLoopSwingTest {
     private final List<String> events = Collections.synchronizedList(new ArrayList<>());
     private final JLabel label = new JLabel();
-    private final Aside aside = new Aside();
+    private final BackgroundReading background = new BackgroundReading();
 
     WaitingLoopSwingTest() {
-        aside.runOn(new WaitingLoop(() -> {}));
+        background.runOn(new WaitingLoop(() -> {}));
         label.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
@@ -47,7 +47,7 @@ class WaitingLoopSwingTest {
     void otherEventsAreDispatchedAndTheUsersComeAfterwardsInTheirOrder() throws Exception {
         EventQueue.invokeAndWait(() -> {
             press(1);
-            String read = aside.get(() -> {
+            String read = background.get(() -> {
                 assertFalse(EventQueue.isDispatchThread());
                 press(2);
                 CompletableFuture.runAsync(() -> events.add("paint"), EventQueue::invokeLater)
@@ -91,18 +91,19 @@ class WaitingLoopSwingTest {
     @Test
     void aFailureIsThatOfTheReader() throws Exception {
         EventQueue.invokeAndWait(() -> {
-            Aside.Task<IOException> broken = () -> {
+            BackgroundReading.Work<String, IOException> broken = () -> {
                 throw new IOException("damaged");
             };
             assertEquals(
                     "damaged",
-                    assertThrows(IOException.class, () -> aside.run(broken)).getMessage());
+                    assertThrows(IOException.class, () -> background.get(broken))
+                            .getMessage());
         });
     }
 
     @Test
     void aScriptReadsOnItsOwnThread() {
         Thread caller = Thread.currentThread();
-        assertEquals(caller, aside.get(Thread::currentThread));
+        assertEquals(caller, background.get(Thread::currentThread));
     }
 }

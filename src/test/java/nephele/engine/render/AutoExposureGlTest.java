@@ -12,6 +12,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Exposure;
@@ -75,7 +76,7 @@ class AutoExposureGlTest {
         Quality quality = Quality.HIGH.with("portalTechnique", technique).with("samples", samples);
         RenderSettings settings = RenderSettings.of(Output.HDR, quality).with(Decoration.OFF);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, withPortal().level(), TestAssets.NONE, settings)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, withPortal().level(), TestAssets.NONE, settings)) {
             double metered = draw(offscreen, renderer, TO_WALL, 0);
             float[] rgb = renderer.readRadiance();
             double twin = AutoExposure.stops(LuminanceHistogram.of(rgb, WIDTH), AutoExposure.MOST_STOPS);
@@ -178,7 +179,7 @@ class AutoExposureGlTest {
             Level more = darkAndBright()
                     .box("wall", new Vec3(9, 9, 9), new Vec3(1, 1, 1))
                     .level();
-            renderer = renderer.edited(Scene.of(more, TestAssets.NONE));
+            renderer = LevelRenderer.edited(renderer, Scene.of(more, TestAssets.NONE));
             assertEquals(dark, draw(offscreen, renderer, TO_SKY, 1));
             renderer.close();
         }

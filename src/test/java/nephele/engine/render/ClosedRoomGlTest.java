@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
@@ -62,7 +63,7 @@ class ClosedRoomGlTest {
         Random random = new Random(20);
         try (Offscreen offscreen = new Offscreen(64, 64);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
             for (int i = 0; i < VIEWS; i++) {
                 Vec3 eye = new Vec3(
                         offset + 8.6 * (random.nextDouble() - 0.5),

@@ -1,6 +1,7 @@
 package nephele.engine.render;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -8,11 +9,11 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 
 /**
@@ -23,10 +24,10 @@ final class DistancePass implements Pass {
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
 
     private final FullScreenDrawing drawing;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
 
     private DistancePass(LoadContext context) {
-        shared = context.shared();
+        targets = context.targets();
         var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
         drawing = new FullScreenDrawing(context, "/nephele/engine/render/trial/", stages, uniforms -> {
             uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
@@ -45,7 +46,7 @@ final class DistancePass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        READS.bind(shared);
+        READS.bind(targets);
         drawing.draw(frame.surface(), Depth.OFF);
     }
 }

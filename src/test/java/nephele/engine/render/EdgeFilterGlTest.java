@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
@@ -119,7 +120,7 @@ class EdgeFilterGlTest {
     void everySizeIsDrawnTheSameAgain(int size) {
         try (var offscreen = new Offscreen(size, size);
                 var renderer =
-                        Renderer.load(offscreen.gl, square(), TestAssets.NONE, settings(EdgeFilter.MORPHOLOGICAL))) {
+                        LevelRenderer.load(offscreen.gl, square(), TestAssets.NONE, settings(EdgeFilter.MORPHOLOGICAL))) {
             renderer.draw(turned(20), offscreen.picture);
             int[] first = offscreen.pixels();
             assertTrue(Offscreen.red(first[size / 2 * size + size / 2]) > 40);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetException;
@@ -60,7 +61,7 @@ class FramePlanGlTest {
                 // Every tenth level has all features: compilation of their shaders takes most of the time.
                 TestLevel level = i % 10 == 0 ? everything() : plain();
                 RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
-                Renderer.load(offscreen.gl, level.level(), tiles(), settings).close();
+                LevelRenderer.load(offscreen.gl, level.level(), tiles(), settings).close();
             }
             assertEquals(before, offscreen.gl.live().counts());
         }
@@ -73,7 +74,7 @@ class FramePlanGlTest {
             Level level = everything().textured("lost", "lost.png").level();
             assertThrows(
                     AssetException.class,
-                    () -> Renderer.load(offscreen.gl, level, tiles(), RenderSettings.of(Output.DIRECT)));
+                    () -> LevelRenderer.load(offscreen.gl, level, tiles(), RenderSettings.of(Output.DIRECT)));
             assertEquals(before, offscreen.gl.live().counts());
         }
     }
@@ -83,7 +84,7 @@ class FramePlanGlTest {
     void theEmptyLevelIsOneClear() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             var before = offscreen.gl.live().counts();
-            try (Renderer renderer = Renderer.load(
+            try (Renderer renderer = LevelRenderer.load(
                     offscreen.gl, new TestLevel().level(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
                 renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(1, 0, 0)), offscreen.picture);
                 assertEquals(0, renderer.draws());
@@ -98,7 +99,7 @@ class FramePlanGlTest {
     void theBareTwinDrawsTheSamePictures(Output output) {
         try (Offscreen offscreen = new Offscreen(64, 64);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, everything().level(), tiles(), RenderSettings.of(output))) {
+                        LevelRenderer.load(offscreen.gl, everything().level(), tiles(), RenderSettings.of(output))) {
             List<View> views =
                     List.of(offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO), offscreen.view(new Vec3(3, 1, 1), Vec3.ZERO));
             try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
@@ -121,8 +122,8 @@ class FramePlanGlTest {
                 .level();
         RenderSettings settings = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(64, 64);
-                Renderer renderer = Renderer.load(offscreen.gl, red, tiles(), settings);
-                Renderer other = Renderer.load(offscreen.gl, everything().level(), tiles(), settings)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, red, tiles(), settings);
+                Renderer other = LevelRenderer.load(offscreen.gl, everything().level(), tiles(), settings)) {
             View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
             renderer.draw(view, offscreen.picture);
             int[] expected = offscreen.pixels();

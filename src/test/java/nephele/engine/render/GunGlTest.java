@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -68,7 +69,7 @@ class GunGlTest {
 
     private static int[] draw(Offscreen offscreen, Level level, double z) {
         RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.HIGH).with(CharacterPresence.POSSIBLE);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             FrameState frameState = FrameState.atStart(level);
             frameState.gun(GUN);
             Vec3 eye = new Vec3(0, 1.5, z);

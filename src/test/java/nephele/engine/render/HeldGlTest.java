@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
@@ -54,7 +55,7 @@ class HeldGlTest {
     private static int[] draw(Offscreen offscreen, Level level, Quality quality, Vec3 heldFromEye, double clarity) {
         RenderSettings settings =
                 RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF).with(CharacterPresence.POSSIBLE);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             FrameState frameState = FrameState.atStart(level);
             if (heldFromEye != null) {
                 frameState.held(0, heldFromEye, clarity);

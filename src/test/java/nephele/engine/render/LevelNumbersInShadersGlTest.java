@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.lwjgl.opengl.GL41C.glIsProgram;
 
+import nephele.engine.choice.LevelRenderer;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.util.List;
@@ -46,7 +47,7 @@ class LevelNumbersInShadersGlTest {
     }
 
     private int programs(Level level, Path file) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, LevelAssets.beside(file), SETTINGS)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, LevelAssets.beside(file), SETTINGS)) {
             renderer.draw(offscreen.view(new Vec3(0, 1.7, 3), new Vec3(0, 1.5, -5)), offscreen.picture);
             offscreen.gl.requireNoError("frame");
         }

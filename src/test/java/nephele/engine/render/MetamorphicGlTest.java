@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -103,8 +104,8 @@ class MetamorphicGlTest {
     private static void assertCullingChangesNoPixel(Level level, int views) {
         RenderSettings on = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
-                Renderer culled = Renderer.load(offscreen.gl, level, tiles(), on);
-                Renderer whole = Renderer.load(offscreen.gl, level, tiles(), on.with(Culling.NONE))) {
+                Renderer culled = LevelRenderer.load(offscreen.gl, level, tiles(), on);
+                Renderer whole = LevelRenderer.load(offscreen.gl, level, tiles(), on.with(Culling.NONE))) {
             long culledTriangles = 0;
             for (View view : views(offscreen, views)) {
                 whole.draw(view, offscreen.picture);
@@ -145,7 +146,7 @@ class MetamorphicGlTest {
         Level level = level(boxes(40, 4), 0);
         for (Output output : Output.values()) {
             try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
-                    Renderer renderer = Renderer.load(offscreen.gl, level, tiles(), RenderSettings.of(output));
+                    Renderer renderer = LevelRenderer.load(offscreen.gl, level, tiles(), RenderSettings.of(output));
                     RenderTarget other =
                             RenderTarget.picture(offscreen.gl, "other size", PixelFormat.RGBA8, 2 * SIZE, SIZE / 2)) {
                 View view = views(offscreen, 1)[0];

@@ -1,5 +1,6 @@
 package nephele.engine.render;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
@@ -18,12 +19,12 @@ final class MeteredFrames {
     private MeteredFrames() {}
 
     static Renderer load(Offscreen offscreen, Level level) {
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, HDR);
+        return LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, HDR);
     }
 
     /** Returns the stops of a view, drawn without history. */
     static double stops(Offscreen offscreen, Level level, RenderSettings settings, View view) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             renderer.draw(view, offscreen.picture);
             return renderer.readMeteredStops().orElseThrow();
         }

@@ -2,10 +2,10 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -16,6 +16,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.host.draw.Outputs;
 import org.junit.jupiter.api.Test;
 
 /** Fog between the eye and mirrors keeps its colour; everything behind a mirror is tinted, fog included. */
@@ -69,7 +70,7 @@ class MirrorFogGlTest {
                         .with("portalResolution", 1)
                         .with("viewBudget", 2);
                 RenderSettings settings = RenderSettings.of(Output.HDR, quality);
-                try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                     renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1)), offscreen.picture);
                     assertFog(renderer.readRadiance(), technique);
                 }

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
@@ -151,7 +152,7 @@ class MirrorGlTest {
         FrameState frameState = FrameState.atStart(level);
         frameState.character(new FrameState.Posture(
                 new Vec3(0, 0.9, PLANE_METRES + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             renderer.draw(view, frameState, offscreen.picture);
             offscreen.gl.requireNoError("character");
             return offscreen.pixels();

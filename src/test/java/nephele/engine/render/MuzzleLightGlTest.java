@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -136,7 +137,7 @@ class MuzzleLightGlTest {
 
     private static Renderer load(Offscreen offscreen, Level level, Output output, List<RenderFeature> features) {
         RenderSettings settings = RenderSettings.of(output, Quality.HIGH).with(CharacterPresence.POSSIBLE);
-        return Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features);
+        return LevelRenderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features);
     }
 
     private static View view(Offscreen offscreen) {

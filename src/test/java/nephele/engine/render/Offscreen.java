@@ -1,5 +1,6 @@
 package nephele.engine.render;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,7 +31,7 @@ public final class Offscreen implements AutoCloseable {
     }
 
     public int[] pixels(Level level, AssetSource assets, View view, RenderSettings settings) {
-        try (Renderer renderer = Renderer.load(gl, level, assets, settings)) {
+        try (Renderer renderer = LevelRenderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);
             gl.requireNoError("test frame");
             return pixels();
@@ -62,7 +63,7 @@ public final class Offscreen implements AutoCloseable {
 
     /** Returns the radiance of some views, drawn with a quality. */
     public List<float[]> radiance(Level level, AssetSource assets, List<View> views, Quality quality) {
-        try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR, quality))) {
+        try (Renderer renderer = LevelRenderer.load(gl, level, assets, RenderSettings.of(Output.HDR, quality))) {
             List<float[]> seen = new ArrayList<>();
             for (View view : views) {
                 renderer.forget();

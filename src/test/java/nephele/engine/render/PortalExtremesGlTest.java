@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -90,7 +91,7 @@ class PortalExtremesGlTest {
         for (PortalTechnique technique : PortalTechnique.values()) {
             Quality quality = Quality.HIGH.with("viewBudget", budget).with("portalTechnique", technique);
             RenderSettings settings = RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF);
-            try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                 for (int frame = 0; frame < 3; frame++) {
                     renderer.draw(view, offscreen.picture);
                     offscreen.gl.requireNoError("frame");

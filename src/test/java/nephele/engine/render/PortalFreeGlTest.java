@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -47,7 +48,7 @@ class PortalFreeGlTest {
     private static List<String> words(Level level, List<RenderFeature> features, Output output) {
         try (Offscreen offscreen = new Offscreen(32, 18);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings(output), features)) {
+                        LevelRenderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings(output), features)) {
             View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
             try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
                 return frame.words();
@@ -83,7 +84,7 @@ class PortalFreeGlTest {
     @Test
     void itDoesNotRelyOnWhatOthersLeft() {
         try (Offscreen offscreen = new Offscreen(32, 18);
-                Renderer renderer = Renderer.load(
+                Renderer renderer = LevelRenderer.load(
                         offscreen.gl, boxes().level(), TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
             View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
             renderer.draw(view, offscreen.picture);
@@ -110,7 +111,7 @@ class PortalFreeGlTest {
 
     private static List<String> wordsLookingAway(Level level, RenderSettings settings) {
         try (Offscreen offscreen = new Offscreen(32, 18);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, 9));
             try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
                 return frame.words();
@@ -126,7 +127,7 @@ class PortalFreeGlTest {
                 .portal("b", "a", new Vec3(2, 0.5, 1), new Vec3(0, 0, -1), 1, 1)
                 .level();
         try (Offscreen offscreen = new Offscreen(64, 36);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(output))) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings(output))) {
             List<View> views = List.of(
                     offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3)),
                     offscreen.view(new Vec3(0.4, 0.7, 0), new Vec3(0, 0.4, -3)));

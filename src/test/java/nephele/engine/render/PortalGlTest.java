@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
@@ -132,7 +133,7 @@ class PortalGlTest {
 
     /** Draws all views with one renderer, none with history. */
     private static int[][] drawAll(Offscreen offscreen, Scene scene, RenderSettings settings) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, scene, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, scene, settings)) {
             View[] views = views(offscreen);
             int[][] pictures = new int[views.length][];
             for (int i = 0; i < views.length; i++) {
@@ -286,7 +287,7 @@ class PortalGlTest {
     }
 
     private static Renderer load(Offscreen offscreen, Level level) {
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.PLAIN));
+        return LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.PLAIN));
     }
 
     private static int[] draw(Offscreen offscreen, Level level, View view, RenderSettings settings) {

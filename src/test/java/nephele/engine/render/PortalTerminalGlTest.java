@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -79,7 +80,7 @@ class PortalTerminalGlTest {
     }
 
     private static int[] frames(Offscreen offscreen, Level level, RenderSettings settings, int count) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             for (int i = 0; i < count; i++) {
                 renderer.draw(view(offscreen), offscreen.picture);
             }
@@ -232,7 +233,7 @@ class PortalTerminalGlTest {
     @Test
     void aCutForgetsThePictureBefore() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, corridor(), TestAssets.NONE, budget(2))) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, corridor(), TestAssets.NONE, budget(2))) {
             renderer.draw(view(offscreen), offscreen.picture);
             int[] first = offscreen.pixels();
             for (int i = 0; i < 4; i++) {
@@ -254,11 +255,11 @@ class PortalTerminalGlTest {
             int[] whole;
             int[] crossed;
             int[] fresh;
-            try (Renderer renderer = Renderer.load(offscreen.gl, corridor(1.5), TestAssets.NONE, budget(60))) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, corridor(1.5), TestAssets.NONE, budget(60))) {
                 renderer.draw(after, offscreen.picture);
                 whole = offscreen.pixels();
             }
-            try (Renderer renderer = Renderer.load(offscreen.gl, corridor(1.5), TestAssets.NONE, budget(2))) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, corridor(1.5), TestAssets.NONE, budget(2))) {
                 renderer.draw(after, offscreen.picture);
                 fresh = offscreen.pixels();
                 renderer.forget();

@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Light;
@@ -39,7 +40,7 @@ class RandomMaterialsGlTest {
             for (int round = 0; round < 8; round++) {
                 RenderSettings plain = RenderSettings.of(Output.PLAIN);
                 try (Renderer renderer =
-                        Renderer.load(offscreen.gl, level(random).level(), TestAssets.NONE, plain)) {
+                        LevelRenderer.load(offscreen.gl, level(random).level(), TestAssets.NONE, plain)) {
                     renderer.draw(view(offscreen), floats);
                     assertNumbers(floats.readFloats(), Float.MAX_VALUE, round);
                 }

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -25,6 +24,7 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.host.draw.Outputs;
 import org.junit.jupiter.api.Test;
 
 /** The plan contains only what the scene requires, with a reason for each pass. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -70,12 +71,12 @@ class SharedSceneGlTest {
         FrameState start = FrameState.atStart(scene.level());
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             var before = offscreen.gl.live().counts();
-            Renderer first = Renderer.load(offscreen.gl, scene, DIRECT);
+            Renderer first = LevelRenderer.load(offscreen.gl, scene, DIRECT);
             int[] expected = drawn(offscreen, first, start);
             drawn(offscreen, first, start);
             long steady = first.draws();
             var one = offscreen.gl.live().counts();
-            try (Renderer second = Renderer.load(offscreen.gl, scene, DIRECT)) {
+            try (Renderer second = LevelRenderer.load(offscreen.gl, scene, DIRECT)) {
                 assertArrayEquals(expected, drawn(offscreen, second, start));
                 int ofDynamicObjects = 3;
                 int textures = offscreen.gl.live().counts().get(GlKind.TEXTURE) - one.get(GlKind.TEXTURE);
@@ -111,11 +112,11 @@ class SharedSceneGlTest {
             var before = offscreen.gl.live().counts();
             PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
             Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
-            Renderer renderer = Renderer.load(offscreen.gl, scene, DIRECT);
+            Renderer renderer = LevelRenderer.load(offscreen.gl, scene, DIRECT);
             for (int i = 0; i < fresh.size(); i++) {
                 drawn(offscreen, renderer, FrameState.atStart(renderer.scene().level()));
                 placed = placed.edited(edits.get(i));
-                renderer = renderer.edited(renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
+                renderer = LevelRenderer.edited(renderer, renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
                 assertArrayEquals(
                         fresh.get(i), drawn(offscreen, renderer, FrameState.atStart(edits.get(i))), "edit " + i);
             }
@@ -141,7 +142,7 @@ class SharedSceneGlTest {
                 .level();
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
-            Renderer renderer = Renderer.load(offscreen.gl, Scene.of(placed, null), DIRECT);
+            Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, null), DIRECT);
             FrameState start = FrameState.atStart(level);
             long first = draws(offscreen, renderer, start);
             long steady = draws(offscreen, renderer, start);
@@ -149,10 +150,10 @@ class SharedSceneGlTest {
             long[] more = new long[2];
             for (int moved = 1; moved <= 2; moved++) {
                 PlacedLevel other = placed.edited(level.with(level.materials(), movedBy(level.solids(), moved)));
-                renderer = renderer.edited(renderer.scene().edited(other, null));
+                renderer = LevelRenderer.edited(renderer, renderer.scene().edited(other, null));
                 more[moved - 1] = draws(offscreen, renderer, start) - steady;
                 assertEquals(steady, draws(offscreen, renderer, start));
-                renderer = renderer.edited(renderer.scene().edited(placed, null));
+                renderer = LevelRenderer.edited(renderer, renderer.scene().edited(placed, null));
                 draws(offscreen, renderer, start);
             }
             renderer.close();
@@ -189,7 +190,7 @@ class SharedSceneGlTest {
     void anEditThatCannotBeDrawnLeavesTheRendererAsItIs() {
         Level level = room(MORNING, 0.6, 0).level();
         try (Offscreen offscreen = new Offscreen(64, 48);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
             int[] expected = drawn(offscreen, renderer, FrameState.atStart(level));
             var loaded = offscreen.gl.live().counts();
             Level missing = level.with(
@@ -203,7 +204,7 @@ class SharedSceneGlTest {
                             List.of()),
                     List.of());
             Scene scene = Scene.of(missing.with(List.of(), List.of(), List.of()), TestAssets.NONE);
-            assertThrows(AssetException.class, () -> renderer.edited(scene));
+            assertThrows(AssetException.class, () -> LevelRenderer.edited(renderer, scene));
             assertEquals(loaded, offscreen.gl.live().counts());
             assertArrayEquals(expected, drawn(offscreen, renderer, FrameState.atStart(level)));
         }
@@ -239,7 +240,7 @@ class SharedSceneGlTest {
         for (Output output : List.of(Output.DIRECT, Output.HDR)) {
             RenderSettings settings = RenderSettings.of(output);
             try (Offscreen offscreen = new Offscreen(64, 48);
-                    Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                    Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
                 FrameState frameState = FrameState.atStart(level);
                 int[] before = drawn(offscreen, renderer, frameState);
                 frameState.environment(other.environment());
@@ -257,7 +258,7 @@ class SharedSceneGlTest {
     void mapsAreDrawnAgainOnlyWhenTheSunMoves() {
         Level level = room(MORNING, 0.6, 0).level();
         try (Offscreen offscreen = new Offscreen(64, 48);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
             FrameState frameState = FrameState.atStart(level);
             long first = draws(offscreen, renderer, frameState);
             long steady = draws(offscreen, renderer, frameState);

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
@@ -18,11 +19,13 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.BareFrame;
 import nephele.engine.render.gl.GlKind;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
@@ -53,6 +56,26 @@ class StageGlTest {
         return walls().level();
     }
 
+    @Test
+    void aPassGetsOnlyWhatItsFeatureNames() {
+        RenderFeature feature = new RenderFeature(
+                "curious",
+                Stage.IN_VIEWS,
+                request -> List.of(new Required("trial", context -> {
+                    context.get(OpeningMesh.RESOURCE);
+                    return frame -> {};
+                })));
+        Scene scene = Scene.of(threeWalls(), TestAssets.NONE);
+        RenderSettings settings = RenderSettings.of(Output.DIRECT);
+        try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
+            assertThrows(
+                    IllegalStateException.class,
+                    () -> LevelRenderer.load(offscreen.gl, scene, settings, List.of(feature)));
+            LevelRenderer.load(offscreen.gl, scene, settings, List.of(feature.using(OpeningMesh.RESOURCE)))
+                    .close();
+        }
+    }
+
     private static View view(Offscreen offscreen) {
         return offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
     }
@@ -68,7 +91,7 @@ class StageGlTest {
 
     private static Renderer trial(Offscreen offscreen, Level level, RenderSettings settings) {
         Scene scene = Scene.of(level, TestAssets.NONE);
-        return Renderer.load(offscreen.gl, scene, settings, withTrial(Stage.IN_VIEWS_AFTER_OPAQUE));
+        return LevelRenderer.load(offscreen.gl, scene, settings, withTrial(Stage.IN_VIEWS_AFTER_OPAQUE));
     }
 
     private static RenderSettings settings(Quality quality) {
@@ -152,7 +175,7 @@ class StageGlTest {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
         RenderSettings played = settings(Quality.HIGH.with("viewBudget", 6)).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
-            try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
                 var loaded = offscreen.gl.live().counts();
                 assertEquals(List.of(), copies(offscreen, renderer));
                 assertEquals(2, renderer.viewsDrawn());
@@ -217,7 +240,7 @@ class StageGlTest {
             Scene scene = Scene.of(heldCube(), TestAssets.NONE);
             RenderSettings played = RenderSettings.of(Output.PLAIN).with(CharacterPresence.POSSIBLE);
             var e = assertThrows(
-                    IllegalStateException.class, () -> Renderer.load(offscreen.gl, scene, played, features));
+                    IllegalStateException.class, () -> LevelRenderer.load(offscreen.gl, scene, played, features));
             assertTrue(e.getMessage().startsWith(because), e.getMessage());
             assertEquals(before, offscreen.gl.live().counts());
         }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -118,7 +119,7 @@ class SurfaceGlTest {
 
     private static void assertOnlyTheNearWallIsSeen(Offscreen offscreen, Level walls, Projection projection) {
         RenderSettings plain = RenderSettings.of(Output.PLAIN);
-        try (Renderer renderer = Renderer.load(offscreen.gl, walls, TestAssets.NONE, plain)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, walls, TestAssets.NONE, plain)) {
             for (int step = 0; step < 12; step++) {
                 Vec3 eye = new Vec3(0.37 * step, 0.21 * step, 0.001 * step);
                 Vec3 up = new Vec3(0.1 * step, 1, 0);

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
@@ -20,10 +21,11 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
@@ -73,13 +75,14 @@ class TargetReadsGlTest {
                 Set<Target> written = EnumSet.noneOf(Target.class);
                 Scene scene = Scene.of(level, TestAssets.NONE);
                 FrameRequest request = FrameRequest.of(level, scene.statics(), Output.HDR, Quality.LOW, character);
-                try (SharedResources shared = new SharedResources(offscreen.gl, scene, request)) {
+                try (OwnedObjects owned = new OwnedObjects(offscreen.gl)) {
+                    var resources = new RenderResources(owned, LevelRenderer.drawn(owned, scene), request, null);
                     for (FramePlan.Step step : FramePlan.of(request).steps()) {
                         if (step.feature().stage() == Stage.IN_VIEWS_AFTER_OPAQUE) {
                             written.addAll(Set.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR));
                         }
                         for (Required required : step.required()) {
-                            Pass pass = required.build().apply(shared.loadContext());
+                            Pass pass = required.build().apply(resources.context(step.feature()));
                             assertTrue(written.containsAll(pass.reads()), name + ": " + required.because());
                             written.addAll(pass.writes());
                         }
@@ -140,7 +143,8 @@ class TargetReadsGlTest {
         if (!level.bodies().isEmpty()) {
             frameState.held(0, fromEye(view, new Vec3(-1, 0.5, 0)), 1);
         }
-        try (Renderer renderer = Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features)) {
+        try (Renderer renderer =
+                LevelRenderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features)) {
             renderer.draw(view, frameState, offscreen.picture);
         }
         return passes;

@@ -25,7 +25,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 import org.junit.jupiter.api.Test;
 
 /** Pictures that are placed on faces are drawn as they are traced. */

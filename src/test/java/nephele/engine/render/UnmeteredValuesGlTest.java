@@ -11,6 +11,7 @@ import static nephele.engine.render.MeteredFrames.stops;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -42,7 +43,7 @@ class UnmeteredValuesGlTest {
             try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                     Renderer veiled = load(offscreen, level.exit(exit).level());
                     Renderer renderer =
-                            Renderer.load(offscreen.gl, level.level(), TestAssets.NONE, HDR.with(Decoration.OFF))) {
+                            LevelRenderer.load(offscreen.gl, level.level(), TestAssets.NONE, HDR.with(Decoration.OFF))) {
                 double metered = draw(offscreen, renderer, TO_WALL, 0);
                 assertEquals(metered, draw(offscreen, veiled, TO_WALL, 0), 1e-3, "nor does its veil");
                 float[] even = {(float) light, (float) light, (float) light};

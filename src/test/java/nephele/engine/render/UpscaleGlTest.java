@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -122,7 +123,7 @@ class UpscaleGlTest {
     void theEmptyLevelIsOneClearAtEveryQuality() {
         var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.with("edgeFilter", EdgeFilter.MORPHOLOGICAL));
         try (var offscreen = new Offscreen(8, 8);
-                var renderer = Renderer.load(offscreen.gl, new TestLevel().level(), TestAssets.NONE, settings)) {
+                var renderer = LevelRenderer.load(offscreen.gl, new TestLevel().level(), TestAssets.NONE, settings)) {
             assertEquals(List.of("clear"), renderer.stepNames());
         }
     }
@@ -130,9 +131,9 @@ class UpscaleGlTest {
     @Test
     void resolutionOneHasNoStepMore() {
         try (var offscreen = new Offscreen(32, 32);
-                var whole = Renderer.load(
+                var whole = LevelRenderer.load(
                         offscreen.gl, square(), TestAssets.NONE, settings(Output.PLAIN, 1, Upscale.BILINEAR));
-                var scaled = Renderer.load(
+                var scaled = LevelRenderer.load(
                         offscreen.gl, square(), TestAssets.NONE, settings(Output.PLAIN, 0.5, Upscale.BILINEAR))) {
             assertFalse(whole.stepNames().contains("upscale"));
             assertTrue(scaled.stepNames().contains("upscale"));
@@ -158,7 +159,7 @@ class UpscaleGlTest {
     @Test
     void radianceIsThatOfTheDrawnPixels() {
         try (var offscreen = new Offscreen(64, 32);
-                var renderer = Renderer.load(
+                var renderer = LevelRenderer.load(
                         offscreen.gl, square(), TestAssets.NONE, settings(Output.HDR, 0.5, Upscale.BILINEAR))) {
             renderer.draw(AHEAD, offscreen.picture);
             assertEquals(3 * 32 * 16, renderer.readRadiance().length);
@@ -168,7 +169,7 @@ class UpscaleGlTest {
     @Test
     void aRendererDrawsTheSamePictureAgain() {
         try (var offscreen = new Offscreen(64, 64);
-                var renderer = Renderer.load(
+                var renderer = LevelRenderer.load(
                         offscreen.gl, square(), TestAssets.NONE, settings(Output.DIRECT, 0.6, Upscale.EDGE_ADAPTIVE))) {
             renderer.draw(AHEAD, offscreen.picture);
             int[] first = offscreen.pixels();

@@ -27,7 +27,11 @@ final class WatchedPass implements Pass {
     /** Returns the same feature, whose passes are added to {@code built}. */
     static RenderFeature watch(RenderFeature feature, BoundTargets targets, List<WatchedPass> built) {
         return new RenderFeature(
-                feature.name(), feature.stage(), feature.role(), request -> feature.requiredBy().apply(request).stream()
+                feature.name(),
+                feature.stage(),
+                feature.role(),
+                feature.uses(),
+                request -> feature.requiredBy().apply(request).stream()
                         .map(required -> new Required(required.because(), context -> {
                             WatchedPass watched = new WatchedPass(
                                     feature.name(), required.build().apply(context), targets);

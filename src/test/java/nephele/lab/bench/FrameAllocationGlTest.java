@@ -2,13 +2,11 @@ package nephele.lab.bench;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
@@ -21,6 +19,9 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class FrameAllocationGlTest {
         RenderSettings settings = RenderSettings.of(output, quality).with(CharacterPresence.POSSIBLE);
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
-                Renderer renderer = Renderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
+                Renderer renderer = LevelRenderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
             List<View> views = views(opened);
             List<FrameState.Posture> postures = postures(opened, views);
             FrameState frameState = FrameState.atStart(opened.level());

@@ -11,7 +11,7 @@ import java.util.List;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import nephele.engine.model.shape.GeneratedName;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.scenes.fixed.FixedSceneDrawing.Source;
 import nephele.scenes.xml.Dialect;
 import nephele.scenes.xml.PosedScene;

@@ -22,7 +22,6 @@ import nephele.workshop.art.picture.PictureRecipe;
 import nephele.workshop.art.picture.SignPainter;
 import nephele.workshop.art.picture.SkyLayouts;
 import nephele.workshop.art.picture.SkyPainter;
-import nephele.workshop.art.plant.PlantFiles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;

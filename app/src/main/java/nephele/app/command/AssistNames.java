@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /** Parses the assists named on the command line. */
 final class AssistNames {

@@ -19,8 +19,8 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.PackageContent;
 import nephele.engine.sim.WorldRules;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
 /** Prints the problems of levels, one a line, and says so if a level has no error. */

@@ -1,7 +1,7 @@
 package nephele.app.command;
 
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 
 /** A command of the jar; picocli fills its annotated fields before it runs. */
 public interface Command {

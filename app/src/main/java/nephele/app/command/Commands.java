@@ -1,9 +1,9 @@
 package nephele.app.command;
 
 import java.util.List;
-import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.CommandFailure;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Unmatched;
 
 /**

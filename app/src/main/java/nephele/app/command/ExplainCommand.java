@@ -3,18 +3,18 @@ package nephele.app.command;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.choice.CloudExplanation;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Hint;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.json.NumberText;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.LevelName;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.sim.state.Assist;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.draw.Outputs;
+import nephele.host.named.LevelName;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
 /**

@@ -13,10 +13,10 @@ import nephele.engine.asset.FileName;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.gl.GlUnavailableException;
-import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.CrashReport;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.CommandFailure;
+import nephele.host.terminal.CrashReport;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 
 /** A failure in plain words: the only place that maps exceptions to exit codes and messages for the user. */
 record Explanation(ExitCode exitCode, String message, Throwable failure) {

@@ -2,9 +2,9 @@ package nephele.app.command;
 
 import java.nio.file.Path;
 import java.util.Locale;
-import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.ExitCode;
-import nephele.engine.terminal.Terminal;
+import nephele.host.terminal.CommandFailure;
+import nephele.host.terminal.ExitCode;
+import nephele.host.terminal.Terminal;
 import nephele.scenes.file.SceneImport;
 import nephele.scenes.file.SceneName;
 import picocli.CommandLine.Option;

@@ -1,8 +1,7 @@
 package nephele.app.command;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
@@ -10,7 +9,9 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.engine.terminal.PrintedProgress;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.OpenedLevel;
+import nephele.host.terminal.PrintedProgress;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -77,6 +78,6 @@ final class PictureOptions {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.shown(opened);
-        return Renderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
+        return LevelRenderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }
 }

@@ -2,7 +2,7 @@ package nephele.app.command;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import nephele.engine.draw.QualityChoice;
+import nephele.host.draw.QualityChoice;
 import picocli.CommandLine.Option;
 
 /** The quality options of a game, which has the player's settings as default. */

@@ -3,8 +3,8 @@ package nephele.app.command;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.render.frame.QualityField;
+import nephele.host.draw.QualityChoice;
 import picocli.CommandLine.Option;
 
 /** The quality options that all drawing commands share. */

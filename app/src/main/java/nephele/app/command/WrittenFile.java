@@ -6,7 +6,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.reference.tile.PartFileException;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /** Writes the files that a user requested; a missing folder is made. */
 final class WrittenFile {

@@ -1,10 +1,10 @@
 package nephele.app.play;
 
 import nephele.app.play.hud.HudContent.Banner;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelTitles;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelTitles;
 
 /** The banner in the upper part of the picture: what is being loaded, or the aim of a level that has just begun. */
 final class Captions {

@@ -6,11 +6,11 @@ import nephele.app.settings.GameSetting;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.appearance.FlashStyle;
-import nephele.engine.playthrough.PictureMotion;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.draw.QualityChoice;
+import nephele.host.playthrough.PictureMotion;
 
 /** The effects of the player's settings on the game's parts. */
 final class ChosenSettings {

@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {

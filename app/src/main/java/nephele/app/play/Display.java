@@ -4,12 +4,9 @@ import java.io.IOException;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
-import nephele.app.play.observer.BoundOutlines;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
-import nephele.engine.compare.Wipe;
-import nephele.engine.playthrough.Rehearsal;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -20,6 +17,8 @@ import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
+import nephele.host.compare.Wipe;
+import nephele.host.playthrough.Rehearsal;
 
 /** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
 final class Display implements AutoCloseable {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.play.hud.HudContent.Figure;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.timing.StepTimer;
+import nephele.host.playthrough.Playthrough;
 
 /** The figures of the F3 panel, averaged over a quarter of a second so that they are readable. */
 final class FrameStatistics implements AutoCloseable {

@@ -3,11 +3,11 @@ package nephele.app.play;
 import java.util.List;
 import nephele.app.play.hud.HudContent;
 import nephele.engine.level.Language;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.timing.StepTimer;
+import nephele.host.playthrough.Playthrough;
 
 /** The F3 panel; nothing is timed while it is closed. */
 final class FrameStatisticsControl implements AutoCloseable {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Gamepad;
@@ -18,11 +18,11 @@ import nephele.app.window.Screenshots;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelTitles;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelTitles;
+import nephele.host.terminal.CommandFailure;
 
 /** The game loop, from the title to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {

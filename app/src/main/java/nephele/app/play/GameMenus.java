@@ -8,14 +8,14 @@ import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.GameSetting;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
-import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelTitles;
-import nephele.engine.terminal.ProgramVersion;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelTitles;
+import nephele.host.terminal.ProgramVersion;
 
 /** Makes the pages of the menu from the player's settings and progress, in the player's language. */
 final class GameMenus {

@@ -5,19 +5,16 @@ import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.play.hud.HudContent.Page;
-import nephele.app.play.observer.ObserverTexts;
-import nephele.app.play.wipe.ComparisonTexts;
-import nephele.app.play.wipe.WipeControl;
 import nephele.app.settings.GameSettings;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
-import nephele.engine.named.LevelTitles;
 import nephele.engine.sim.state.TickEvent;
+import nephele.host.named.LevelTitles;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {

@@ -2,12 +2,12 @@ package nephele.app.play;
 
 import java.util.function.Supplier;
 import nephele.app.play.hud.HudContent;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Control;
 import nephele.engine.level.Hint;
 import nephele.engine.level.Language;
-import nephele.engine.playthrough.HintClock;
-import nephele.engine.playthrough.Playthrough;
+import nephele.host.playthrough.HintClock;
+import nephele.host.playthrough.Playthrough;
 
 /**
  * Tells the player that there is a hint, again from time to time, and the hint when it is asked for. Who asks too early

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.GoalMark;
 import nephele.app.play.hud.HudContent.Banner;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;

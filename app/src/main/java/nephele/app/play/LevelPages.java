@@ -10,17 +10,17 @@ import nephele.app.play.hud.Menu.Card;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.play.hud.Menu.Fact;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.Progress;
-import nephele.app.text.Phrase;
-import nephele.engine.compare.TechniquePair;
+import nephele.host.compare.TechniquePair;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelSummary;
-import nephele.engine.named.LevelTitles;
-import nephele.engine.named.OwnLevels;
-import nephele.engine.named.SampleCatalogue.Group;
-import nephele.engine.named.SampleCatalogue.Sample;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelSummary;
+import nephele.host.named.LevelTitles;
+import nephele.host.named.OwnLevels;
+import nephele.host.named.SampleCatalogue.Group;
+import nephele.host.named.SampleCatalogue.Sample;
 
 /** The pages that list levels: the campaign, the samples in groups, and the player's own folder. */
 final class LevelPages {

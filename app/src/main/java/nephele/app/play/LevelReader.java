@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelSummary;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelSummary;
 
 /** Reads the levels of a list one after another on a thread of its own, so that the menu never waits for them. */
 final class LevelReader {

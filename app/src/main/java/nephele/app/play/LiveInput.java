@@ -7,10 +7,10 @@ import nephele.app.settings.Settings.Crouch;
 import nephele.app.settings.Settings.Switch;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.playthrough.TickInput;
 import nephele.engine.sim.player.MouseLook;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
+import nephele.host.playthrough.TickInput;
 
 /**
  * Converts keyboard, mouse and gamepad to the integer input of a tick. All motion since the last tick belongs to the next one.

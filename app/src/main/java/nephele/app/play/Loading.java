@@ -1,8 +1,8 @@
 package nephele.app.play;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import nephele.app.text.Phrase;
-import nephele.engine.draw.Preparation;
+import nephele.app.settings.Phrase;
+import nephele.host.draw.Preparation;
 import nephele.engine.level.Language;
 
 /** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */

@@ -9,19 +9,18 @@ import java.util.Optional;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
-import nephele.app.play.wipe.ComparisonTexts;
-import nephele.engine.compare.CloudComparison;
-import nephele.engine.compare.ComparisonFigures;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
-import nephele.engine.draw.Preparation;
+import nephele.host.compare.CloudComparison;
+import nephele.host.compare.ComparisonFigures;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
+import nephele.host.draw.Preparation;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.playthrough.ObserverView;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.ReplayInput;
+import nephele.host.playthrough.ObserverView;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.ReplayInput;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
@@ -30,7 +29,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.terminal.PrintedProgress;
+import nephele.host.terminal.PrintedProgress;
 
 /** Runs `play` without a display: draws the recorded walk offscreen, and saves three pictures and figures. */
 public final class OffscreenWalk {

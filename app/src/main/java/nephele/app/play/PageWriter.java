@@ -6,9 +6,9 @@ import java.util.function.Supplier;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 

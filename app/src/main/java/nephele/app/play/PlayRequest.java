@@ -8,14 +8,14 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.window.GameWindow;
 import nephele.app.window.InputListener;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.Language;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.compare.TechniquePair;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
 
 /**
  * The options of a game.

@@ -7,21 +7,21 @@ import java.util.Set;
 import nephele.app.play.hud.HudContent;
 import nephele.app.settings.GameSetting;
 import nephele.app.settings.GameSettings;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
-import nephele.engine.playthrough.CrosshairState;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.engine.sim.state.ViewAngles;
+import nephele.host.playthrough.CrosshairState;
+import nephele.host.playthrough.Playthrough;
 
 /**
  * Names the key of an action that is possible now, until the player has done it once, in whichever level; the player's

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.sim.replay.Replay;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /**
  * The replay files of one game. Every level played and every restart is a separate recording: the first is saved in the

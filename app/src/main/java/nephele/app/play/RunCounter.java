@@ -2,8 +2,8 @@ package nephele.app.play;
 
 import java.util.List;
 import java.util.Optional;
-import nephele.engine.playthrough.Playthrough;
 import nephele.engine.sim.state.TickEvent;
+import nephele.host.playthrough.Playthrough;
 
 /** Counts what a player did in a run and tells when it has ended. */
 final class RunCounter {

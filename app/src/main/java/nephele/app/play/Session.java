@@ -4,17 +4,9 @@ import java.util.Optional;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.window.Input;
-import nephele.engine.draw.FollowingBake;
-import nephele.engine.draw.Preparation;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
-import nephele.engine.playthrough.ObserverView;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.ReplayInput;
-import nephele.engine.playthrough.TakenOverInput;
-import nephele.engine.playthrough.TickInput;
-import nephele.engine.playthrough.UnturnedInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
@@ -25,6 +17,14 @@ import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.draw.FollowingBake;
+import nephele.host.draw.Preparation;
+import nephele.host.playthrough.ObserverView;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.ReplayInput;
+import nephele.host.playthrough.TakenOverInput;
+import nephele.host.playthrough.TickInput;
+import nephele.host.playthrough.UnturnedInput;
 
 /** One level being played: its picture and its simulation. */
 final class Session implements AutoCloseable {

@@ -1,12 +1,7 @@
 package nephele.app.play;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
-import nephele.engine.compare.CloudComparison;
-import nephele.engine.compare.CloudComparison.ComparedScenes;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
-import nephele.engine.draw.Preparation;
-import nephele.engine.named.AssetProblems;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
@@ -17,7 +12,13 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.compare.CloudComparison;
+import nephele.host.compare.CloudComparison.ComparedScenes;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
+import nephele.host.draw.Preparation;
+import nephele.host.named.AssetProblems;
+import nephele.host.terminal.CommandFailure;
 
 /** Draws a level that is played: by one renderer, or by two techniques of its clouds that are compared. */
 final class SessionPicture implements AutoCloseable {
@@ -46,7 +47,7 @@ final class SessionPicture implements AutoCloseable {
                 .with(CharacterPresence.POSSIBLE);
         if (request.compared() == null) {
             return new SessionPicture(
-                    AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings)), null);
+                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)), null);
         }
         requireClouds(request, prepared.scene());
         ComparedScenes scenes = ComparedScenes.ofAllClouds(prepared.scene(), request.compared());
@@ -101,7 +102,7 @@ final class SessionPicture implements AutoCloseable {
     /** Follows other light of the same level. */
     void edit(Scene scene) {
         if (comparison == null) {
-            renderer = renderer.edited(scene);
+            renderer = LevelRenderer.edited(renderer, scene);
         } else {
             comparison.edit(ComparedScenes.ofAllClouds(scene, comparison.techniques()));
         }

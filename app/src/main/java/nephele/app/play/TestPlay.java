@@ -4,16 +4,16 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 import nephele.app.play.hud.HudContent.Page;
+import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
 import nephele.app.window.PadState;
-import nephele.engine.draw.FollowingBake;
 import nephele.engine.level.Language;
+import nephele.host.draw.FollowingBake;
 
 /** A play of one level from the editor: no menus, Esc ends it. The level is loaded already. */
 final class TestPlay {

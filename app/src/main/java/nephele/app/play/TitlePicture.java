@@ -1,10 +1,10 @@
 package nephele.app.play;
 
-import nephele.engine.compare.Wipe;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.host.compare.Wipe;
 
 /**
  * The level behind the title, drawn once for each size of the window and then kept: menus answer at once, also where a

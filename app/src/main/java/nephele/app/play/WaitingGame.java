@@ -17,19 +17,19 @@ import nephele.editor.play.PlayAnswer;
 import nephele.editor.play.PlayEnd;
 import nephele.editor.play.PlayOrder;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.draw.FollowingBake;
-import nephele.engine.draw.Preparation;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelTitles;
-import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.sim.player.FreeStart;
 import nephele.engine.sim.state.PlayerState;
-import nephele.engine.terminal.CommandFailure;
-import nephele.engine.terminal.ExitCode;
+import nephele.host.draw.FollowingBake;
+import nephele.host.draw.Preparation;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelName;
+import nephele.host.named.LevelTitles;
+import nephele.host.named.OpenedLevel;
+import nephele.host.terminal.CommandFailure;
+import nephele.host.terminal.ExitCode;
 
 /**
  * The game for the editor, in a process of its own: it opens an invisible window, loads a level to warm its classes and

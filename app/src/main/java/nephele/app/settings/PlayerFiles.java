@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import nephele.engine.userfile.UserFile;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFile;
+import nephele.host.userfile.UserFolders;
 
 /** Settings, progress and learned quality of a player, each in a file of its own; each change is saved at once. */
 public final class PlayerFiles {

@@ -2,7 +2,7 @@ package nephele.app.view;
 
 import java.util.List;
 import nephele.app.play.hud.HudPalette;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 

@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.app.play.PlayRequest.SceneViewing;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.PadButton;
 import nephele.app.window.Screenshots;

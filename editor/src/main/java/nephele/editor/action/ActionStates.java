@@ -5,8 +5,8 @@ import java.util.function.Predicate;
 import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSetting.Theme;
+import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
 import nephele.engine.level.Language;
 
 /** The states that menus and toolbars show: which of several choices holds now. */

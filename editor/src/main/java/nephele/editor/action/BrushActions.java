@@ -13,19 +13,17 @@ import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.brush.BrushBoolean;
 import nephele.editor.brush.BrushCheck;
 import nephele.editor.brush.BrushEdit;
-import nephele.editor.brush.BrushHollow;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.BrushText;
-import nephele.editor.brush.RoomSides;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Document;
+import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Notes;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.paint.MaterialLibrary;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
@@ -129,7 +127,7 @@ final class BrushActions {
         Aabb box = Aabb.of(List.of(min, max));
         List<Solid> drawn = done(BrushShapes.drawn(box, shape, style, freshIds(document, wish)));
         List<Solid> made = shape instanceof ShapeOptions.Room
-                ? RoomSides.named(drawn, box, side -> freshIds(document, wish + "-" + side)
+                ? BrushShapes.named(drawn, box, side -> freshIds(document, wish + "-" + side)
                         .get())
                 : drawn;
         document.edit(DRAW, null, before -> {
@@ -194,7 +192,7 @@ final class BrushActions {
                 call.session().grid().stepMetres());
         Map<Solid, List<Solid>> walls = new LinkedHashMap<>();
         for (Solid solid : freeSolids(call)) {
-            walls.put(solid, done(BrushHollow.hollowed(solid, wall, freshIds(document, solid.id()))));
+            walls.put(solid, done(BrushBoolean.hollowed(solid, wall, freshIds(document, solid.id()))));
         }
         replace(call, HOLLOW, walls);
     }
@@ -233,7 +231,7 @@ final class BrushActions {
             if (EntityBounds.of((Record) cutter).overlaps(EntityBounds.of((Record) solid))) {
                 List<Solid> next = new ArrayList<>();
                 for (Solid piece : left) {
-                    next.addAll(done(BrushBoolean.subtracted(piece, cutter, BrushBoolean.CutLook.OF_SOLID, ids)));
+                    next.addAll(done(BrushBoolean.subtracted(piece, cutter, ids)));
                 }
                 left = next;
             }

@@ -12,12 +12,12 @@ import nephele.editor.added.NewRecord;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
-import nephele.editor.brush.TextureLock;
 import nephele.editor.document.Document;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.panel.model.FieldType;
-import nephele.editor.pick.EntityBounds;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
@@ -27,7 +27,6 @@ import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
@@ -137,20 +136,13 @@ final class EntityActions {
                 call,
                 MOVE,
                 (level, refs) -> EntityTransform.moved(
-                        level, refs, by, call.session().options().textureLock()));
+                        level, refs, by, call.session().options().isTextureLocked()));
     }
 
     /** Returns the middle of the box around what is selected, on the grid. */
     private static Vec3 pivot(ActionCall call) throws ActionFailure {
         Document document = call.session().document();
-        Aabb box = Aabb.EMPTY;
-        for (EntityRef ref : document.selection().entities()) {
-            Aabb bounds = document.entities()
-                    .find(document.level(), ref)
-                    .map(EntityBounds::of)
-                    .orElse(Aabb.EMPTY);
-            box = box.union(bounds);
-        }
+        Aabb box = EntityBounds.of(document.level(), document.selection().entities());
         Vec3 middle = box.isEmpty() ? Vec3.ZERO : call.session().grid().snapped(box.centre());
         return call.vector("pivot", middle);
     }
@@ -159,11 +151,11 @@ final class EntityActions {
         Vec3 axis = axis(call);
         double degrees = call.number("degrees", -MOST_DEGREES, MOST_DEGREES, 90);
         Vec3 pivot = pivot(call);
-        TextureLock lock = call.session().options().textureLock();
-        LockableTransform solids =
-                LockableTransform.of(lock, call.session().document().level().materials());
+        boolean isTextureLocked = call.session().options().isTextureLocked();
+        LockableTransform solids = LockableTransform.of(
+                isTextureLocked, call.session().document().level().materials());
         requireEach(call, solid -> solids.rotated(solid, pivot, axis, degrees));
-        step(call, TURN, (level, refs) -> EntityTransform.turned(level, refs, pivot, axis, degrees, lock));
+        step(call, TURN, (level, refs) -> EntityTransform.turned(level, refs, pivot, axis, degrees, isTextureLocked));
     }
 
     /** Returns the axis to turn about, of a length that can be squared. */

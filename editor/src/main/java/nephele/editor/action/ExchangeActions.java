@@ -80,7 +80,10 @@ final class ExchangeActions {
                 session.file().path().map(path -> path.getFileName().toString()).orElse("level.json");
         try {
             Level level = session.document().level();
-            session.aside().run(() -> LevelPackage.export(asked.get(), name, level, session.assets()));
+            session.background().get(() -> {
+                LevelPackage.export(asked.get(), name, level, session.assets());
+                return null;
+            });
         } catch (PackageException problem) {
             throw new ActionFailure(problem.told());
         }

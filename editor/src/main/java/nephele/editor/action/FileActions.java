@@ -111,7 +111,7 @@ final class FileActions {
             Path path = session.file().path().get();
             DocumentSaver saver = session.filing().saver();
             Level level = session.document().level();
-            SaveResult result = session.aside()
+            SaveResult result = session.background()
                     .get(() -> session.hasMoved()
                             ? saver.save(session.file(), level, session.assets())
                             : saver.save(session.file(), level));
@@ -120,7 +120,7 @@ final class FileActions {
                 if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
                     return;
                 }
-                result = session.aside().get(() -> saver.saveAs(path, level, session.assets()));
+                result = session.background().get(() -> saver.saveAs(path, level, session.assets()));
             }
             finish(call, result);
         }
@@ -132,7 +132,7 @@ final class FileActions {
             EditorSession session = call.session();
             Level level = session.document().level();
             DocumentSaver saver = session.filing().saver();
-            finish(call, session.aside().get(() -> saver.saveAs(asked.get(), level, session.assets())));
+            finish(call, session.background().get(() -> saver.saveAs(asked.get(), level, session.assets())));
         }
     }
 

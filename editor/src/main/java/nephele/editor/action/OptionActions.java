@@ -14,10 +14,10 @@ import nephele.editor.brush.BrushClip.Keep;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.editor.tool.clip.ClipTool;
-import nephele.editor.toolbox.Tools;
 
 /** Options of the tools: what places snap to, the shape of new brushes, what stays after a cut. */
 final class OptionActions {

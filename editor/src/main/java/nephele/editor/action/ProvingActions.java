@@ -7,12 +7,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.compare.ComparedPictures;
 import nephele.editor.document.Selection;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.SolutionVerdict;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSeverity;
+import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.Proving;
 import nephele.editor.proving.ProvingText;
@@ -23,9 +23,9 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
 import nephele.engine.level.CloudTechnique;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
 
 /** Proving the level: its problems, where portals fit, its solution, and what its pixels and its report say. */
 public final class ProvingActions {

@@ -160,7 +160,7 @@ final class TerrainActions {
                 layer(call, LayerChoice.names(terrain), chosen.layer()));
         Vec3 from = call.vector("from");
         Vec3 to = call.vector("to", from);
-        TerrainPainting painting = new TerrainPainting(session.document(), session.maps(), session.aside());
+        TerrainPainting painting = new TerrainPainting(session.document(), session.maps(), session.background());
         try {
             painting.begin(terrain, session.assets(), brush, from.x(), from.z());
             painting.to(to.x(), to.z());

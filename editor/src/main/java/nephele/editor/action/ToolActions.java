@@ -5,10 +5,10 @@ import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.clip.ClipTool;
-import nephele.editor.toolbox.Tools;
 
 /** Taking a tool: one action for each. */
 final class ToolActions {

@@ -1,9 +1,9 @@
 package nephele.editor.added;
 
 import java.util.List;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordKind;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment.Lightning;
 import nephele.engine.level.ModelPlacement;

@@ -1,26 +1,22 @@
 package nephele.editor.brush;
 
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
 import nephele.engine.math.PolyhedronMeasure;
+import nephele.engine.math.Vec3;
 
-/** Boolean operations on convex solids (constructive solid geometry). */
+/** Boolean operations on convex solids (constructive solid geometry), and hollowing. */
 public final class BrushBoolean {
-    /** Share of the volume that may be missing from a union that counts as convex. */
+    /** Fraction of the volume that may be missing from a union that counts as convex. */
     private static final double SAME_VOLUME = 1e-9;
-
-    /** The material source of the faces that a cut adds. */
-    public enum CutLook {
-        /** The solid's default material and portalability. */
-        OF_SOLID,
-        /** Material, portalability and placement of the picture of the cutter's face; a grey one is the solid's default. */
-        OF_CUTTER
-    }
 
     private BrushBoolean() {}
 
@@ -29,26 +25,17 @@ public final class BrushBoolean {
      * planes exactly. The first piece keeps the id. Parts thinner than 0.1 mm are dropped, and an overlap thinner than
      * that is no overlap: the solid itself is returned.
      */
-    public static BrushEdit<List<Solid>> subtracted(Solid solid, Solid cutter, CutLook look, Supplier<String> newIds) {
+    public static BrushEdit<List<Solid>> subtracted(Solid solid, Solid cutter, Supplier<String> newIds) {
         BrushEdit<Solid> common = intersected(solid, cutter);
         Optional<BrushText> why = common.refusal();
         if (why.isPresent()) {
             boolean isApart = why.get() == BrushText.NO_OVERLAP || why.get() == BrushText.TOO_THIN;
             return isApart ? BrushEdit.done(List.of(solid)) : BrushEdit.refused(why.get());
         }
-        return carved(solid, caps(solid, cutter, look), common.result().orElseThrow())
-                .map(pieces -> identified(pieces, solid.id(), newIds));
-    }
-
-    private static List<PlaneFace> caps(Solid solid, Solid cutter, CutLook look) {
-        List<PlaneFace> caps = new ArrayList<>();
-        for (Brush.BrushFace face : Brush.of(cutter).faces()) {
-            PlaneFace cap = PlaneForm.canonical(face.plane());
-            Solid.Face shown = new Solid.Face(
-                    face.material() == null ? solid.material() : face.material(), face.portalable(), face.texture());
-            caps.add(look == CutLook.OF_CUTTER ? PlaneForm.look(solid, cap, shown) : cap);
-        }
-        return caps;
+        List<PlaneFace> caps = Brush.of(cutter).faces().stream()
+                .map(face -> PlaneForm.canonical(face.plane()))
+                .toList();
+        return carved(solid, caps, common.result().orElseThrow()).map(pieces -> identified(pieces, solid.id(), newIds));
     }
 
     /**
@@ -57,12 +44,12 @@ public final class BrushBoolean {
      *
      * @param inside the part of the solid that is behind all planes
      */
-    static BrushEdit<List<Solid>> carved(Solid solid, List<PlaneFace> planes, Solid inside) {
+    private static BrushEdit<List<Solid>> carved(Solid solid, List<PlaneFace> planes, Solid inside) {
         List<Solid> pieces = new ArrayList<>();
         Solid rest = solid;
         for (PlaneFace plane : planes) {
-            BrushEdit<Solid> piece = PlaneCut.behind(rest, PlaneForm.opposite(plane));
-            BrushEdit<Solid> behind = PlaneCut.behind(rest, plane);
+            BrushEdit<Solid> piece = BrushClip.behind(rest, PlaneForm.opposite(plane));
+            BrushEdit<Solid> behind = BrushClip.behind(rest, plane);
             if (isTooMuch(piece) || isTooMuch(behind)) {
                 return BrushEdit.refused(BrushText.TOO_MANY_FACES);
             }
@@ -84,10 +71,10 @@ public final class BrushBoolean {
         return edit.refusal().filter(BrushText.TOO_MANY_FACES::equals).isPresent();
     }
 
-    static List<Solid> identified(List<Solid> pieces, String first, Supplier<String> newIds) {
+    private static List<Solid> identified(List<Solid> pieces, String first, Supplier<String> newIds) {
         List<Solid> named = new ArrayList<>(pieces.size());
         for (Solid piece : pieces) {
-            named.add(Identity.withId(piece, named.isEmpty() ? first : newIds.get()));
+            named.add(piece.withId(named.isEmpty() ? first : newIds.get()));
         }
         return List.copyOf(named);
     }
@@ -96,10 +83,13 @@ public final class BrushBoolean {
      * Returns what two solids have in common, with the first one's id and defaults. A face of the second keeps its look;
      * a grey one has the default.
      */
-    public static BrushEdit<Solid> intersected(Solid a, Solid b) {
+    static BrushEdit<Solid> intersected(Solid a, Solid b) {
         BrushEdit<Solid> common = BrushEdit.done(a);
-        for (PlaneFace cap : caps(a, b, CutLook.OF_CUTTER)) {
-            common = common.flatMap(rest -> PlaneCut.behind(rest, cap));
+        for (Brush.BrushFace face : Brush.of(b).faces()) {
+            Solid.Face look = new Solid.Face(
+                    face.material() == null ? a.material() : face.material(), face.portalable(), face.texture());
+            PlaneFace cap = PlaneForm.look(a, PlaneForm.canonical(face.plane()), look);
+            common = common.flatMap(rest -> BrushClip.behind(rest, cap));
         }
         boolean isApart =
                 common.refusal().filter(BrushText.NOTHING_LEFT::equals).isPresent();
@@ -111,7 +101,31 @@ public final class BrushBoolean {
      * largest one on its plane, or else of the one with the nearest normal.
      */
     public static BrushEdit<Solid> merged(List<Solid> solids) {
-        return solids.isEmpty() ? BrushEdit.refused(BrushText.NO_BRUSHES) : MergedHull.of(solids);
+        if (solids.isEmpty()) {
+            return BrushEdit.refused(BrushText.NO_BRUSHES);
+        }
+        Solid first = solids.get(0);
+        if (solids.size() == 1) {
+            return BrushEdit.done(first);
+        }
+        Set<Vec3> corners = new LinkedHashSet<>();
+        solids.forEach(solid -> corners.addAll(Brush.of(solid).shape().vertices()));
+        List<Vec3> points = List.copyOf(corners);
+        if (points.size() > ConvexHull.MOST_POINTS) {
+            return BrushEdit.refused(BrushText.TOO_MANY_VERTICES);
+        }
+        HullFaces old = new HullFaces(solids, points);
+        List<ConvexHull.Side> sides = ConvexHull.of(points);
+        List<HullFaces.OldFace> likes =
+                sides.stream().map(side -> old.nearest(side.plane())).toList();
+        boolean needsGrey = likes.stream().anyMatch(like -> like.face().material() == null);
+        Solid template =
+                first.with(first.id(), needsGrey ? null : first.material(), first.portalable(), first.textureMapping());
+        List<PlaneFace> planes = new ArrayList<>();
+        for (int i = 0; i < sides.size(); i++) {
+            planes.add(old.plane(template, sides.get(i), likes.get(i)));
+        }
+        return PlaneForm.rebuilt(PlaneForm.with(template, first.id(), planes));
     }
 
     /** Returns true if solids fill their convex hull, so that merging them changes no shape. */
@@ -125,7 +139,7 @@ public final class BrushBoolean {
         for (Solid solid : solids) {
             List<Solid> left = new ArrayList<>();
             for (Solid piece : open) {
-                BrushEdit<List<Solid>> rest = subtracted(piece, solid, CutLook.OF_SOLID, whole::id);
+                BrushEdit<List<Solid>> rest = subtracted(piece, solid, whole::id);
                 if (rest.result().isEmpty()) {
                     return false;
                 }
@@ -139,5 +153,35 @@ public final class BrushBoolean {
 
     private static double volume(Solid solid) {
         return PolyhedronMeasure.volumeCubicMetres(Brush.of(solid).shape());
+    }
+
+    /**
+     * Returns walls that fill the solid up to a depth below its faces: one slab for each face that others do not cover,
+     * without overlap. Floors and ceilings reach over the walls; a slab shows its face's look on the inside, too. The
+     * first slab keeps the id.
+     */
+    public static BrushEdit<List<Solid>> hollowed(Solid solid, double wallMetres, Supplier<String> newIds) {
+        Solid.Planes planes = PlaneForm.of(solid);
+        if (!(wallMetres >= BrushCheck.LEAST_THICKNESS_METRES)) {
+            return BrushEdit.refused(BrushText.TOO_THIN);
+        }
+        List<PlaneFace> inner = new ArrayList<>();
+        planes.planes().forEach(face -> inner.add(inside(face, wallMetres)));
+        inner.sort(Comparator.comparingDouble(
+                face -> -Math.abs(PlaneForm.plane(face).ny())));
+        Optional<Solid> room =
+                PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), inner)).result();
+        if (room.isEmpty()) {
+            return BrushEdit.refused(BrushText.WALL_TOO_THICK);
+        }
+        return carved(solid, inner, room.get()).map(slabs -> identified(slabs, solid.id(), newIds));
+    }
+
+    private static PlaneFace inside(PlaneFace face, double wallMetres) {
+        double sum = face.distanceMetres() - wallMetres;
+        double distance = PlaneForm.isAlongAxis(face.normal())
+                ? ExactNumber.clean(sum, ExactNumber.OF_SUMS)
+                : ExactNumber.snapped(sum);
+        return PlaneForm.at(face, face.normal(), distance);
     }
 }

@@ -27,14 +27,13 @@ final class ConvexHull {
      * A side of the hull.
      *
      * @param on indices of the points on the plane
+     * @param doubledArea twice the area of the polygon of the points, square metres
      */
-    record Side(Plane plane, BitSet on) {}
-
-    private record Candidate(Side side, double area) {}
+    record Side(Plane plane, BitSet on, double doubledArea) {}
 
     private final List<Vec3> points;
     private final double tolerance;
-    private final List<Candidate> candidates = new ArrayList<>();
+    private final List<Side> candidates = new ArrayList<>();
 
     private ConvexHull(List<Vec3> points) {
         this.points = points;
@@ -60,9 +59,9 @@ final class ConvexHull {
     /** Returns the points on known sides that hold two points: triangles with them are known, too. */
     private BitSet onSidesWith(int i, int j) {
         BitSet on = new BitSet();
-        for (Candidate known : candidates) {
-            if (known.side.on.get(i) && known.side.on.get(j)) {
-                on.or(known.side.on);
+        for (Side known : candidates) {
+            if (known.on.get(i) && known.on.get(j)) {
+                on.or(known.on);
             }
         }
         return on;
@@ -126,7 +125,7 @@ final class ConvexHull {
                     ring.get(i - 1).minus(ring.get(0)).cross(ring.get(i).minus(ring.get(0))));
         }
         Vec3 mean = Plane.of(doubledArea, 0).normal();
-        candidates.add(new Candidate(new Side(plane(mean, ring.get(0), on), on), doubledArea.length()));
+        candidates.add(new Side(plane(mean, ring.get(0), on), on, doubledArea.length()));
     }
 
     /** A side whose points agree in a coordinate is exactly perpendicular to that axis. */
@@ -143,12 +142,12 @@ final class ConvexHull {
     }
 
     private List<Side> sides() {
-        List<Candidate> largestFirst = new ArrayList<>(candidates);
-        largestFirst.sort(Comparator.comparingDouble((Candidate c) -> -c.area));
+        List<Side> largestFirst = new ArrayList<>(candidates);
+        largestFirst.sort(Comparator.comparingDouble((Side side) -> -side.doubledArea));
         List<Side> sides = new ArrayList<>();
-        for (Candidate candidate : largestFirst) {
-            if (sides.stream().noneMatch(side -> isSame(side, candidate.side))) {
-                sides.add(candidate.side);
+        for (Side candidate : largestFirst) {
+            if (sides.stream().noneMatch(side -> isSame(side, candidate))) {
+                sides.add(candidate);
             }
         }
         return sides;

@@ -10,7 +10,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
-/** The faces of solids before an edit, from which the sides of a convex hull take plane and look. */
+/** Holds the faces of solids before an edit; the sides of their new convex hull take plane and look from them. */
 final class HullFaces {
     private static final double SAME_NORMAL = 3e-5;
     private static final double SAME_POINT = 1e-9;
@@ -18,11 +18,11 @@ final class HullFaces {
     /**
      * A face before the edit.
      *
-     * @param written its plane as the solid writes it
+     * @param plane as the solid writes it
      */
-    record Old(BrushFace face, PlaneFace written) {}
+    record OldFace(BrushFace face, PlaneFace plane) {}
 
-    private final List<Old> old = new ArrayList<>();
+    private final List<OldFace> old = new ArrayList<>();
     private final List<Vec3> points;
     private final double tolerance;
 
@@ -33,12 +33,12 @@ final class HullFaces {
             List<BrushFace> faces = Brush.of(solid).faces();
             List<PlaneFace> planes = PlaneForm.of(solid).planes();
             for (int i = 0; i < faces.size(); i++) {
-                old.add(new Old(faces.get(i), planes.get(i)));
+                old.add(new OldFace(faces.get(i), planes.get(i)));
             }
         }
     }
 
-    List<Old> all() {
+    List<OldFace> all() {
         return old;
     }
 
@@ -46,18 +46,18 @@ final class HullFaces {
      * Returns the side with the look of an old face, and with its very plane if that holds all points of the side, so
      * that faces which an edit does not touch keep their bits.
      */
-    PlaneFace written(Solid template, ConvexHull.Side side, Old like) {
+    PlaneFace plane(Solid template, ConvexHull.Side side, OldFace like) {
         PlaneFace plane = PlaneForm.canonical(side.plane());
-        for (Old candidate : old) {
+        for (OldFace candidate : old) {
             if (isOn(side, candidate)) {
-                plane = candidate.written;
+                plane = candidate.plane;
                 break;
             }
         }
         return PlaneForm.look(template, plane, PlaneForm.lookOf(like.face));
     }
 
-    private boolean isOn(ConvexHull.Side side, Old candidate) {
+    private boolean isOn(ConvexHull.Side side, OldFace candidate) {
         Plane plane = candidate.face.plane();
         double farthest = Math.max(1, Math.abs(plane.distance()));
         return side.plane().normal().minus(plane.normal()).length() <= SAME_NORMAL
@@ -66,10 +66,10 @@ final class HullFaces {
     }
 
     /** Returns the largest old face on the plane of a side; if there is none, the one with the nearest normal. */
-    Old nearest(Plane plane) {
-        Old best = null;
+    OldFace nearest(Plane plane) {
+        OldFace best = null;
         double bestScore = Double.NEGATIVE_INFINITY;
-        for (Old candidate : old) {
+        for (OldFace candidate : old) {
             double cosine = candidate.face.plane().normal().dot(plane.normal());
             boolean isOn = cosine > 0
                     && candidate.face.polygon().stream().allMatch(p -> Math.abs(plane.signedDistance(p)) <= tolerance);

@@ -16,14 +16,15 @@ import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 
 /**
- * The movement and rotation of {@link SolidTransform} with pictures that go with the faces or do not.
+ * Moves and turns solids as {@link SolidTransform} does, with textures fixed to the faces or to the world.
  *
+ * @param isTextureLocked true if the textures go with the faces
  * @param materials finds a material by its id; {@code null} for an unknown one
  */
-public record LockableTransform(TextureLock lock, Function<String, Material> materials) {
+public record LockableTransform(boolean isTextureLocked, Function<String, Material> materials) {
     /** Makes a transform for the materials of a level. */
-    public static LockableTransform of(TextureLock lock, List<Material> materials) {
-        return new LockableTransform(lock, id -> materials.stream()
+    public static LockableTransform of(boolean isTextureLocked, List<Material> materials) {
+        return new LockableTransform(isTextureLocked, id -> materials.stream()
                 .filter(material -> material.id().equals(id))
                 .findFirst()
                 .orElse(null));
@@ -41,7 +42,7 @@ public record LockableTransform(TextureLock lock, Function<String, Material> mat
     }
 
     private Solid locked(Solid before, Solid after, RigidMove move) {
-        if (lock == TextureLock.WORLD || after.equals(before)) {
+        if (!isTextureLocked || after.equals(before)) {
             return after;
         }
         List<BrushFace> old = Brush.of(before).faces();

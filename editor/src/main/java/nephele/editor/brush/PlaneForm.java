@@ -2,6 +2,7 @@ package nephele.editor.brush;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
@@ -11,7 +12,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** Any solid as its planes, the form in which it is edited, and the way back to the simplest record. */
+/** Converts solids to planes, the form in which they are edited, and back to the simplest record. */
 final class PlaneForm {
     /** Normals that differ less are those of parallel planes: the engine intersects no planes so nearly parallel. */
     private static final double PARALLEL = 1e-9;
@@ -30,7 +31,7 @@ final class PlaneForm {
                 faces.add(planes.planes().get(at));
             } else {
                 BrushFace face = brush.faces().get(i);
-                faces.add(saying(SolidFaces.said(solid, face.name()), canonical(face.plane())));
+                faces.add(withFace(canonical(face.plane()), SolidFaces.said(solid, face.name())));
             }
         }
         return with(solid, solid.id(), faces);
@@ -46,17 +47,26 @@ final class PlaneForm {
         return new Solid.Face(face.material(), face.portalable(), face.texture());
     }
 
-    /** Returns a plane whose face says only what differs from its solid's defaults. */
+    /** Returns a plane with a face of this look, of which only what differs from the solid's defaults is written. */
     static PlaneFace look(Solid solid, PlaneFace plane, Solid.Face look) {
-        return saying(FaceLooks.said(solid, look), plane);
+        return withFace(plane, authored(solid, look));
     }
 
-    private static PlaneFace saying(Solid.Face said, PlaneFace plane) {
+    /** Returns the authored part of a face's look: what differs from the solid's defaults. */
+    static Solid.Face authored(Solid solid, Solid.Face look) {
+        boolean isPortalable = look.portalable() == null || look.portalable() == solid.portalable();
+        return new Solid.Face(
+                Objects.equals(look.material(), solid.material()) ? null : look.material(),
+                isPortalable ? null : look.portalable(),
+                look.texture());
+    }
+
+    private static PlaneFace withFace(PlaneFace plane, Solid.Face face) {
         return new PlaneFace(
-                plane.normal(), plane.distanceMetres(), said.material(), said.portalable(), said.texture());
+                plane.normal(), plane.distanceMetres(), face.material(), face.portalable(), face.texture());
     }
 
-    /** Returns another plane of which the same is said. */
+    /** Returns another plane with the same face. */
     static PlaneFace at(PlaneFace face, Vec3 normal, double distanceMetres) {
         return new PlaneFace(normal, distanceMetres, face.material(), face.portalable(), face.texture());
     }

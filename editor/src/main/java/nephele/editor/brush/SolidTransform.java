@@ -6,11 +6,13 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
+import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Rotations;
@@ -22,6 +24,9 @@ import org.joml.Quaterniond;
  * and back, or turned four times by 90°, is equal to the last bit.
  */
 public final class SolidTransform {
+    /** The two ends come before the sides among a prism's faces. */
+    private static final int FIRST_SIDE = 2;
+
     private SolidTransform() {}
 
     /** Returns the solid moved; moving is never refused, even out of the world. */
@@ -93,7 +98,7 @@ public final class SolidTransform {
             BoxFace rising = turn.side(wedge.rising());
             return placed(turned, rising, turn.point(wedge.centre(), pivot), turn.size(wedge.size()));
         } else if (solid instanceof Solid.Prism prism && turn.axis() == 1 && prism.sides() * turn.turns() % 4 == 0) {
-            Solid.Prism turned = PrismFaces.turned(prism, turn.turns());
+            Solid.Prism turned = turned(prism, turn.turns());
             return placed(turned, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
         }
         Solid.Planes planes = solid instanceof Solid.Planes given ? given : PlaneForm.of(solid);
@@ -135,7 +140,7 @@ public final class SolidTransform {
             return BrushCheck.checked(placed(turned, rising, scale.point(wedge.centre()), scale.size(wedge.size())));
         } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, f)) {
             Vec3 size = scale.size(new Vec3(prism.radiusMetres(), prism.heightMetres(), 0));
-            Solid.Prism mirrored = PrismFaces.mirrored(prism, f);
+            Solid.Prism mirrored = mirrored(prism, f);
             return BrushCheck.checked(placed(mirrored, scale.point(prism.centre()), size.x(), size.y()));
         }
         return PlaneForm.rebuilt(eachPlane(PlaneForm.of(solid), scale::plane));
@@ -189,5 +194,128 @@ public final class SolidTransform {
     static Solid.Prism placed(Solid.Prism p, Vec3 centre, double radius, double height) {
         return new Solid.Prism(
                 p.id(), p.material(), p.portalable(), p.textureMapping(), centre, radius, height, p.sides(), p.faces());
+    }
+
+    /** Turns the sides by quarters about +y; their number times the quarters is a multiple of 4. */
+    private static Solid.Prism turned(Solid.Prism prism, int quarters) {
+        // Sides are counted from +x towards +z, turns go from +x towards -z.
+        int places = prism.sides() * quarters / 4;
+        return renamed(prism, side -> side - places, end -> end);
+    }
+
+    /** Mirrors the faces along the axes whose factors are negative; along x only with an even number of sides. */
+    private static Solid.Prism mirrored(Solid.Prism prism, Vec3 factors) {
+        int half = factors.x() < 0 ? prism.sides() / 2 : 0;
+        int sense = factors.x() * factors.z() < 0 ? -1 : 1;
+        UnaryOperator<String> ends = factors.y() < 0 ? SolidTransform::oppositeEnd : end -> end;
+        return renamed(prism, side -> half + sense * side, ends);
+    }
+
+    /** Leaves names of no face as they are. */
+    private static String oppositeEnd(String end) {
+        return switch (end) {
+            case "+y" -> "-y";
+            case "-y" -> "+y";
+            default -> end;
+        };
+    }
+
+    private static Solid.Prism renamed(Solid.Prism prism, IntUnaryOperator sides, UnaryOperator<String> ends) {
+        List<String> names = SolidFaces.names(prism);
+        Map<String, Solid.Face> faces = new LinkedHashMap<>();
+        prism.faces().forEach((name, said) -> {
+            int at = names.indexOf(name);
+            boolean isSide = at >= FIRST_SIDE;
+            int side = Math.floorMod(sides.applyAsInt(at - FIRST_SIDE), prism.sides());
+            faces.put(isSide ? names.get(FIRST_SIDE + side) : ends.apply(name), said);
+        });
+        return prism.withFaces(Collections.unmodifiableMap(faces));
+    }
+
+    /**
+     * A scaling along the axes of the world: each coordinate p becomes factor · (p − from) + to.
+     *
+     * @param factors none of them 0; negative ones mirror
+     */
+    private record AxisScale(Vec3 factors, Vec3 from, Vec3 to) {
+        Vec3 point(Vec3 p) {
+            return ExactNumber.clean(times(p.minus(from)).plus(to), ExactNumber.OF_SUMS);
+        }
+
+        Vec3 size(Vec3 size) {
+            Vec3 scaled = times(size);
+            return ExactNumber.clean(
+                    new Vec3(Math.abs(scaled.x()), Math.abs(scaled.y()), Math.abs(scaled.z())), ExactNumber.OF_SUMS);
+        }
+
+        private Vec3 times(Vec3 v) {
+            return v.times(factors);
+        }
+
+        BoxFace side(BoxFace side) {
+            return times(side.normal()).dot(side.normal()) < 0 ? Simplified.opposite(side) : side;
+        }
+
+        /** Scales a normal by the inverse factors, and finds the distance from a scaled point of the plane. */
+        PlaneFace plane(PlaneFace face) {
+            Plane before = PlaneForm.plane(face);
+            Vec3 inverse = new Vec3(before.nx() / factors.x(), before.ny() / factors.y(), before.nz() / factors.z());
+            Vec3 normal = Plane.of(inverse, 0).normal();
+            Vec3 on =
+                    times(before.normal().scaled(before.distance()).minus(from)).plus(to);
+            PlaneFace moved = PlaneForm.canonical(Plane.through(normal, on));
+            double distance = PlaneForm.isAlongAxis(moved.normal())
+                    ? ExactNumber.clean(moved.distanceMetres(), ExactNumber.OF_SUMS)
+                    : moved.distanceMetres();
+            return PlaneForm.at(face, moved.normal(), distance);
+        }
+    }
+
+    /**
+     * A rotation by quarter turns around an axis of the world, without rounding of directions.
+     *
+     * @param axis 0 for x, 1 for y, 2 for z
+     * @param turns 0 to 3, counter-clockwise seen against the axis
+     */
+    private record QuarterTurn(int axis, int turns) {
+        /** Returns the rotation; {@code null} if the axis is none of the world's or the angle no multiple of 90°. */
+        static QuarterTurn of(Vec3 axis, double degrees) {
+            double quarters = degrees / 90;
+            if (!PlaneForm.isAlongAxis(axis) || quarters != Math.rint(quarters)) {
+                return null;
+            }
+            double sign = Math.signum(axis.x() + axis.y() + axis.z());
+            int index = axis.x() != 0 ? 0 : axis.y() != 0 ? 1 : 2;
+            double fourth = (sign * quarters) % 4;
+            return new QuarterTurn(index, Math.floorMod((int) fourth, 4));
+        }
+
+        /** Returns a direction turned. */
+        Vec3 direction(Vec3 v) {
+            Vec3 turned = v;
+            for (int i = 0; i < turns; i++) {
+                turned = switch (axis) {
+                    case 0 -> new Vec3(turned.x(), -turned.z(), turned.y());
+                    case 1 -> new Vec3(turned.z(), turned.y(), -turned.x());
+                    default -> new Vec3(-turned.y(), turned.x(), turned.z());
+                };
+            }
+            return ExactNumber.positiveZeros(turned);
+        }
+
+        /** Returns a point turned around a pivot; numbers of few decimals stay such. */
+        Vec3 point(Vec3 p, Vec3 pivot) {
+            return ExactNumber.clean(pivot.plus(direction(p.minus(pivot))), ExactNumber.OF_SUMS);
+        }
+
+        /** Returns edge lengths turned. */
+        Vec3 size(Vec3 size) {
+            Vec3 turned = direction(size);
+            return new Vec3(Math.abs(turned.x()), Math.abs(turned.y()), Math.abs(turned.z()));
+        }
+
+        BoxFace side(BoxFace side) {
+            return Simplified.side(direction(side.normal())).orElseThrow();
+        }
     }
 }

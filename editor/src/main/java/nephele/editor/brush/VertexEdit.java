@@ -3,7 +3,6 @@ package nephele.editor.brush;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -23,13 +22,6 @@ public final class VertexEdit {
             return from.lerp(to, 0.5);
         }
     }
-
-    /**
-     * An edited solid.
-     *
-     * @param vertices where the edited vertices are now, as {@link VertexEdit#vertices} of the solid returns them
-     */
-    public record Edited(Solid solid, List<Vec3> vertices) {}
 
     private final Solid solid;
     private final List<Vec3> points;
@@ -68,7 +60,7 @@ public final class VertexEdit {
      *
      * @param vertices positions that {@link #vertices} returned
      */
-    public static BrushEdit<Edited> moved(Solid solid, Collection<Vec3> vertices, Vec3 by) {
+    public static BrushEdit<Solid> moved(Solid solid, Collection<Vec3> vertices, Vec3 by) {
         List<Vec3> points = new ArrayList<>(vertices(solid));
         BitSet edited = new BitSet();
         for (int i = 0; i < points.size(); i++) {
@@ -81,7 +73,7 @@ public final class VertexEdit {
     }
 
     /** Returns the convex hull with one more vertex, such as the middle of an edge pulled outwards. */
-    public static BrushEdit<Edited> withVertex(Solid solid, Vec3 vertex) {
+    public static BrushEdit<Solid> withVertex(Solid solid, Vec3 vertex) {
         List<Vec3> points = new ArrayList<>(vertices(solid));
         BitSet edited = new BitSet();
         edited.set(points.size());
@@ -89,7 +81,7 @@ public final class VertexEdit {
         return new VertexEdit(solid, points, edited).hull();
     }
 
-    private BrushEdit<Edited> hull() {
+    private BrushEdit<Solid> hull() {
         List<ConvexHull.Side> sides = ConvexHull.of(points);
         if (sides.isEmpty()) {
             return BrushEdit.refused(BrushText.FLAT);
@@ -99,9 +91,8 @@ public final class VertexEdit {
         HullFaces old = new HullFaces(List.of(solid), points);
         List<BitSet> corners = corners();
         List<PlaneFace> planes = new ArrayList<>();
-        sides.forEach(side -> planes.add(old.written(solid, side, like(side, old, corners))));
-        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes))
-                .map(result -> new Edited(result, editedVertices(result)));
+        sides.forEach(side -> planes.add(old.plane(solid, side, like(side, old, corners))));
+        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes));
     }
 
     private static boolean isNoVertex(int point, List<ConvexHull.Side> sides) {
@@ -121,13 +112,13 @@ public final class VertexEdit {
     }
 
     /** Returns the old face with which the side shares most corners, among equals the one with the nearest normal. */
-    private HullFaces.Old like(ConvexHull.Side side, HullFaces old, List<BitSet> corners) {
-        HullFaces.Old best = null;
+    private HullFaces.OldFace like(ConvexHull.Side side, HullFaces old, List<BitSet> corners) {
+        HullFaces.OldFace best = null;
         double bestScore = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < corners.size(); i++) {
             BitSet shared = (BitSet) side.on().clone();
             shared.and(corners.get(i));
-            HullFaces.Old candidate = old.all().get(i);
+            HullFaces.OldFace candidate = old.all().get(i);
             double cosine = candidate.face().plane().normal().dot(side.plane().normal());
             double score = 4 * Math.min(FACES_AT_A_VERTEX, shared.cardinality()) + cosine;
             if (score > bestScore) {
@@ -136,16 +127,5 @@ public final class VertexEdit {
             }
         }
         return best;
-    }
-
-    private List<Vec3> editedVertices(Solid result) {
-        List<Vec3> all = vertices(result);
-        return edited.stream()
-                .mapToObj(points::get)
-                .map(point -> all.stream()
-                        .min(Comparator.comparingDouble(v -> v.minus(point).length()))
-                        .orElseThrow())
-                .distinct()
-                .toList();
     }
 }

@@ -14,7 +14,6 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.RecordWalk;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;

@@ -5,11 +5,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.term.Limits;
+import nephele.editor.text.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 
@@ -18,14 +19,8 @@ import nephele.engine.level.Level;
  * window; others get snapshots.
  */
 public final class Document {
-    /** Called after the level, the selection or the history has changed. */
-    @FunctionalInterface
-    public interface Listener {
-        void changed(Snapshot before, Snapshot after);
-    }
-
     private final Entities entities = Entities.LEVEL;
-    private final List<Listener> listeners = new ArrayList<>();
+    private final List<BiConsumer<Snapshot, Snapshot>> listeners = new ArrayList<>();
     private final List<Consumer<Words>> refusals = new ArrayList<>();
     private History history;
     /** The state that a drag shows and has not made a step yet; {@code null} without a drag. */
@@ -35,16 +30,20 @@ public final class Document {
         history = new History(new Snapshot(level, Selection.NONE));
     }
 
-    /** Registers a listener until the registration is closed. */
-    public Registration listen(Listener listener) {
+    /**
+     * Registers a listener until the registration is closed.
+     *
+     * @param listener gets the states before and after each change of level, selection or history
+     */
+    public Registration listen(BiConsumer<Snapshot, Snapshot> listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);
     }
 
-    /** Registers who is told why a step was refused, until the registration is closed. */
-    public Registration onRefusal(Consumer<Words> told) {
-        refusals.add(told);
-        return () -> refusals.remove(told);
+    /** Registers a listener to the reasons of refused steps, until the registration is closed. */
+    public Registration onRefusal(Consumer<Words> listener) {
+        refusals.add(listener);
+        return () -> refusals.remove(listener);
     }
 
     public Entities entities() {
@@ -196,10 +195,10 @@ public final class Document {
         return history.isModified();
     }
 
-    /** Returns true, and tells why, if a file could not hold what a step makes, such as a place outside the world. */
+    /** Returns true, and reports why, if a file could not hold what a step makes, such as a place outside the world. */
     private boolean isRefused(Snapshot before, Snapshot after) {
         Optional<Words> problem = Limits.change(before.level(), after.level());
-        problem.ifPresent(words -> List.copyOf(refusals).forEach(told -> told.accept(words)));
+        problem.ifPresent(words -> List.copyOf(refusals).forEach(listener -> listener.accept(words)));
         return problem.isPresent();
     }
 
@@ -214,6 +213,6 @@ public final class Document {
 
     private void tell(Snapshot before) {
         Snapshot after = now();
-        List.copyOf(listeners).forEach(listener -> listener.changed(before, after));
+        List.copyOf(listeners).forEach(listener -> listener.accept(before, after));
     }
 }

@@ -85,13 +85,14 @@ public final class Notes {
         Map<String, List<String>> names = new HashMap<>();
         pieces.forEach((ref, made) ->
                 names.put(ref.text(), made.stream().map(EntityRef::text).toList()));
-        return mapped(level, name -> names.getOrDefault(name, List.of(name)), Part.ALL);
+        return mapped(level, name -> names.getOrDefault(name, List.of(name)));
     }
 
     /** Returns the level without these entities in groups; a group with fewer than two members ends. */
     public static Level ungrouped(Level level, Collection<EntityRef> refs) {
         Set<String> leaving = refs.stream().map(EntityRef::text).collect(Collectors.toSet());
-        return mapped(level, name -> leaving.contains(name) ? List.of() : List.of(name), Part.GROUPS);
+        List<Group> groups = mappedGroups(level.editor(), name -> leaving.contains(name) ? List.of() : List.of(name));
+        return groups.equals(level.editor().groups()) ? level : withGroups(level, groups);
     }
 
     /** Returns a copy's level with the groups of the original, of the copied entities alone. */
@@ -121,7 +122,7 @@ public final class Notes {
     /** Returns the level whose notes do not name entities that were removed. */
     public static Level without(Level level, Collection<EntityRef> removed) {
         Set<String> gone = removed.stream().map(EntityRef::text).collect(Collectors.toSet());
-        return mapped(level, name -> gone.contains(name) ? List.of() : List.of(name), Part.ALL);
+        return mapped(level, name -> gone.contains(name) ? List.of() : List.of(name));
     }
 
     /** Returns the level whose notes have the new name of an entity. */
@@ -129,25 +130,27 @@ public final class Notes {
         return replaced(level, Map.of(before, List.of(after)));
     }
 
-    private enum Part {
-        GROUPS,
-        ALL
+    private static Level mapped(Level level, Function<String, List<String>> name) {
+        EditorNotes notes = level.editor();
+        EditorNotes after = new EditorNotes(
+                mappedGroups(notes, name),
+                mapped(notes.hidden(), name),
+                mapped(notes.locked(), name),
+                notes.ignoredProblems());
+        return after.equals(notes) ? level : level.with(after);
     }
 
-    private static Level mapped(Level level, Function<String, List<String>> name, Part part) {
-        EditorNotes notes = level.editor();
+    private static List<Group> mappedGroups(EditorNotes notes, Function<String, List<String>> name) {
         List<Group> groups = new ArrayList<>();
         for (Group group : notes.groups()) {
             List<String> members = mapped(group.members(), name);
-            if (members.size() > 1 || members.equals(group.members())) {
-                groups.add(members.equals(group.members()) ? group : new Group(group.id(), members));
+            if (members.equals(group.members())) {
+                groups.add(group);
+            } else if (members.size() > 1) {
+                groups.add(new Group(group.id(), members));
             }
         }
-        EditorNotes after = part == Part.GROUPS
-                ? new EditorNotes(groups, notes.hidden(), notes.locked(), notes.ignoredProblems())
-                : new EditorNotes(
-                        groups, mapped(notes.hidden(), name), mapped(notes.locked(), name), notes.ignoredProblems());
-        return after.equals(notes) ? level : level.with(after);
+        return groups;
     }
 
     private static List<String> mapped(List<String> names, Function<String, List<String>> change) {

@@ -6,8 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import nephele.editor.draw.derived.LevelRepair;
-import nephele.editor.draw.derived.VisibleLevel;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;

@@ -1,6 +1,6 @@
 package nephele.editor.draw;
 
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.line.LineCanvas;
 import nephele.engine.render.line.LineColour;

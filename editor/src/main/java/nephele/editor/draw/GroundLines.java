@@ -3,7 +3,7 @@ package nephele.editor.draw;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PlanCamera;

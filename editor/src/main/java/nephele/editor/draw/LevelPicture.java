@@ -1,8 +1,7 @@
 package nephele.editor.draw;
 
-import nephele.editor.draw.derived.EvenLight;
-import nephele.editor.draw.derived.LevelDerivation;
 import nephele.editor.pane.ViewMode;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.WeatherClouds;
@@ -86,10 +85,10 @@ final class LevelPicture implements AutoCloseable {
 
     private void load(Scene scene, Output wanted) {
         if (renderer != null && output == wanted) {
-            renderer = isGradual ? renderer.editedGradually(scene) : renderer.edited(scene);
+            renderer = isGradual ? LevelRenderer.editedGradually(renderer, scene) : LevelRenderer.edited(renderer, scene);
             return;
         }
-        Renderer next = Renderer.load(gl, scene, RenderSettings.of(wanted));
+        Renderer next = LevelRenderer.load(gl, scene, RenderSettings.of(wanted));
         close();
         renderer = next;
         output = wanted;

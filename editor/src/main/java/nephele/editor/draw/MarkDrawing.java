@@ -1,9 +1,9 @@
 package nephele.editor.draw;
 
 import java.util.List;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.Mark.Visibility;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.Mark.Visibility;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.math.Vec3;

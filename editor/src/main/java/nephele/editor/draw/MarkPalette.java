@@ -1,6 +1,6 @@
 package nephele.editor.draw;
 
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayColour;
 

@@ -1,7 +1,7 @@
 package nephele.editor.draw;
 
 import java.util.List;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.engine.asset.Picture;
 
 /**

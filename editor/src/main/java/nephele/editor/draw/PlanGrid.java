@@ -1,6 +1,6 @@
 package nephele.editor.draw;
 
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Vec3;

@@ -9,7 +9,7 @@ import nephele.editor.draw.PaneDrawing.Shown;
 import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.ViewMode;

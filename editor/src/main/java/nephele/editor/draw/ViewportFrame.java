@@ -1,7 +1,7 @@
 package nephele.editor.draw;
 
 import java.util.List;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.ViewMode;

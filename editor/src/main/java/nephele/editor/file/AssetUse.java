@@ -12,7 +12,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
-import nephele.editor.tool.paint.FacePaint;
+import nephele.editor.tool.paint.PaintTool;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
@@ -56,8 +56,8 @@ final class AssetUse {
     }
 
     private Level painted(Level level, FaceRef face, String material) {
-        return (Level) entities.changed(
-                level, List.of(face.solid()), solid -> (Record) FacePaint.face((Solid) solid, face.face(), material));
+        return (Level) entities.changed(level, List.of(face.solid()), solid ->
+                (Record) PaintTool.withFace((Solid) solid, face.face(), material));
     }
 
     void model(Vec3 at) {

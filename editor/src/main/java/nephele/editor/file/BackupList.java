@@ -66,7 +66,8 @@ public final class BackupList {
     /** Returns the level of a line. */
     public Level level(int index) throws FileRefusal {
         try {
-            return session.aside().get(() -> LevelFile.read(backups.get(index).file()));
+            return session.background()
+                    .get(() -> LevelFile.read(backups.get(index).file()));
         } catch (LevelFormatException broken) {
             throw new FileRefusal(FileText.BAD_BACKUP.with(
                     broken.getMessage().lines().findFirst().orElse("")));

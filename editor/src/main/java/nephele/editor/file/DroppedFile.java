@@ -139,14 +139,15 @@ public final class DroppedFile {
     }
 
     private byte[] content() throws FileRefusal {
-        return session.aside().get(() -> AssetFolder.read(file));
+        return session.background().get(() -> AssetFolder.read(file));
     }
 
     private void picture(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
-            session.aside().get(() -> PictureDecoder.decode(file.getFileName().toString(), content));
+            session.background()
+                    .get(() -> PictureDecoder.decode(file.getFileName().toString(), content));
         } catch (AssetException noPicture) {
             throw refused(noPicture);
         }
@@ -164,7 +165,7 @@ public final class DroppedFile {
     private void model(Target target) throws FileRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
-        String id = folder.idOf(file, content, "models", session.aside().get(() -> neighbours(content)));
+        String id = folder.idOf(file, content, "models", session.background().get(() -> neighbours(content)));
         new AssetUse(session, id).model(target.at());
         told(id);
     }
@@ -208,7 +209,7 @@ public final class DroppedFile {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
-            session.aside().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
+            session.background().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
         } catch (AssetException noHeights) {
             throw refused(noHeights);
         }
@@ -219,7 +220,7 @@ public final class DroppedFile {
 
     private VoxelGrid grid(byte[] content) throws FileRefusal {
         try {
-            return session.aside().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
+            return session.background().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
         } catch (AssetException noGrid) {
             throw refused(noGrid);
         }
@@ -240,10 +241,13 @@ public final class DroppedFile {
                 session.file().path().orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
         Path imported = LevelOpening.fresh(own.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.aside().run(() -> session.filing().scenes().save(file, imported, complaints::add));
+        session.background().get(() -> {
+            session.filing().scenes().save(file, imported, complaints::add);
+            return null;
+        });
         Document document = session.document();
         try {
-            Level scene = withOwnMaterials(session.aside().get(() -> LevelFile.read(imported)), document.level());
+            Level scene = withOwnMaterials(session.background().get(() -> LevelFile.read(imported)), document.level());
             Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at, document.entities());
             document.edit(FileText.ADD_SCENE.words(), null, before -> after);
             Files.deleteIfExists(imported);
@@ -281,7 +285,10 @@ public final class DroppedFile {
         Path beside = session.file().path().orElse(file.toAbsolutePath());
         Path level = LevelOpening.fresh(beside.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
-        session.aside().run(() -> session.filing().scenes().save(file, level, complaints::add));
+        session.background().get(() -> {
+            session.filing().scenes().save(file, level, complaints::add);
+            return null;
+        });
         LevelOpening.open(session, level.toString());
         session.status(complaints.isEmpty() ? FileText.IMPORTED.with(level) : Words.same(complaints.get(0)));
     }

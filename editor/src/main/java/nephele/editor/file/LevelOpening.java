@@ -23,9 +23,9 @@ public final class LevelOpening {
     public static void open(EditorSession session, String typed) throws FileRefusal {
         boolean isPackage = typed.toLowerCase(Locale.ROOT).endsWith(".zip");
         try {
-            Path unpacked = isPackage ? session.aside().get(() -> unpacked(Path.of(typed))) : null;
+            Path unpacked = isPackage ? session.background().get(() -> unpacked(Path.of(typed))) : null;
             DocumentFile.Opened opened =
-                    session.aside().get(() -> DocumentFile.open(isPackage ? unpacked.toString() : typed));
+                    session.background().get(() -> DocumentFile.open(isPackage ? unpacked.toString() : typed));
             session.open(opened.file(), opened.level(), opened.assets());
             session.panes(panes -> OpeningViews.of(opened.level(), panes));
             Optional<Words> told = isPackage

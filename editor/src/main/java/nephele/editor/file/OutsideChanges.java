@@ -114,7 +114,7 @@ public final class OutsideChanges {
         isGone = false;
         Level theirs;
         try {
-            theirs = session.aside().get(() -> LevelFile.read(path));
+            theirs = session.background().get(() -> LevelFile.read(path));
         } catch (LevelFormatException noLevel) {
             String reason = noLevel.getMessage().lines().findFirst().orElse("");
             session.status(FileText.NOT_RELOADED.with(path.getFileName(), reason));

@@ -8,17 +8,17 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
-import nephele.editor.compare.ComparedPictures;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.term.ChoiceWord;
+import nephele.editor.text.ChoiceWord;
 import nephele.editor.text.Words;
-import nephele.engine.compare.ComparisonFigures;
-import nephele.engine.compare.TechniquePair;
 import nephele.engine.level.CloudTechnique;
+import nephele.host.compare.ComparisonFigures;
+import nephele.host.compare.TechniquePair;
 import net.miginfocom.swing.MigLayout;
 
 /** Two techniques of the selected cloud under a wipe, with their times and their difference, below its fields. */

@@ -5,7 +5,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import nephele.editor.panel.model.InspectorField;
-import nephele.editor.term.ChoiceWord;
+import nephele.editor.text.ChoiceWord;
 import nephele.engine.level.Exposure;
 import net.miginfocom.swing.MigLayout;
 

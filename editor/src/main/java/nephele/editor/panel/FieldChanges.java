@@ -13,9 +13,9 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
-import nephele.editor.term.Limits;
 import nephele.editor.terrain.LayerOrder;
 import nephele.editor.terrain.TerrainRefusal;
+import nephele.editor.text.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -196,7 +196,7 @@ final class FieldChanges {
         }
         try {
             Level followed = list.equals(LAYERS) && after.terrains() != before.terrains()
-                    ? session.aside()
+                    ? session.background()
                             .get(() -> LayerOrder.followed(before, after, edit, session.assets(), session.maps()))
                     : after;
             edit(entry, null, level -> followed);

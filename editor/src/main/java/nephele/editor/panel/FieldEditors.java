@@ -15,8 +15,8 @@ import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordKind;
-import nephele.editor.term.ChoiceWord;
-import nephele.editor.term.KindWords;
+import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.KindWords;
 import nephele.editor.text.Words;
 import nephele.engine.level.TextKind;
 

@@ -18,8 +18,8 @@ import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.ListEdit;
-import nephele.editor.term.ChoiceWord;
-import nephele.editor.term.FieldWords;
+import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
 final class FieldLine {

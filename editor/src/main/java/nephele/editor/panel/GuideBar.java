@@ -13,11 +13,9 @@ import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import nephele.editor.document.Registration;
-import nephele.editor.guide.Guide;
-import nephele.editor.guide.GuideStep;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.EditorSetting;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.settings.EditorSetting;
 import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 

@@ -8,7 +8,7 @@ import nephele.editor.document.Selection;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.term.Limits;
+import nephele.editor.text.Limits;
 import nephele.engine.level.TextKind;
 
 /** The steps that the outliner makes. */

@@ -6,7 +6,7 @@ import java.util.function.BiConsumer;
 import javax.swing.table.AbstractTableModel;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.term.EntityWords;
+import nephele.editor.text.EntityWords;
 import nephele.engine.level.Language;
 
 /** The lines of the outliner as a table of name, eye and lock; only lines that differ are told to be new. */

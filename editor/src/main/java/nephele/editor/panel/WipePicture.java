@@ -18,9 +18,9 @@ import java.util.function.Consumer;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
-import nephele.editor.compare.ComparedPictures;
-import nephele.editor.compare.ComparisonThread;
-import nephele.engine.compare.Wipe;
+import nephele.editor.proving.ComparedPictures;
+import nephele.editor.proving.ComparisonThread;
+import nephele.host.compare.Wipe;
 
 /** Two pictures of the same view under a wipe that is dragged, or moved by the arrow keys. */
 final class WipePicture extends JComponent {

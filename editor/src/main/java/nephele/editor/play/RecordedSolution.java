@@ -9,10 +9,10 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Supplier;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.named.LevelName;
+import nephele.host.terminal.CommandFailure;
 
 /** The recorded solution of a level, and its check in the background. */
 public final class RecordedSolution {

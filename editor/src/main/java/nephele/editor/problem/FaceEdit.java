@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import nephele.editor.pick.LevelShapes;
+import nephele.editor.document.LevelShapes;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;

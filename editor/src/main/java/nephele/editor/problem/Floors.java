@@ -3,7 +3,7 @@ package nephele.editor.problem;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import nephele.editor.pick.EntityBounds;
+import nephele.editor.document.EntityBounds;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;

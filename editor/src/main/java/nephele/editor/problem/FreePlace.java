@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.pick.EntityBounds;
+import nephele.editor.document.EntityBounds;
 import nephele.engine.level.Body;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;

@@ -1,7 +1,7 @@
 package nephele.editor.problem;
 
 import java.util.List;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 

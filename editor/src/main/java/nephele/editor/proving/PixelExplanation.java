@@ -4,11 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import nephele.editor.pick.LevelShapes;
+import nephele.editor.document.LevelShapes;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -22,6 +21,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
+import nephele.host.draw.Outputs;
 
 /**
  * What a pixel of the perspective pane shows, and why: the surface at the end of its sight, the light that the reference

@@ -3,7 +3,7 @@ package nephele.editor.proving;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;

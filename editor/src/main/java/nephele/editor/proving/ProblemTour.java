@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.document.Selection;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
@@ -40,7 +40,7 @@ public final class ProblemTour {
     public List<LevelProblem> shown() {
         if (foundOf != subject.level()) {
             Level searched = subject.level();
-            found = subject.aside().get(() -> ProblemSearch.of(searched, subject.assets()));
+            found = subject.background().get(() -> ProblemSearch.of(searched, subject.assets()));
             foundOf = searched;
         }
         List<LevelProblem> shown = new ArrayList<>(found);

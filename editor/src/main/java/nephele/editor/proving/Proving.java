@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.engine.math.Vec3;
 
 /** The proofs of a session and what the viewport shows of them. Used by the session's thread. */

@@ -2,11 +2,11 @@ package nephele.editor.proving;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.text.Words;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -18,7 +18,7 @@ public interface ProvingSubject {
     AssetSource assets();
 
     /** Returns what runs the reading of files. */
-    Aside aside();
+    BackgroundReading background();
 
     /** Returns the level's file; empty for an untitled one. */
     Optional<Path> file();

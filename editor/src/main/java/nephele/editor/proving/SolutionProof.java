@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.mark.MarkOutline;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
+import nephele.editor.pane.MarkOutline;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.RecordedSolution;
 import nephele.editor.play.RecordedSolution.Outcome;
@@ -68,7 +68,7 @@ public final class SolutionProof {
         try {
             return present.get();
         } catch (AssetException | IllegalArgumentException unusable) {
-            throw nephele.engine.terminal.CommandFailure.input(unusable.getMessage());
+            throw nephele.host.terminal.CommandFailure.input(unusable.getMessage());
         }
     }
 

@@ -3,14 +3,11 @@ package nephele.editor.proving;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
-import nephele.editor.compare.ComparedCloud;
-import nephele.editor.compare.ComparedPictures;
-import nephele.editor.compare.ComparisonThread;
 import nephele.editor.record.EntityRef;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.compare.Wipe;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
+import nephele.host.compare.TechniquePair;
+import nephele.host.compare.Wipe;
 
 /**
  * Two techniques of the selected cloud, drawn again after each change of the camera or of the level, also during a drag:

@@ -2,9 +2,9 @@ package nephele.editor.proving;
 
 import java.awt.image.BufferedImage;
 import nephele.engine.asset.Picture;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Level;
 import nephele.engine.render.ToneMappedPicture;
+import nephele.host.draw.Outputs;
 
 /** The mean of traced pictures, weighted by their samples. */
 final class TraceProgress {

@@ -1,2 +1,5 @@
-/** Proofs about the open level beside the viewport: problems shown, heat map, solution, traced picture; without windows. */
+/**
+ * What the viewport tells about the open level, without windows: problems, heat map of portal placement, solution, traced
+ * picture, compared clouds.
+ */
 package nephele.editor.proving;

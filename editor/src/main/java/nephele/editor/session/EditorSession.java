@@ -6,25 +6,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
+import nephele.editor.document.Grid;
 import nephele.editor.document.Registration;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
-import nephele.editor.pick.Grid;
 import nephele.editor.play.WarmGame;
 import nephele.editor.proving.Proving;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSettings;
 import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.ToolOptions;
-import nephele.editor.toolbox.Tools;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
@@ -104,8 +101,8 @@ public final class EditorSession {
     }
 
     /** Returns what runs the reading of files. */
-    public Aside aside() {
-        return context.aside();
+    public BackgroundReading background() {
+        return context.background();
     }
 
     /** Returns the proofs about the level. */

@@ -3,9 +3,8 @@ package nephele.editor.session;
 import java.time.Clock;
 import nephele.editor.save.Backups;
 import nephele.editor.save.DocumentSaver;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFolders;
 
 /**
  * The services that the files of a session need from its surroundings.

@@ -2,13 +2,13 @@ package nephele.editor.session;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.proving.ProvingSubject;
 import nephele.editor.session.SessionListener.Change;
 import nephele.editor.text.Words;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -26,8 +26,8 @@ record ProvedSession(EditorSession session) implements ProvingSubject {
     }
 
     @Override
-    public Aside aside() {
-        return session.aside();
+    public BackgroundReading background() {
+        return session.background();
     }
 
     @Override

@@ -1,2 +1,5 @@
-/** The editor at work without a window: document, file, panes, tool, grid, options and messages of one open level. */
+/**
+ * The editor at work without a window: document, file, panes, tool, grid, options, settings and messages of one open
+ * level; {@link nephele.editor.session.Tools#ALL} lists the tools.
+ */
 package nephele.editor.session;

@@ -2,15 +2,15 @@ package nephele.editor.start;
 
 import java.nio.file.Path;
 import java.util.function.BiConsumer;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.dialog.DialogFrame;
 import nephele.editor.window.dialog.DialogOpener;
 import nephele.editor.window.dialog.EditorDialogs;
 import nephele.editor.window.page.PageText;
 import nephele.editor.window.page.SettingsPage;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFolders;
 
 /** Registers the dialogues and pages of a window. */
 final class EditorPages {

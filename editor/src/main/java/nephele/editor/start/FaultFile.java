@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.terminal.CrashReport;
+import nephele.host.terminal.CrashReport;
 
 /**
  * Writes a fault of the program to a file and tells of it in one line. The event loop goes on after a fault, and the

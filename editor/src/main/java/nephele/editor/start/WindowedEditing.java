@@ -15,18 +15,18 @@ import nephele.editor.play.PlayEnd;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.journal.JournalFolder;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.EditorSetting;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.settings.EditorFiles;
-import nephele.editor.settings.EditorSetting;
 import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
 import nephele.editor.window.WindowDesk;
 import nephele.editor.window.WindowLook;
+import nephele.editor.window.dialog.ProvingWindow;
 import nephele.editor.window.file.WindowFiles;
-import nephele.editor.window.proving.ProvingWindow;
 
 /** The editor with a window: its journal, the waiting game, and what happens when it closes. */
 public final class WindowedEditing {

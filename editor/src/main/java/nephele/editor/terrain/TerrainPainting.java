@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.Words;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
@@ -25,18 +25,18 @@ public final class TerrainPainting {
 
     private final Document document;
     private final PaintedMaps maps;
-    private final Aside aside;
+    private final BackgroundReading background;
     /** What the stroke goes on; {@code null} without one. */
     private Terrain painted;
 
     private TerrainBrush brush;
     private TerrainStroke stroke;
 
-    /** @param aside runs what reads files */
-    public TerrainPainting(Document document, PaintedMaps maps, Aside aside) {
+    /** @param background runs what reads files */
+    public TerrainPainting(Document document, PaintedMaps maps, BackgroundReading background) {
         this.document = document;
         this.maps = maps;
-        this.aside = aside;
+        this.background = background;
     }
 
     /** Returns the world y of a place on the heights of the stroke; empty without one that changes heights. */
@@ -60,7 +60,7 @@ public final class TerrainPainting {
         if (!maps.canKeep()) {
             throw new TerrainRefusal(TerrainText.SAVE_FIRST.words());
         }
-        stroke = aside.get(() -> stroke(said, assets, with, x, z));
+        stroke = background.get(() -> stroke(said, assets, with, x, z));
         brush = with;
         painted = said;
         show();

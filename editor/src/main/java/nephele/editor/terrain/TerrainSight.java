@@ -3,8 +3,8 @@ package nephele.editor.terrain;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import nephele.editor.work.Aside;
-import nephele.editor.work.FollowedPlacement;
+import nephele.editor.document.BackgroundReading;
+import nephele.editor.document.PlacedLevelCache;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -18,13 +18,13 @@ import nephele.engine.math.heightfield.HeightField;
 
 /** Finds the terrain that a ray of sight hits. The fields of terrains that an edit leaves as they are stay the same. */
 public final class TerrainSight {
-    private final FollowedPlacement placement;
+    private final PlacedLevelCache placement;
     private Level bare;
     private List<Terrain> bareOf = List.of();
 
-    /** @param aside runs what reads files */
-    public TerrainSight(Aside aside) {
-        placement = new FollowedPlacement(aside);
+    /** @param background runs what reads files */
+    public TerrainSight(BackgroundReading background) {
+        placement = new PlacedLevelCache(background);
     }
 
     /** A terrain and a point on it. */

@@ -3,8 +3,8 @@ package nephele.editor.tool;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import nephele.editor.pick.Grid;
-import nephele.editor.pick.Pick;
+import nephele.editor.document.Grid;
+import nephele.editor.document.Pick;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.engine.math.Vec3;
@@ -34,7 +34,7 @@ public record PointedPlace(Vec3 point, Vec3 normal) {
         }
         boolean isEdgeOn = pointer.isPlan() && pointer.camera().forward().y() == 0;
         Vec3 plane = isEdgeOn ? pointer.camera().forward() : UP;
-        return PointerDrag.onPlane(pointer, Vec3.ZERO, plane).map(point -> new PointedPlace(point, UP));
+        return pointer.onPlane(Vec3.ZERO, plane).map(point -> new PointedPlace(point, UP));
     }
 
     /** Returns the point of the grid near this one, on the same surface; this one if the options snap to no grid. */

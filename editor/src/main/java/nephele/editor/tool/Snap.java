@@ -3,8 +3,8 @@ package nephele.editor.tool;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.Picker;
 import nephele.editor.pane.PaneCamera.PanePoint;
-import nephele.editor.pick.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.engine.level.Brush;
@@ -12,7 +12,6 @@ import nephele.engine.math.Vec3;
 
 /** Snapping of lengths and places as the tool options say; {@link SnappedMove} snaps displacements of entities. */
 public final class Snap {
-    private static final double REACH_PIXELS = 8;
     private static final double SAME_PIXEL = 0.5;
 
     private Snap() {}
@@ -59,13 +58,13 @@ public final class Snap {
     /** Returns the place on the edge of a brush that is nearest to the pointer in the picture of a plan. */
     private static Optional<Vec3> onEdge(ToolContext context, Pointer pointer) {
         Vec3 nearest = null;
-        double least = REACH_PIXELS;
+        double least = Pointer.REACH_PIXELS;
         for (Brush brush : context.shapes().brushes()) {
             for (Brush.BrushFace face : brush.faces()) {
                 for (int i = 0; i < face.polygon().size(); i++) {
                     Vec3 from = face.polygon().get(i);
                     Vec3 to = face.polygon().get((i + 1) % face.polygon().size());
-                    double pixels = ScreenDistance.toSegment(pointer, from, to);
+                    double pixels = pointer.pixelsTo(from, to);
                     if (pixels < least) {
                         least = pixels;
                         nearest = along(pointer, from, to);
@@ -77,8 +76,8 @@ public final class Snap {
     }
 
     private static Vec3 along(Pointer pointer, Vec3 from, Vec3 to) {
-        double share = PointerDrag.alongLine(pointer, from, to.minus(from)).orElse(0.0);
-        return PointedPlace.cleaned(from.lerp(to, Math.max(0, Math.min(1, share))));
+        double fraction = pointer.alongLine(from, to.minus(from)).orElse(0.0);
+        return PointedPlace.cleaned(from.lerp(to, Math.max(0, Math.min(1, fraction))));
     }
 
     /**
@@ -89,7 +88,7 @@ public final class Snap {
     public static Optional<Vec3> vertex(ToolContext context, Pointer pointer, Set<EntityRef> ignored) {
         Set<String> hidden = new HashSet<>(context.document().level().editor().hidden());
         Vec3 best = null;
-        double bestPixels = REACH_PIXELS;
+        double bestPixels = Pointer.REACH_PIXELS;
         double bestDepth = Double.POSITIVE_INFINITY;
         for (Brush brush : context.shapes().brushes()) {
             EntityRef solid = new EntityRef(Picker.SOLIDS, brush.solidId());

@@ -4,10 +4,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.LevelShapes;
+import nephele.editor.document.Pick;
 import nephele.editor.document.Snapshot;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.LevelShapes;
-import nephele.editor.pick.Pick;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.engine.level.Brush;
@@ -127,15 +127,7 @@ public final class SnappedMove {
     }
 
     private Aabb bounds() {
-        Aabb bounds = Aabb.EMPTY;
-        for (EntityRef ref : start.selection().entities()) {
-            bounds = bounds.union(context.document()
-                    .entities()
-                    .find(start.level(), ref)
-                    .map(EntityBounds::of)
-                    .orElse(Aabb.EMPTY));
-        }
-        return bounds;
+        return EntityBounds.of(start.level(), start.selection().entities());
     }
 
     private Set<EntityRef> moving() {

@@ -1,7 +1,7 @@
 package nephele.editor.tool;
 
 import java.util.List;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
 
 /**

@@ -3,14 +3,14 @@ package nephele.editor.tool;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
+import nephele.editor.document.Grid;
+import nephele.editor.document.LevelShapes;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Snapshot;
-import nephele.editor.pick.Grid;
-import nephele.editor.pick.LevelShapes;
-import nephele.editor.pick.Picker;
 import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
-import nephele.editor.work.Aside;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 
@@ -22,7 +22,7 @@ public final class ToolContext {
     private final Consumer<Words> status;
     private final Supplier<Optional<AssetSource>> assets;
     private final PaintedMaps maps;
-    private final Aside aside = new Aside();
+    private final BackgroundReading background = new BackgroundReading();
     private LevelShapes shapes;
     private Level shapesOf;
 
@@ -77,8 +77,8 @@ public final class ToolContext {
     }
 
     /** Returns what runs the reading of files. */
-    public Aside aside() {
-        return aside;
+    public BackgroundReading background() {
+        return background;
     }
 
     /** Returns what strokes on terrains make. */

@@ -4,7 +4,6 @@ import java.util.EnumSet;
 import java.util.Set;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.ShapeOptions;
-import nephele.editor.brush.TextureLock;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.engine.level.Level;
@@ -92,11 +91,6 @@ public final class ToolOptions {
 
     public void terrainBrush(TerrainBrush next) {
         terrainBrush = next;
-    }
-
-    /** Returns whether textures stay fixed to a brush that moves. */
-    public TextureLock textureLock() {
-        return textureLocked ? TextureLock.LOCKED : TextureLock.WORLD;
     }
 
     /** Returns true if textures stay fixed to a brush that moves. */

@@ -1,6 +1,6 @@
 package nephele.editor.tool;
 
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -46,11 +46,7 @@ public enum WorldAxis {
 
     /** Returns a vector with another component along the axis. */
     public Vec3 with(Vec3 v, double component) {
-        return switch (this) {
-            case X -> new Vec3(component, v.y(), v.z());
-            case Y -> new Vec3(v.x(), component, v.z());
-            case Z -> new Vec3(v.x(), v.y(), component);
-        };
+        return new Vec3(this == X ? component : v.x(), this == Y ? component : v.y(), this == Z ? component : v.z());
     }
 
     /** Returns the lower end of a box along the axis. */

@@ -1,2 +1,2 @@
-/** Swing parts that panels, dialogues and settings pages share. */
+/** Swing parts and drawn symbols that panels, dialogues and settings pages share. */
 package nephele.editor.widget;

@@ -1,10 +1,10 @@
 package nephele.editor.window;
 
 import javax.swing.AbstractButton;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorKeys;
-import nephele.editor.command.KeyText;
-import nephele.editor.icon.ToolIcons;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.action.KeyText;
+import nephele.editor.widget.ToolIcons;
 import nephele.engine.level.Language;
 
 /** A button of a toolbar that runs a command: a symbol, with title and key as tooltip. */

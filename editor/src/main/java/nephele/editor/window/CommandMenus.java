@@ -6,10 +6,10 @@ import javax.swing.JMenuBar;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorCommands;
-import nephele.editor.command.EditorKeys;
-import nephele.editor.command.KeyText;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorCommands;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.action.KeyText;
 import nephele.engine.level.Language;
 
 /** Makes the menu bar from the commands; a menu without commands is left out. */

@@ -11,10 +11,10 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorCommands;
-import nephele.editor.command.EditorKeys;
-import nephele.editor.icon.ToolIcons;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorCommands;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.widget.ToolIcons;
 import nephele.engine.level.Language;
 
 /** The toolbar: main actions and all tools as symbols, with title and key as tooltip. */

@@ -12,8 +12,8 @@ import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.EditorSettings;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.settings.EditorSettings;
 
 /** The window of an editor. It follows theme, scale and language of the settings while it is open. */
 public final class EditorWindow extends JFrame {

@@ -15,11 +15,11 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorCommands;
-import nephele.editor.command.EditorKeys;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorCommands;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.document.Grid;
 import nephele.editor.panel.model.NumberExpression;
-import nephele.editor.pick.Grid;
 import nephele.editor.session.EditorSession;
 import nephele.engine.level.Language;
 

@@ -25,7 +25,7 @@ import nephele.editor.file.FileText;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
-import nephele.engine.userfile.UserFolders;
+import nephele.host.userfile.UserFolders;
 
 /** The desk of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
 public final class WindowDesk implements Desk {

@@ -2,9 +2,9 @@ package nephele.editor.window;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.session.EditorSettings;
 
 /** Theme and scale of all windows. */
 public final class WindowLook {

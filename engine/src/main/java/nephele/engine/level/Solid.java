@@ -21,6 +21,11 @@ public sealed interface Solid {
     /** Returns this solid with another id and other defaults of its faces; what its faces say stays. */
     Solid with(String newId, String newMaterial, boolean isPortalable, TextureMapping mapping);
 
+    /** Returns a copy with another id. */
+    default Solid withId(String newId) {
+        return with(newId, material(), portalable(), textureMapping());
+    }
+
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,

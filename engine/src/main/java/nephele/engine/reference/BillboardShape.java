@@ -21,12 +21,8 @@ import org.joml.Vector3dc;
 final class BillboardShape implements TracedShape {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SIDE = new Vec3(1, 0, 0);
-    /** As in {@code billboard.vert}, like the two after it. */
-    private static final double BULGE = 0.75;
-
-    private static final double THROUGH = 0.4;
-    private static final double BETWEEN_LEAVES = 0.75;
-    private static final SurfacePoint.Leaves LEAVES = new SurfacePoint.Leaves(THROUGH, BETWEEN_LEAVES);
+    private static final SurfacePoint.Leaves LEAVES =
+            new SurfacePoint.Leaves(PlantedBillboards.THROUGH, PlantedBillboards.BETWEEN_LEAVES);
 
     private final PlantedBillboards.Group group;
     private final int index;
@@ -132,8 +128,9 @@ final class BillboardShape implements TracedShape {
         Spot spot = spot(path.ray());
         Vec3 front = spot.axes().front();
         Vec3 towards = front.dot(Vec3.of(toEye)) < 0 ? front.negated() : front;
-        Vector3d normal = towards.addScaled(BULGE * spot.right(), spot.axes().right())
-                .addScaled(BULGE * spot.up(), spot.axes().up())
+        Vector3d normal = towards.addScaled(
+                        PlantedBillboards.BULGE * spot.right(), spot.axes().right())
+                .addScaled(PlantedBillboards.BULGE * spot.up(), spot.axes().up())
                 .toVector()
                 .normalize();
         Vec3 colour = group.said().colour() != null

@@ -7,6 +7,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.LuminanceHistogram;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -23,9 +24,6 @@ import org.joml.Vector3dc;
  * leave visible.
  */
 final class Illumination {
-    /** Bounds radiance as {@code surface-light.glsl} does: a light may be so near that half floats overflow. */
-    private static final double MAX_RADIANCE = 65504;
-
     /** Rays per sample towards the sky; in a room with a small window few of them reach it. */
     static final int SKY_RAYS = 4;
 
@@ -86,7 +84,7 @@ final class Illumination {
             addSky(surface, origin, shadows, sample, sum);
         }
         Vec3 own = surface.emission();
-        return sum.min(new Vector3d(MAX_RADIANCE)).add(own.x(), own.y(), own.z());
+        return sum.min(new Vector3d(LuminanceHistogram.LARGEST_HALF)).add(own.x(), own.y(), own.z());
     }
 
     /** Far from the origin the spacing of doubles exceeds the usual lift. */

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import nephele.engine.render.RenderSettings.Decoration;
-import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
@@ -22,11 +22,11 @@ final class PassOrder {
 
     private final List<Entry> entries = new ArrayList<>();
 
-    PassOrder(LoadContext context, Decoration decoration, List<RenderFeature> features) {
-        for (FramePlan.Step step : FramePlan.of(context.request(), features).steps()) {
+    PassOrder(RenderResources resources, Decoration decoration, List<RenderFeature> features) {
+        for (FramePlan.Step step : FramePlan.of(resources.request(), features).steps()) {
             if (decoration == Decoration.ON || step.feature().role() != Role.DECORATION) {
                 for (Required required : step.required()) {
-                    add(step.feature(), required.build().apply(context));
+                    add(step.feature(), required.build().apply(resources.context(step.feature())));
                 }
             }
         }

@@ -1,5 +1,6 @@
 package nephele.engine.render;
 
+import nephele.engine.render.resource.OpeningMesh;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.RenderSettings.Deepest;
@@ -10,7 +11,7 @@ import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalTechnique;
-import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
@@ -26,7 +27,7 @@ import nephele.engine.scene.VisibleSet;
 final class PortalViews implements NestedViews, AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
-    private final SharedResources shared;
+    private final RenderResources resources;
     private final Scene scene;
     private final ViewPasses passes;
     private final List<Pass> skies;
@@ -35,6 +36,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final ViewCopies pictureCopies;
 
     private final FrameEnvironment environment;
+    private final OpeningMesh openings;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
@@ -49,19 +51,20 @@ final class PortalViews implements NestedViews, AutoCloseable {
     PortalViews(
             GlContext gl,
             RenderSettings settings,
-            SharedResources shared,
+            RenderResources resources,
             Scene scene,
             ViewPasses passes,
             ViewCopies copies) {
         this.gl = gl;
         this.settings = settings;
-        this.shared = shared;
+        this.resources = resources;
         this.scene = scene;
         this.passes = passes;
         this.copies = copies;
         pictureCopies = copies.another();
         skies = passes.skies();
-        environment = shared.surroundings();
+        openings = resources.get(OpeningMesh.RESOURCE);
+        environment = resources.environment();
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl, scene.mirrors());
@@ -78,7 +81,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
                 picture.height(),
                 settings.quality().viewBudget());
         previous.match(tree, picture.width(), picture.height());
-        shared.openings().upload(tree, previous.history());
+        openings.upload(tree, previous.history());
         return tree.root();
     }
 
@@ -151,14 +154,14 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     @Override
     public void drawSky(FrameContext frame, ViewNode child) {
-        shared.setView(child.view());
+        resources.setView(child.view());
         FrameContext context = context(child.depth());
         context.begin(frame.frameState(), frame.surface());
         context.setView(child.view(), child, null, null);
         for (int i = 0; i < skies.size(); i++) {
             skies.get(i).draw(context);
         }
-        shared.setView(frame.view());
+        resources.setView(frame.view());
     }
 
     @Override
@@ -167,7 +170,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void enter(ViewNode node) {
-        shared.setView(node.view());
+        resources.setView(node.view());
         if (node.parent() == null || settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -190,7 +193,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private void drawPicture(ViewNode node, FrameState frameState, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
         RenderTarget target = technique().copies() ? frameBuffer : multisampling.inPlaceOf(own, own.format());
-        shared.setView(node.view());
+        resources.setView(node.view());
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {

@@ -1,5 +1,8 @@
 package nephele.engine.render;
 
+import nephele.engine.render.resource.AerialPerspective;
+import nephele.engine.render.resource.ShaftTables;
+import nephele.engine.render.frame.SharedResource;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.billboard.BillboardPass;
@@ -88,6 +91,9 @@ public final class RenderFeatures {
             ToneMapPass.FEATURE,
             EdgeFilterPass.FEATURE,
             UpscalePass.FEATURE);
+
+    /** Shared resources that shaders of any pass may read, made before the passes. */
+    static final List<SharedResource<?>> OF_EVERY_VIEW = List.of(ShaftTables.RESOURCE, AerialPerspective.RESOURCE);
 
     private RenderFeatures() {}
 }

@@ -1,17 +1,19 @@
 package nephele.engine.render;
 
+import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.gl.OwnedObjects;
+import nephele.engine.render.frame.DrawnScene;
+import nephele.engine.render.frame.RenderResources;
 import java.util.List;
 import java.util.OptionalDouble;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
-import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.DrawState.DepthOf;
@@ -33,8 +35,7 @@ public final class Renderer implements AutoCloseable {
     private final RenderSettings settings;
     private final List<RenderFeature> features;
     private final Scene scene;
-    private final SharedResources shared;
-    private final FrameEnvironment environment;
+    private final RenderResources resources;
     private final VisibleSet visible;
     private final FrameState start;
     // Set when the passes are known.
@@ -48,6 +49,8 @@ public final class Renderer implements AutoCloseable {
     private Multisampling multisampling;
     /** {@code null} in a level that cannot have portals. */
     private PortalViews portals;
+    /** {@code null} if no pass draws clouds or is lit through them. */
+    private RendererClouds clouds;
     /** {@code null} if exposure is not metered. */
     private MeteredExposure exposure;
 
@@ -56,43 +59,31 @@ public final class Renderer implements AutoCloseable {
     private View viewBefore;
 
     private Renderer(
-            GlContext gl,
-            Scene scene,
+            OwnedObjects owned,
+            DrawnScene drawn,
             RenderSettings settings,
             List<RenderFeature> features,
-            SharedResources replaced) {
-        this.gl = gl;
-        this.scene = scene;
+            RenderResources replaced) {
+        gl = owned.gl();
+        scene = drawn.scene();
         this.settings = settings;
         this.features = features;
         FrameRequest request = FrameRequest.of(
                 scene.level(), scene.statics(), settings.output(), settings.quality(), settings.character());
-        this.shared = new SharedResources(gl, scene, request, replaced);
-        this.environment = shared.surroundings();
-        this.start = FrameState.atStart(scene.level());
-        this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
+        resources = new RenderResources(owned, drawn, request, replaced);
+        start = FrameState.atStart(scene.level());
+        visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
 
     /**
-     * Builds what the level requires.
+     * Builds what a level requires of a list of features.
      *
+     * @param owned closed with the renderer, and if it cannot be built
      * @throws nephele.engine.asset.AssetException that names a picture that cannot be used
      */
-    public static Renderer load(GlContext gl, Level level, AssetSource assets, RenderSettings settings) {
-        return load(gl, Scene.of(level, assets), settings);
-    }
-
-    /**
-     * Builds a renderer as {@link #load(GlContext, Level, AssetSource, RenderSettings)} does, from a derived scene.
-     * Renderers of one context and scene share geometry, pictures and shadow maps on the GPU.
-     */
-    public static Renderer load(GlContext gl, Scene scene, RenderSettings settings) {
-        return load(gl, scene, settings, RenderFeatures.ALL);
-    }
-
-    /** Builds a renderer with a list of features other than the registered ones. */
-    static Renderer load(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
-        return load(new Renderer(gl, scene, settings, features, null));
+    public static Renderer load(
+            OwnedObjects owned, DrawnScene drawn, RenderSettings settings, List<RenderFeature> features) {
+        return load(new Renderer(owned, drawn, settings, features, null));
     }
 
     private static Renderer load(Renderer renderer) {
@@ -109,20 +100,21 @@ public final class Renderer implements AutoCloseable {
      * Returns a renderer of the edited level and closes this one. Unchanged data stay on the GPU; shadow maps that
      * changed are drawn again with the next frame.
      *
-     * @param edited derived from this renderer's scene
+     * @param owned closed with the new renderer
+     * @param edited a scene derived from this renderer's
      * @throws nephele.engine.asset.AssetException that names a picture that cannot be used; this renderer then stays
      * open
      */
-    public Renderer edited(Scene edited) {
-        return replacedBy(new Renderer(gl, edited, settings, features, null));
+    public Renderer edited(OwnedObjects owned, DrawnScene edited) {
+        return replacedBy(new Renderer(owned, edited, settings, features, null));
     }
 
     /**
-     * Returns a renderer of the edited level as {@link #edited} does, in which clouds that the edit leaves as they are go
-     * over from the techniques of this one to those that it calls for, in the time that {@link #elapse} is told of.
+     * Returns a renderer of the edited level as {@link #edited} does, in which clouds that the edit leaves as they are
+     * change from the techniques of this one to their new ones in the time that {@link #elapse} receives.
      */
-    public Renderer editedGradually(Scene edited) {
-        return replacedBy(new Renderer(gl, edited, settings, features, shared));
+    public Renderer editedGradually(OwnedObjects owned, DrawnScene edited) {
+        return replacedBy(new Renderer(owned, edited, settings, features, resources));
     }
 
     private Renderer replacedBy(Renderer built) {
@@ -138,31 +130,41 @@ public final class Renderer implements AutoCloseable {
      * @param seconds of the display; {@link Double#POSITIVE_INFINITY} to end the change
      */
     public void elapse(double seconds) {
-        shared.elapse(seconds);
+        if (clouds != null) {
+            clouds.elapse(seconds);
+        }
     }
 
     /** Returns how far an edit has been taken over, 1 for a picture that no {@link #elapse} changes. */
     public double changed() {
-        return shared.changed();
+        return clouds == null ? 1 : clouds.changed();
     }
 
     private void buildPasses() {
-        passes = new PassOrder(shared.loadContext(), settings.decoration(), features);
+        RenderFeatures.OF_EVERY_VIEW.forEach(resources::get);
+        passes = new PassOrder(resources, settings.decoration(), features);
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
         views = passes.views();
         afterViews = passes.of(Stage.AFTER_VIEWS);
         afterAll = passes.of(Stage.AFTER_ALL);
-        exposure = shared.exposure();
+        exposure = resources.get(MeteredExposure.RESOURCE);
+        clouds = resources.ifMade(RendererClouds.RESOURCE);
+        resources.forgetReplaced();
         chain = new PictureChain(gl, settings, afterAll.size());
-        copies = new ViewCopies(gl, shared, passes.reads());
+        copies = new ViewCopies(gl, resources.targets(), passes.reads());
         multisampling = new Multisampling(gl, settings.quality().samples(), copies.areRead());
         if (!passes.isEmpty()) {
-            shared.frameUniforms().samplePositions(multisampling.positions());
+            resources.uniforms().samplePositions(multisampling.positions());
         }
         if (ViewTree.mayGrow(scene.level())) {
-            portals = new PortalViews(gl, settings, shared, scene, views, copies);
+            portals = new PortalViews(gl, settings, resources, scene, views, copies);
         }
         frame = new FrameContext(portals);
+    }
+
+    /** Returns the context in which it draws. */
+    public GlContext gl() {
+        return gl;
     }
 
     /** Returns the scene that this renderer draws. */
@@ -214,9 +216,11 @@ public final class Renderer implements AutoCloseable {
         gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = chain.surface(picture);
         RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
-        shared.follow(frameState, view);
+        frame.begin(frameState, drawn);
+        frame.setView(view, null, null, null);
+        resources.follow(frame);
         if (!passes.isEmpty()) {
-            begin(view, frameState, surface, drawn);
+            begin(view, frameState, surface);
             drawOnce(listener);
         }
         if (exposure != null) {
@@ -241,7 +245,7 @@ public final class Renderer implements AutoCloseable {
             // another one.
             portals.drawPictures(frameState, surface, drawn);
         }
-        ClearColour behind = environment.clearColour();
+        ClearColour behind = resources.environment().clearColour();
         drawn.clear(behind.red(), behind.green(), behind.blue());
     }
 
@@ -256,17 +260,16 @@ public final class Renderer implements AutoCloseable {
         frame.begin(frameState, drawn);
     }
 
-    private void begin(View view, FrameState frameState, RenderTarget surface, RenderTarget drawn) {
+    private void begin(View view, FrameState frameState, RenderTarget surface) {
         ViewNode root = portals == null ? null : portals.choose(view, frameState, surface);
         if (portals != null && viewBefore != null && portals.isCrossedSince(viewBefore)) {
-            shared.cut();
+            cut();
         }
         viewBefore = view;
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        shared.setView(view);
-        frame.begin(frameState, drawn);
+        resources.setView(view);
         frame.setView(view, root, visible, settings.limits(root));
     }
 
@@ -322,12 +325,18 @@ public final class Renderer implements AutoCloseable {
      * exposure is what it calls for. Views whose rays several frames share begin anew.
      */
     public void forget() {
-        shared.cut();
+        cut();
         if (exposure != null) {
             exposure.forget();
         }
         if (portals != null) {
             portals.forget();
+        }
+    }
+
+    private void cut() {
+        if (clouds != null) {
+            clouds.cut();
         }
     }
 
@@ -400,7 +409,7 @@ public final class Renderer implements AutoCloseable {
 
     @Override
     public void close() {
-        shared.close();
+        resources.close();
         if (copies != null) {
             chain.close();
             copies.close();

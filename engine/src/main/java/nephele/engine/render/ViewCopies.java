@@ -1,7 +1,8 @@
 package nephele.engine.render;
 
 import java.util.Set;
-import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.gl.Texture;
+import java.util.Map;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.GlContext;
@@ -14,16 +15,19 @@ import nephele.engine.render.gl.RenderTarget;
  */
 final class ViewCopies implements AutoCloseable {
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final Set<Target> read;
     private RenderTarget copy;
     /** True from the first view on whose colours were read: before that, there is no memory for them. */
     private boolean hasColour;
 
-    /** @param read targets that passes read; only {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} matter */
-    ViewCopies(GlContext gl, SharedResources shared, Set<Target> read) {
+    /**
+     * @param targets receives the copies
+     * @param read targets that passes read; only {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} matter
+     */
+    ViewCopies(GlContext gl, Map<Target, Texture> targets, Set<Target> read) {
         this.gl = gl;
-        this.shared = shared;
+        this.targets = targets;
         this.read = read;
     }
 
@@ -39,7 +43,7 @@ final class ViewCopies implements AutoCloseable {
 
     /** Returns such copies for views of another size. */
     ViewCopies another() {
-        return new ViewCopies(gl, shared, read);
+        return new ViewCopies(gl, targets, read);
     }
 
     /** Copies these planes of {@code surface} within the scissor and passes them to the passes. */
@@ -47,9 +51,9 @@ final class ViewCopies implements AutoCloseable {
         hasColour |= planes != CopiedPlanes.DEPTH;
         fit(surface);
         surface.copyTo(copy, planes);
-        shared.publish(Target.VIEW_DEPTH, copy.depth());
+        targets.put(Target.VIEW_DEPTH, copy.depth());
         if (hasColour) {
-            shared.publish(Target.VIEW_COLOUR, copy.colour());
+            targets.put(Target.VIEW_COLOUR, copy.colour());
         }
     }
 

@@ -17,11 +17,11 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.named.LevelCatalogue;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.scene.light.bake.SkyVisibilityFile;
+import nephele.host.named.LevelCatalogue;
 
 /** Bakes the sky visibility of a level into {@code baked/} beside it, where a level that ships has it. */
 public final class SkyVisibilityBaker {

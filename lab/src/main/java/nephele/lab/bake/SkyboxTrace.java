@@ -17,16 +17,14 @@ import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.AssetProblems;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.lab.oracle.ResumableTrace;
-import nephele.lab.oracle.TracedFacts;
 
 /**
  * Traces what an eye sees of a level's sky, clouds included, in all directions: the level without anything else, and
@@ -46,7 +44,7 @@ public final class SkyboxTrace {
     private final TracedLevel sky;
     private final Vec3 eye;
 
-    /** @throws nephele.engine.terminal.CommandFailure that names an asset that is missing or cannot be used */
+    /** @throws nephele.host.terminal.CommandFailure that names an asset that is missing or cannot be used */
     public SkyboxTrace(OpenedLevel opened, Vec3 eye) {
         this.opened = opened;
         this.eye = eye;

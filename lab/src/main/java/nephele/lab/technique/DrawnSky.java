@@ -1,5 +1,6 @@
 package nephele.lab.technique;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
@@ -31,7 +32,7 @@ public final class DrawnSky implements AutoCloseable {
         this.gl = gl;
         this.sky = sky;
         Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
-        renderer = Renderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
+        renderer = LevelRenderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
         target = RenderTarget.picture(gl, "sky", PixelFormat.RGBA8, scale * SeenSky.WIDTH, scale * SeenSky.HEIGHT);
     }
 

@@ -25,12 +25,12 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.View;
 import nephele.engine.sim.reach.EyeReach;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
+import nephele.host.terminal.CommandFailure;
 
 /**
  * Errors and costs of techniques for the very clouds of a level, measured from its cameras and kept beside it. Each cloud is

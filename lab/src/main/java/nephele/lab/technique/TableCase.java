@@ -17,8 +17,8 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
+import nephele.host.named.Viewpoints;
 
 /**
  * One node of the table of errors: a cloud of a form with a mean optical depth, at a distance, in the light of a sun.

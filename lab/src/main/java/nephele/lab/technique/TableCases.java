@@ -6,8 +6,8 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Weather;
 import nephele.engine.level.appearance.WeatherClouds;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 
 /** The nodes of the table of errors: each form of cloud that a level can have, thin to thick, far to near or around the eye, low sun to high. */
 public final class TableCases {

@@ -8,9 +8,9 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.AssetProblems;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -20,10 +20,10 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
-import nephele.engine.terminal.PrintedProgress;
-import nephele.lab.oracle.LevelHash;
-import nephele.lab.oracle.PinholeViews;
-import nephele.lab.oracle.TracedPictures;
+import nephele.host.terminal.PrintedProgress;
+import nephele.lab.bake.LevelHash;
+import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 
 /**
  * The environment in which subjects are measured: a level, a view of it and one OpenGL context. The oracle's pictures

@@ -3,11 +3,11 @@ package nephele.lab.trade;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.level.Camera;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewTree;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 
 /**
  * The view in which a level is judged.

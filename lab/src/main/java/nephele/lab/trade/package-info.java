@@ -1,5 +1,5 @@
 /**
- * The speed/accuracy report: the cost of each parameter of the engine, the error of each of its settings, and
- * recommendations.
+ * The speed/accuracy report: {@link nephele.lab.trade.TradeRun} measures the cost of each setting of a parameter and its error,
+ * {@link nephele.lab.trade.Findings} evaluates them, {@link nephele.lab.trade.Report} writes CSV, plots, pictures and one page.
  */
 package nephele.lab.trade;

@@ -15,7 +15,7 @@ import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.scenes.fixed.FixedSceneDrawing.Source;
 import nephele.scenes.fixed.FixedSceneDrawing.Sources;
 import nephele.scenes.fixed.SceneFiles;

@@ -25,7 +25,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.scenes.fixed.SceneFolder;
 import nephele.scenes.xml.LevelDraft;
 import nephele.scenes.xml.LevelDraft.Part;

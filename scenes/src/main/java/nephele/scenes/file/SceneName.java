@@ -10,7 +10,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ProjectAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 import nephele.scenes.xml.XmlScene;
 import nephele.scenes.xml.XmlSceneFile;
 

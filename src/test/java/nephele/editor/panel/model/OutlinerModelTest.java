@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
-import nephele.editor.term.EntityWords;
+import nephele.editor.text.EntityWords;
 import nephele.engine.level.EditorNotes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.editor.brush.BrushText;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.tool.EndedDrags;
 import nephele.editor.tool.Pointer.Modifier;

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.tool.ToolTrial;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.EditorNotes;

@@ -17,7 +17,7 @@ import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptDesk;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.document.Notes;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;

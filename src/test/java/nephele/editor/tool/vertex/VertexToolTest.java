@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.editor.brush.BrushText;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.tool.EndedDrags;
 import nephele.editor.tool.Pointer.Modifier;

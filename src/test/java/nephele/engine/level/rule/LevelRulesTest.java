@@ -17,7 +17,7 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
-import nephele.engine.named.LevelCatalogue;
+import nephele.host.named.LevelCatalogue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -76,7 +77,7 @@ class BallLightGlTest {
     private float[] drawn(Level level, BallLight light, Quality best) {
         Quality quality = best.with("samples", 1).with("particleLight", light);
         try (Renderer renderer =
-                Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             renderer.draw(view, offscreen.picture);
             offscreen.gl.requireNoError("frame");
             return renderer.readRadiance();

@@ -3,6 +3,7 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
@@ -60,7 +61,7 @@ class CloudContinuityGlTest {
         /** Loads a level with clouds that no other drawing uses: those of other assets are other ones. */
         static Drawing of(Offscreen offscreen, Level level) {
             RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH);
-            return new Drawing(offscreen, Renderer.load(offscreen.gl, level, new TestAssets(), settings));
+            return new Drawing(offscreen, LevelRenderer.load(offscreen.gl, level, new TestAssets(), settings));
         }
 
         float[] at(Vec3 eye, double seconds) {

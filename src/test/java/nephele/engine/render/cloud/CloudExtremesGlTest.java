@@ -3,6 +3,7 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -61,7 +62,7 @@ class CloudExtremesGlTest {
     }
 
     private Renderer load(Level level, Quality quality) {
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality));
+        return LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality));
     }
 
     private float[] drawn(Renderer renderer, View view) {

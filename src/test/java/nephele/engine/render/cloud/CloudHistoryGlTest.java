@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -80,7 +81,7 @@ class CloudHistoryGlTest {
 
     private Renderer load(Scene scene, CloudHistory history) {
         Quality quality = Quality.HIGH.with("cloudHistory", history);
-        return Renderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality));
+        return LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality));
     }
 
     private float[] drawn(Renderer renderer, View view) {

@@ -2,6 +2,7 @@ package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.cloud.cells.CellMarch;
@@ -111,7 +112,7 @@ class CloudMarchGlTest {
                 .with("cloudHistory", Quality.CloudHistory.NONE)
                 .with("cloudLightCell", lightDivisor);
         try (Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, full));
                 CloudTimeline timeline = new CloudTimeline(
                         level.environment(),
                         TestAssets.NONE,

@@ -3,6 +3,7 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -156,7 +157,7 @@ class CloudOrderGlTest {
         var settings = RenderSettings.of(
                 Output.HDR,
                 Quality.ULTRA.with("samples", 1).with("cloudLightCell", 8).with("cloudSkyboxTexels", 32));
-        return Renderer.load(offscreen.gl, level.level(), TestAssets.NONE, settings);
+        return LevelRenderer.load(offscreen.gl, level.level(), TestAssets.NONE, settings);
     }
 
     private double middle(Renderer renderer, Vec3 eye, Vec3 towards) {

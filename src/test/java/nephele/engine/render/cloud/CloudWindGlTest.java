@@ -3,6 +3,7 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -93,7 +94,7 @@ class CloudWindGlTest {
 
     private Film film(Level level, CloudHistory history) {
         RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("cloudHistory", history));
-        Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings);
+        Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings);
         return new Film(offscreen, renderer, FrameState.atStart(level));
     }
 

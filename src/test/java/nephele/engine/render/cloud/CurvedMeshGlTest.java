@@ -2,6 +2,7 @@ package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.cloud.drawn.SkyplaneShape;
 import nephele.engine.level.Cloud;
@@ -44,7 +45,7 @@ class CurvedMeshGlTest {
                 Quality.ULTRA.with("samples", 1).with("cloudLightCell", 8).with("skyplaneShape", SkyplaneShape.CURVED);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             var mesh = new CurvedMesh(1000);
             for (double rise : new double[] {-0.2, 0.5, 3}) {
                 View view = offscreen.view(Vec3.ZERO, new Vec3(0.1, rise, -1));

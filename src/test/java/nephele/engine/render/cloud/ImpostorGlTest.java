@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -77,7 +78,7 @@ class ImpostorGlTest {
     /** Returns the last of several frames; the eye moves to the right by so much from one to the next. */
     private float[] lastOf(int frames, double step, Level level, Quality quality) {
         try (Renderer renderer =
-                Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             for (int frame = 0; frame < frames; frame++) {
                 offscreen.gl.state().resetCounts();
                 renderer.draw(view(step * frame), offscreen.picture);
@@ -195,7 +196,7 @@ class ImpostorGlTest {
                 .level();
         try (var large = RenderTarget.picture(offscreen.gl, "large", PixelFormat.RGBA8, 444, 250);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
             List<Long> counts = new ArrayList<>();
             for (int frame = 0; frame < 5; frame++) {
                 offscreen.gl.state().resetCounts();
@@ -214,7 +215,7 @@ class ImpostorGlTest {
         Level level = under(0.3, 4, 0.05, 1, CloudTechnique.PARTICLES).level();
         float[] direct;
         try (Renderer renderer =
-                Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
             renderer.draw(view(40), offscreen.picture);
             direct = renderer.readRadiance();
             for (int frame = 0; frame < 3; frame++) {
@@ -231,7 +232,7 @@ class ImpostorGlTest {
         Level level = under(0.3, 4, 0.05, 1, CloudTechnique.PARTICLES).level();
         float[] cold = lastOf(1, 0, level, Quality.HIGH);
         var settings = RenderSettings.of(Output.HDR, Quality.HIGH);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             for (int frame = 0; frame < 4; frame++) {
                 renderer.draw(view(0.5), offscreen.picture);
             }

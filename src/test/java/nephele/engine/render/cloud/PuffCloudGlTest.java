@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -77,7 +78,7 @@ class PuffCloudGlTest {
     private List<float[]> drawn(Level level, Quality quality, List<View> views) {
         var settings = RenderSettings.of(Output.HDR, quality);
         List<float[]> pictures = new ArrayList<>();
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             for (View view : views) {
                 renderer.forget();
                 renderer.draw(view, offscreen.picture);
@@ -231,7 +232,7 @@ class PuffCloudGlTest {
     void theEyePassesThroughBalls(CloudTechnique technique, double most) {
         Level level = under(0.3, 4, cloud(HEAP, 0.06, 1, technique));
         var settings = RenderSettings.of(Output.HDR, Quality.HIGH);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             float[] before = null;
             for (double z = -70; z > -170; z -= 1) {
                 Vec3 eye = new Vec3(2, 9, z);
@@ -316,7 +317,7 @@ class PuffCloudGlTest {
         var quality = Quality.HIGH.with("billboardFacing", facing).with("cloudResolution", 1);
         try (var tiny = RenderTarget.picture(offscreen.gl, "tiny", PixelFormat.RGBA8, 3, 3);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             for (int n = 0; n < 3600; n++) {
                 double y = n < 2 ? 1 - 2 * n : 1 - (n - 1.5) / 1799;
                 double horizontal = Math.sqrt(1 - y * y);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
@@ -78,7 +79,7 @@ class SheetGlTest {
 
     private Renderer load(Level level, Quality quality) {
         Quality coarse = quality.with("cloudLightCell", COARSE_LIGHT);
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, coarse));
+        return LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, coarse));
     }
 
     private float[] drawn(Renderer renderer, View view) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
@@ -79,7 +80,7 @@ class SkyboxCloudGlTest {
     }
 
     private Renderer load(Level level, Quality quality) {
-        return Renderer.load(
+        return LevelRenderer.load(
                 offscreen.gl,
                 level,
                 TestAssets.NONE,

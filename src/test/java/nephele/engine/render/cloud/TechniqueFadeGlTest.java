@@ -5,11 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.ChosenTechniques;
-import nephele.engine.choice.TechniqueFade;
+import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -96,7 +97,7 @@ class TechniqueFadeGlTest {
     }
 
     private Renderer load(Level level) {
-        return Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR));
+        return LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR));
     }
 
     private static Scene edited(Renderer renderer, Level level) {
@@ -127,7 +128,7 @@ class TechniqueFadeGlTest {
         LinearPicture other = loaded(near);
         Renderer renderer = load(far);
         try {
-            renderer = renderer.editedGradually(edited(renderer, near));
+            renderer = LevelRenderer.editedGradually(renderer, edited(renderer, near));
             LinearPicture before = drawn(renderer);
             assertArrayEquals(old.rgb(), before.rgb(), "the first frame shows the old technique");
             int frames = 0;
@@ -153,7 +154,7 @@ class TechniqueFadeGlTest {
         Renderer renderer = load(far);
         try {
             LinearPicture old = drawn(renderer);
-            renderer = renderer.editedGradually(edited(renderer, inside(0.05, 0)));
+            renderer = LevelRenderer.editedGradually(renderer, edited(renderer, inside(0.05, 0)));
             while (renderer.changed() < 1) {
                 renderer.elapse(0.2);
                 assertEquals(0, rootMeanSquare(old, drawn(renderer)), 0.01);
@@ -180,16 +181,16 @@ class TechniqueFadeGlTest {
         try {
             drawn(renderer);
             Map<GlKind, Integer> alone = offscreen.gl.live().counts();
-            renderer = renderer.edited(edited(renderer, far));
+            renderer = LevelRenderer.edited(renderer, edited(renderer, far));
             assertEquals(1, renderer.changed());
             assertArrayEquals(loaded(far).rgb(), drawn(renderer).rgb());
-            renderer = renderer.editedGradually(edited(renderer, near));
+            renderer = LevelRenderer.editedGradually(renderer, edited(renderer, near));
             renderer.elapse(0.5);
             drawn(renderer);
             assertNotEquals(alone, offscreen.gl.live().counts());
             // An edit meanwhile continues the change.
             double reached = renderer.changed();
-            renderer = renderer.editedGradually(edited(renderer, near));
+            renderer = LevelRenderer.editedGradually(renderer, edited(renderer, near));
             assertEquals(reached, renderer.changed());
             renderer.elapse(Double.POSITIVE_INFINITY);
             drawn(renderer);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.lwjgl.opengl.GL41C.*;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
@@ -54,7 +55,7 @@ class AdoptedContextGlTest {
     /** Returns a frame of the level, drawn in a context of any kind. */
     static byte[] frame(GlContext gl) {
         try (RenderTarget picture = RenderTarget.picture(gl, "expected", PixelFormat.RGBA8, SIDE, SIDE);
-                Renderer renderer = Renderer.load(gl, level(), TestAssets.NONE, settings())) {
+                Renderer renderer = LevelRenderer.load(gl, level(), TestAssets.NONE, settings())) {
             return frame(gl, renderer, picture);
         }
     }
@@ -110,7 +111,7 @@ class AdoptedContextGlTest {
         foreignFrame();
         try (GlContext gl = GlContext.ofCurrent();
                 RenderTarget picture = RenderTarget.picture(gl, "adopted", PixelFormat.RGBA8, SIDE, SIDE);
-                Renderer renderer = Renderer.load(gl, level(), TestAssets.NONE, settings())) {
+                Renderer renderer = LevelRenderer.load(gl, level(), TestAssets.NONE, settings())) {
             assertArrayEquals(expected, frame(gl, renderer, picture));
         }
         glUseProgram(0);

@@ -3,10 +3,10 @@ package nephele.lab.trade.subject;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;

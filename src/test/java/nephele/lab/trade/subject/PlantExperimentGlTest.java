@@ -9,14 +9,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.OpenedLevel;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import nephele.host.named.OpenedLevel;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.TradeView;
-import nephele.lab.trade.run.Trades;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -10,7 +10,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.OpenedLevel;
 
 /** A few trees on level ground, single ones and a field. */
 final class PlantedTrees {

@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
-import nephele.engine.draw.IdLevel;
 import nephele.engine.level.appearance.ColourDecoding;
-import nephele.engine.named.LevelName;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
+import nephele.host.named.LevelName;
 import nephele.workshop.prove.proof.Proof;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -14,12 +14,10 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
-import nephele.lab.terrain.TerrainFile;
+import nephele.lab.generate.TerrainFile;
 import nephele.workshop.art.bench.BenchLevels;
 import nephele.workshop.art.bench.BenchPixels;
 import nephele.workshop.art.bench.BenchTerrain;
-import nephele.workshop.art.cloud.CloudPictures;
-import nephele.workshop.art.cloud.SampleGrid;
 import nephele.workshop.art.material.TextureRecipe;
 import nephele.workshop.art.material.Textures;
 import nephele.workshop.art.paint.Surface;
@@ -28,10 +26,9 @@ import nephele.workshop.art.picture.ScenePictures;
 import nephele.workshop.art.picture.SignPainter;
 import nephele.workshop.art.picture.SkyLayouts;
 import nephele.workshop.art.picture.SkyPainter;
-import nephele.workshop.art.plant.PlantFiles;
+import nephele.workshop.art.sprite.CloudPictures;
+import nephele.workshop.art.sprite.SampleGrid;
 import nephele.workshop.art.sprite.SpritePictures;
-import nephele.workshop.art.terrain.StonesGrowth;
-import nephele.workshop.art.terrain.StonesMap;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {

@@ -1,11 +1,11 @@
 package nephele.app.play.hud;
 
-import nephele.engine.playthrough.CrosshairState;
-import nephele.engine.playthrough.CrosshairState.Half;
-import nephele.engine.playthrough.CrosshairState.Portal;
-import nephele.engine.playthrough.CrosshairState.Shot;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
+import nephele.host.playthrough.CrosshairState;
+import nephele.host.playthrough.CrosshairState.Half;
+import nephele.host.playthrough.CrosshairState.Portal;
+import nephele.host.playthrough.CrosshairState.Shot;
 
 /**
  * The crosshair: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons.

@@ -1,7 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Control;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 

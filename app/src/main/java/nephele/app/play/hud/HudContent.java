@@ -2,15 +2,15 @@ package nephele.app.play.hud;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import nephele.app.text.Phrase;
+import nephele.app.settings.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.app.window.PadButton;
-import nephele.engine.compare.Wipe;
 import nephele.engine.level.Language;
-import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.scene.ShotPalette;
+import nephele.host.compare.Wipe;
+import nephele.host.playthrough.CrosshairState;
 
 /**
  * The content of the overlay, as a value.

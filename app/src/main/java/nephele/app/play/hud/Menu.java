@@ -6,8 +6,8 @@ import java.util.List;
 import nephele.app.settings.GameSetting;
 import nephele.app.window.Control;
 import nephele.engine.asset.Picture;
-import nephele.engine.compare.TechniquePair;
-import nephele.engine.named.LevelName;
+import nephele.host.compare.TechniquePair;
+import nephele.host.named.LevelName;
 
 /**
  * A page of the menu as a value: lines of text, then entries, one of them selected. Keys move the selection cyclically,

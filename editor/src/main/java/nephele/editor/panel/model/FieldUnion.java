@@ -14,7 +14,7 @@ import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.term.ChoiceWord;
+import nephele.editor.text.ChoiceWord;
 import nephele.engine.level.EditorNotes;
 
 /** Lists the fields that any of some records has; lists of entities are left out, since they have selections of their own. */

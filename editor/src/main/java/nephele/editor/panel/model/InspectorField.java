@@ -3,7 +3,7 @@ package nephele.editor.panel.model;
 import java.util.List;
 import java.util.Objects;
 import nephele.editor.record.FieldKind;
-import nephele.editor.term.FieldWords;
+import nephele.editor.text.FieldWords;
 import nephele.editor.text.Words;
 
 /**

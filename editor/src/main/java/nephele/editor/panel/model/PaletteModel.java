@@ -7,7 +7,7 @@ import nephele.editor.record.EntitySection;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
-import nephele.editor.term.EntityWords;
+import nephele.editor.text.EntityWords;
 import nephele.editor.text.Words;
 
 /** The entities that the palette offers: all kinds of all lists, and the single records that a level may be without. */

@@ -12,21 +12,19 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushShapes;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.BrushText;
-import nephele.editor.brush.RoomSides;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
 import nephele.editor.paint.MaterialLibrary;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.Pick;
-import nephele.editor.pick.Picker;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -94,7 +92,7 @@ public final class DrawBrushTool implements Tool {
         List<Pick> surfaces = context.picker().surfaces(pointer.ray());
         if (surfaces.isEmpty()) {
             Vec3 up = WorldAxis.Y.unit();
-            return PointerDrag.onPlane(pointer, Vec3.ZERO, up).map(at -> on(pointer, at, up, -wall()));
+            return pointer.onPlane(Vec3.ZERO, up).map(at -> on(pointer, at, up, -wall()));
         }
         Pick surface = surfaces.get(0);
         WorldAxis axis = WorldAxis.nearest(surface.normal());
@@ -127,7 +125,7 @@ public final class DrawBrushTool implements Tool {
         Aabb depth = depth();
         double from = depth.isEmpty() ? -wall() : axis.least(depth);
         double metres = depth.isEmpty() ? planDepth() : axis.most(depth) - from;
-        return PointerDrag.onPlane(pointer, axis.with(Vec3.ZERO, from), forward).map(at -> {
+        return pointer.onPlane(axis.with(Vec3.ZERO, from), forward).map(at -> {
             Vec3 first = axis.with(Snap.place(context, pointer, at), from);
             return new DrawnBox(
                     axis, first, first, metres > 0 ? metres : context.grid().stepMetres());
@@ -135,19 +133,8 @@ public final class DrawBrushTool implements Tool {
     }
 
     private Aabb depth() {
-        Aabb around = last;
         Snapshot now = context.document().now();
-        if (around.isEmpty()) {
-            for (EntityRef ref : now.selection().entities()) {
-                around = context.document()
-                        .entities()
-                        .find(now.level(), ref)
-                        .map(EntityBounds::of)
-                        .orElse(Aabb.EMPTY)
-                        .union(around);
-            }
-        }
-        return around;
+        return last.isEmpty() ? EntityBounds.of(now.level(), now.selection().entities()) : last;
     }
 
     private double planDepth() {
@@ -176,14 +163,14 @@ public final class DrawBrushTool implements Tool {
     }
 
     private Optional<DrawnBox> higher(Pointer pointer) {
-        return PointerDrag.alongLine(pointer, box.second(), box.axis().unit())
+        return pointer.alongLine(box.second(), box.axis().unit())
                 .map(metres -> Snap.length(context, metres))
                 .filter(metres -> metres != 0)
                 .map(box::withHeight);
     }
 
     private Optional<DrawnBox> wider(Pointer pointer) {
-        return PointerDrag.onPlane(pointer, box.first(), box.axis().unit())
+        return pointer.onPlane(box.first(), box.axis().unit())
                 .map(at -> box.withSecond(Snap.place(context, pointer, at)))
                 .map(free -> pointer.isHeld(Modifier.SHIFT) ? free.square() : free);
     }
@@ -211,7 +198,7 @@ public final class DrawBrushTool implements Tool {
                     return id;
                 });
         return context.options().shape() instanceof ShapeOptions.Room
-                ? drawn.map(slabs -> RoomSides.named(slabs, bounds, side -> context.document()
+                ? drawn.map(slabs -> BrushShapes.named(slabs, bounds, side -> context.document()
                         .entities()
                         .freshId(level, Picker.SOLIDS, wish + "-" + side)))
                 : drawn;
@@ -265,5 +252,46 @@ public final class DrawBrushTool implements Tool {
     @Override
     public Words hint() {
         return ENTRY.description();
+    }
+
+    /**
+     * The box between a corner on a plane and the pointer.
+     *
+     * @param axis perpendicular to the plane of the base
+     * @param first corner on the base
+     * @param second corner opposite to it on the base
+     * @param heightMetres from the base along the axis; negative against it
+     */
+    private record DrawnBox(WorldAxis axis, Vec3 first, Vec3 second, double heightMetres) {
+        DrawnBox withSecond(Vec3 corner) {
+            return new DrawnBox(axis, first, axis.with(corner, axis.of(first)), heightMetres);
+        }
+
+        DrawnBox withHeight(double metres) {
+            return new DrawnBox(axis, first, second, metres);
+        }
+
+        /** Returns this box with the shorter side of its base as long as the longer one. */
+        DrawnBox square() {
+            Vec3 by = second.minus(first);
+            double side = Math.max(Math.abs(by.x()), Math.max(Math.abs(by.y()), Math.abs(by.z())));
+            Vec3 corner = first;
+            for (WorldAxis across : WorldAxis.values()) {
+                if (across != axis) {
+                    corner = across.with(corner, across.of(first) + (across.of(by) < 0 ? -side : side));
+                }
+            }
+            return withSecond(corner);
+        }
+
+        /** Returns true if the box encloses nothing. */
+        boolean isFlat() {
+            Aabb box = bounds();
+            return box.minX() == box.maxX() || box.minY() == box.maxY() || box.minZ() == box.maxZ();
+        }
+
+        Aabb bounds() {
+            return Aabb.of(List.of(first, axis.with(second, axis.of(first) + heightMetres)));
+        }
     }
 }

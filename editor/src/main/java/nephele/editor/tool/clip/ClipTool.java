@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import nephele.editor.brush.BrushClip;
@@ -13,24 +14,22 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushText;
 import nephele.editor.brush.VertexEdit;
 import nephele.editor.document.Notes;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.pick.Pick;
-import nephele.editor.pick.Picker;
-import nephele.editor.pick.Picker.Containment;
+import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
-import nephele.editor.tool.ScreenDistance;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
@@ -58,8 +57,16 @@ public final class ClipTool implements Tool {
     private static final Words KEEPS_BOTH =
             Words.of("keeps both parts", "ficam as duas partes", "ficam as duas partes");
 
+    private static final double FAR_METRES = 1e8;
+    private static final double NEAR_METRES = 1e-3;
+
     private final ToolContext context;
-    private ClipPoints points = ClipPoints.none(null);
+    /** The points that give the plane: two and the direction of sight of a plan, or three. */
+    private List<Vec3> points = new ArrayList<>();
+
+    /** The direction of sight of the plan with the points; {@code null} for points in the perspective view. */
+    private Vec3 sight;
+
     private Keep keep = Keep.BEHIND;
     /** Index of the point that the pointer moves; -1 without one. */
     private int moving = -1;
@@ -91,34 +98,42 @@ public final class ClipTool implements Tool {
             return;
         }
         if (pointer.clicks() == 2 && !pointer.isPlan()) {
-            onFace(pointer).ifPresent(three -> points = three);
+            useFace(pointer);
             return;
         }
-        Vec3 sight = pointer.isPlan() ? pointer.camera().forward() : null;
-        boolean isSamePane = sight == null ? points.sight() == null : sight.equals(points.sight());
-        for (int i = 0; isSamePane && i < points.points().size(); i++) {
-            if (ScreenDistance.toPoint(pointer, points.points().get(i)) < ScreenDistance.REACH_PIXELS) {
+        Vec3 paneSight = pointer.isPlan() ? pointer.camera().forward() : null;
+        boolean isSamePane = Objects.equals(paneSight, sight);
+        for (int i = 0; isSamePane && i < points.size(); i++) {
+            if (pointer.reaches(points.get(i))) {
                 moving = i;
                 return;
             }
         }
-        ClipPoints before = isSamePane && !points.isComplete() ? points : ClipPoints.none(sight);
+        boolean isNew = !isSamePane || isComplete();
         place(pointer).ifPresent(at -> {
-            points = before.with(at);
-            moving = points.points().size() - 1;
+            if (isNew) {
+                points.clear();
+                sight = paneSight;
+            }
+            points.add(at);
+            moving = points.size() - 1;
         });
     }
 
-    /** Returns points that give the plane of the face under the pointer. */
-    private Optional<ClipPoints> onFace(Pointer pointer) {
-        return FacesUnderPointer.at(context, pointer)
+    private boolean isComplete() {
+        return points.size() == (sight == null ? 3 : 2);
+    }
+
+    /** Takes three corners of the face under the pointer as the points. */
+    private void useFace(Pointer pointer) {
+        FacesUnderPointer.at(context, pointer)
                 .flatMap(face -> FacesUnderPointer.shape(context.document().level(), face))
-                .map(face -> {
-                    int corners = face.polygon().size();
-                    return ClipPoints.none(null)
-                            .with(face.polygon().get(0))
-                            .with(face.polygon().get(corners / 3))
-                            .with(face.polygon().get(corners * 2 / 3));
+                .ifPresent(face -> {
+                    List<Vec3> corners = face.polygon();
+                    int count = corners.size();
+                    sight = null;
+                    points = new ArrayList<>(
+                            List.of(corners.get(0), corners.get(count / 3), corners.get(count * 2 / 3)));
                 });
     }
 
@@ -128,18 +143,18 @@ public final class ClipTool implements Tool {
 
     private Optional<Vec3> on(Pointer pointer) {
         if (pointer.isPlan()) {
-            return PointerDrag.onPlane(pointer, Vec3.ZERO, pointer.camera().forward());
+            return pointer.onPlane(Vec3.ZERO, pointer.camera().forward());
         }
         List<Pick> surfaces = context.picker().surfaces(pointer.ray());
         return surfaces.isEmpty()
-                ? PointerDrag.onPlane(pointer, Vec3.ZERO, new Vec3(0, 1, 0))
+                ? pointer.onPlane(Vec3.ZERO, new Vec3(0, 1, 0))
                 : Optional.of(surfaces.get(0).point());
     }
 
     @Override
     public void dragged(Pointer pointer) {
         if (moving >= 0) {
-            place(pointer).ifPresent(at -> points = points.with(moving, at));
+            place(pointer).ifPresent(at -> points.set(moving, at));
         }
     }
 
@@ -150,13 +165,35 @@ public final class ClipTool implements Tool {
 
     @Override
     public void cancel() {
-        points = ClipPoints.none(null);
+        points.clear();
+        sight = null;
         moving = -1;
+    }
+
+    /** Returns the plane through the points; empty while points are missing or lie on a line. */
+    private Optional<Plane> plane() {
+        if (!isComplete()) {
+            return Optional.empty();
+        }
+        Vec3 along = points.get(1).minus(points.get(0));
+        Vec3 normal = along.cross(sight == null ? points.get(2).minus(points.get(0)) : sight);
+        if (!(normal.length() > 0)) {
+            return Optional.empty();
+        }
+        return Optional.of(Plane.through(Plane.of(normal, 0).normal(), points.get(0)));
+    }
+
+    /** Returns the box around the points, as deep as the world in a plan. */
+    private Aabb reach() {
+        Aabb box = Aabb.of(points).grown(NEAR_METRES);
+        return sight == null
+                ? box
+                : box.union(box.moved(sight.scaled(FAR_METRES))).union(box.moved(sight.scaled(-FAR_METRES)));
     }
 
     @Override
     public boolean confirm() {
-        Optional<Plane> plane = points.plane();
+        Optional<Plane> plane = plane();
         if (plane.isEmpty()) {
             return false;
         }
@@ -196,7 +233,7 @@ public final class ClipTool implements Tool {
 
     private List<EntityRef> targets() {
         List<EntityRef> refs = context.document().selection().entities();
-        List<EntityRef> from = refs.isEmpty() ? context.picker().in(points.reach(), Containment.TOUCHING) : refs;
+        List<EntityRef> from = refs.isEmpty() ? context.picker().touching(reach()) : refs;
         return Notes.free(context.document().level(), from).stream()
                 .filter(ref -> ref.section().equals(Picker.SOLIDS))
                 .filter(this::hasVolume)
@@ -211,12 +248,11 @@ public final class ClipTool implements Tool {
     @Override
     public List<Mark> marks() {
         List<Mark> marks = new ArrayList<>();
-        List<Vec3> all = points.points();
-        for (int i = 0; i < all.size(); i++) {
-            marks.add(new Mark.Handle(all.get(i), MarkColour.GUIDE));
-            marks.add(line(all.get(i), all.get((i + 1) % all.size()), MarkColour.GUIDE));
+        for (int i = 0; i < points.size(); i++) {
+            marks.add(new Mark.Handle(points.get(i), MarkColour.GUIDE));
+            marks.add(line(points.get(i), points.get((i + 1) % points.size()), MarkColour.GUIDE));
         }
-        points.plane().ifPresent(plane -> parts(plane, Keep.BOTH).values().forEach(both -> {
+        plane().ifPresent(plane -> parts(plane, Keep.BOTH).values().forEach(both -> {
             addEdges(marks, both.get(0), keep != Keep.IN_FRONT);
             addEdges(marks, both.get(1), keep != Keep.BEHIND);
         }));
@@ -235,12 +271,7 @@ public final class ClipTool implements Tool {
     @Override
     public Words hint() {
         Words how = ENTRY.description();
-        Words kept =
-                switch (keep) {
-                    case BEHIND -> KEEPS_BEHIND;
-                    case IN_FRONT -> KEEPS_FRONT;
-                    case BOTH -> KEEPS_BOTH;
-                };
+        Words kept = keep == Keep.BOTH ? KEEPS_BOTH : keep == Keep.BEHIND ? KEEPS_BEHIND : KEEPS_FRONT;
         return Words.of(
                 how.english() + "; " + kept.english(),
                 how.brazilian() + "; " + kept.brazilian(),

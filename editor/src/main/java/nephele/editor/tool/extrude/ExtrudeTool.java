@@ -1,16 +1,21 @@
 package nephele.editor.tool.extrude;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
+import nephele.editor.document.Notes;
+import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
+import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.pick.Picker;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -18,8 +23,12 @@ import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 
 /**
  * Moves the face under the pointer along its normal, with those in its plane that are selected or belong to selected
@@ -39,13 +48,40 @@ public final class ExtrudeTool implements Tool {
 
     private static final Words EXTRUDE = Words.of("Extrude face", "Extrudar face", "Extrudir face");
 
+    private static final double EDGE_ON = 1e-3;
+    private static final double SAME_PLANE_METRES = 1e-6;
+    private static final double SAME_NORMAL = 1e-9;
+
+    /**
+     * A face of a brush that the pointer can take.
+     *
+     * @param index in the order of {@code brush.faces()}
+     * @param grabbed the place on the face at which the pointer takes it
+     */
+    private record FaceGrip(Brush brush, int index, Vec3 grabbed) {
+        FaceRef ref() {
+            return new FaceRef(new EntityRef(Picker.SOLIDS, brush.solidId()), face().name());
+        }
+
+        BrushFace face() {
+            return brush.faces().get(index);
+        }
+
+        /** Returns the distance along the normal, metres, between where two pointers point. */
+        Optional<Double> between(Pointer from, Pointer to) {
+            Vec3 normal = face().plane().normal();
+            return from.alongLine(grabbed, normal)
+                    .flatMap(begin -> to.alongLine(grabbed, normal).map(end -> end - begin));
+        }
+    }
+
     private final ToolContext context;
-    private FaceUnderPointer hovered;
+    private FaceGrip hovered;
     /** The face of the drag in progress; {@code null} without one. */
-    private FaceUnderPointer taken;
+    private FaceGrip taken;
 
     /** The faces that the drag moves, the taken one first. */
-    private List<MovedFace> moving = List.of();
+    private List<FaceGrip> moving = List.of();
 
     private Pointer start;
 
@@ -55,7 +91,96 @@ public final class ExtrudeTool implements Tool {
 
     @Override
     public void moved(Pointer pointer) {
-        hovered = FaceUnderPointer.of(context, pointer).orElse(null);
+        hovered = under(pointer).orElse(null);
+    }
+
+    /**
+     * Returns the face that an extrusion begins at. In a plan it is a side of the nearest brush, since the face in front
+     * can move only along the direction of sight.
+     */
+    private Optional<FaceGrip> under(Pointer pointer) {
+        Optional<Pick> solid = context.picker().along(pointer.ray()).stream()
+                .filter(pick -> pick.entity().section().equals(Picker.SOLIDS))
+                .findFirst();
+        Optional<Brush> brush = solid.flatMap(pick -> context.shapes().brushes().stream()
+                .filter(candidate -> candidate.solidId().equals(pick.entity().id()))
+                .findFirst());
+        if (brush.isEmpty()) {
+            return Optional.empty();
+        }
+        return pointer.isPlan() ? side(brush.get(), pointer) : named(brush.get(), solid.get());
+    }
+
+    private static Optional<FaceGrip> named(Brush brush, Pick pick) {
+        for (int i = 0; i < brush.faces().size(); i++) {
+            if (brush.faces().get(i).name().equals(pick.face())) {
+                return Optional.of(new FaceGrip(brush, i, pick.point()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Returns the face nearest in the picture among those that the plan sees edge on. */
+    private static Optional<FaceGrip> side(Brush brush, Pointer pointer) {
+        Vec3 forward = pointer.camera().forward();
+        FaceGrip nearest = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < brush.faces().size(); i++) {
+            BrushFace face = brush.faces().get(i);
+            double pixels = pixels(face, pointer);
+            if (Math.abs(face.plane().normal().dot(forward)) < EDGE_ON && pixels < least) {
+                least = pixels;
+                nearest = new FaceGrip(brush, i, face.polygon().get(0));
+            }
+        }
+        return Optional.ofNullable(nearest);
+    }
+
+    private static double pixels(BrushFace face, Pointer pointer) {
+        List<Vec3> ring = face.polygon();
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < ring.size(); i++) {
+            least = Math.min(least, pointer.pixelsTo(ring.get(i), ring.get((i + 1) % ring.size())));
+        }
+        return least;
+    }
+
+    /** Returns a face, and if it is selected those that are selected in its plane. */
+    private List<FaceGrip> withSelectedInPlane(FaceGrip face) {
+        List<FaceGrip> faces = new ArrayList<>();
+        faces.add(face);
+        if (isSelected(face.ref())) {
+            for (Brush brush : context.shapes().brushes()) {
+                if (brush != face.brush() && isFree(brush)) {
+                    addSelected(faces, brush, face);
+                }
+            }
+        }
+        return List.copyOf(faces);
+    }
+
+    private void addSelected(List<FaceGrip> faces, Brush brush, FaceGrip first) {
+        for (int i = 0; i < brush.faces().size(); i++) {
+            FaceGrip other = new FaceGrip(brush, i, first.grabbed());
+            if (isSame(other.face().plane(), first.face().plane()) && isSelected(other.ref())) {
+                faces.add(other);
+            }
+        }
+    }
+
+    private boolean isSelected(FaceRef face) {
+        Selection selection = context.document().selection();
+        return selection.faces().contains(face) || selection.contains(face.solid());
+    }
+
+    private boolean isFree(Brush brush) {
+        EntityRef solid = new EntityRef(Picker.SOLIDS, brush.solidId());
+        return !Notes.free(context.document().level(), List.of(solid)).isEmpty();
+    }
+
+    private static boolean isSame(Plane a, Plane b) {
+        return a.normal().dot(b.normal()) > 1 - SAME_NORMAL
+                && Math.abs(a.distance() - b.distance()) < SAME_PLANE_METRES;
     }
 
     @Override
@@ -71,7 +196,7 @@ public final class ExtrudeTool implements Tool {
             return;
         }
         taken = hovered;
-        moving = taken == null ? List.of() : MovedFace.with(context, taken);
+        moving = taken == null ? List.of() : withSelectedInPlane(taken);
         start = pointer;
     }
 
@@ -91,7 +216,7 @@ public final class ExtrudeTool implements Tool {
         }
         context.document().drag(before -> {
             BrushEdit<Level> edit = BrushEdit.done(before.level());
-            for (MovedFace face : moving) {
+            for (FaceGrip face : moving) {
                 edit = edit.flatMap(level -> moved(level, face, metres, isNew));
             }
             context.status(edit.refusal().map(why -> why.words()).orElse(Words.NONE));
@@ -99,9 +224,9 @@ public final class ExtrudeTool implements Tool {
         });
     }
 
-    private BrushEdit<Level> moved(Level level, MovedFace face, double metres, boolean isNew) {
+    private BrushEdit<Level> moved(Level level, FaceGrip face, double metres, boolean isNew) {
         Entities entities = context.document().entities();
-        Optional<Solid> found = entities.find(level, face.solid()).map(Solid.class::cast);
+        Optional<Solid> found = entities.find(level, face.ref().solid()).map(Solid.class::cast);
         if (found.isEmpty()) {
             return BrushEdit.done(level);
         }
@@ -110,11 +235,12 @@ public final class ExtrudeTool implements Tool {
                         found.get(),
                         face.index(),
                         metres,
-                        entities.freshId(level, Picker.SOLIDS, face.solid().id()))
+                        entities.freshId(level, Picker.SOLIDS, face.brush().solidId()))
                 : FaceExtrude.extruded(found.get(), face.index(), metres).map(List::of);
         return edit.map(solids -> new Snapshot(level, Selection.NONE)
                 .replaced(Map.of(
-                        face.solid(), solids.stream().map(Record.class::cast).toList()))
+                        face.ref().solid(),
+                        solids.stream().map(Record.class::cast).toList()))
                 .level());
     }
 
@@ -139,9 +265,9 @@ public final class ExtrudeTool implements Tool {
         if (taken != null || hovered == null) {
             return List.of();
         }
-        return MovedFace.with(context, hovered).stream()
-                .map(face ->
-                        (Mark) new Mark.Polygon(face.polygon(), MarkColour.HOVERED, Mark.Visibility.HIDDEN_BY_SURFACES))
+        return withSelectedInPlane(hovered).stream()
+                .map(face -> (Mark)
+                        new Mark.Polygon(face.face().polygon(), MarkColour.HOVERED, Mark.Visibility.HIDDEN_BY_SURFACES))
                 .toList();
     }
 

@@ -2,11 +2,15 @@ package nephele.editor.tool.measure;
 
 import java.util.List;
 import java.util.Locale;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.Mark.Visibility;
-import nephele.editor.mark.MarkColour;
+import java.util.Optional;
+import java.util.Set;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.Mark.Visibility;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.text.Words;
+import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
@@ -40,7 +44,7 @@ public final class MeasureTool implements Tool {
 
     @Override
     public void moved(Pointer pointer) {
-        hovered = MeasuredPoint.under(context, pointer).orElse(null);
+        hovered = under(pointer).orElse(null);
     }
 
     @Override
@@ -106,5 +110,11 @@ public final class MeasureTool implements Tool {
     @Override
     public Words hint() {
         return from == null ? ENTRY.description() : Words.same(text());
+    }
+
+    /** Returns the vertex that is near the pointer in the picture, or else a point of the grid; empty over nothing. */
+    private Optional<Vec3> under(Pointer pointer) {
+        return Snap.vertex(context, pointer, Set.of()).or(() -> PointedPlace.under(context, pointer)
+                .map(place -> place.snapped(context).point()));
     }
 }

@@ -2,17 +2,18 @@ package nephele.editor.tool.paint;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.mark.MarkOutline;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
+import nephele.editor.pane.MarkOutline;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
@@ -25,6 +26,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TexturePlacement;
+import nephele.engine.level.appearance.SolidFaces;
 
 /**
  * Paints the faces that a click or a drag touches with the material of the options. Shift paints whole solids; Control
@@ -150,13 +152,13 @@ public final class PaintTool implements Tool {
     private Solid changed(Solid solid, FaceRef face, Pointer pointer) {
         String material = context.options().material();
         if (pointer.isHeld(Modifier.SHIFT)) {
-            return FacePaint.whole(solid, material);
+            return whole(solid, material);
         }
         Optional<TexturePlacement> continued =
                 pointer.isHeld(Modifier.CONTROL) ? continued(face, material) : Optional.empty();
         return continued
-                .map(placement -> FacePaint.face(solid, face.face(), material, placement))
-                .orElseGet(() -> FacePaint.face(solid, face.face(), material));
+                .map(placement -> withFace(solid, face.face(), material, placement))
+                .orElseGet(() -> withFace(solid, face.face(), material));
     }
 
     /** Returns the placement that continues the picture of the last face; empty if there is none. */
@@ -215,5 +217,58 @@ public final class PaintTool implements Tool {
     @Override
     public Words hint() {
         return ENTRY.description();
+    }
+
+    /** Returns the solid with a face of the material, {@code null} for grey; the same object if it has it already. */
+    public static Solid withFace(Solid solid, String face, String material) {
+        Solid.Face said = SolidFaces.said(solid, face);
+        String now = said.material() == null ? solid.material() : said.material();
+        return Objects.equals(now, material) ? solid : with(solid, face, material, said.texture());
+    }
+
+    /** Returns the solid with a face of the material and another placement of its picture. */
+    private static Solid withFace(Solid solid, String face, String material, TexturePlacement texture) {
+        TexturePlacement placement = TexturePlacement.NONE.equals(texture) ? null : texture;
+        boolean isSame = Objects.equals(SolidFaces.said(solid, face).texture(), placement);
+        return isSame ? withFace(solid, face, material) : with(solid, face, material, placement);
+    }
+
+    private static Solid with(Solid solid, String face, String material, TexturePlacement texture) {
+        boolean isInherited = Objects.equals(solid.material(), material);
+        // A face cannot say that it is grey: the solid becomes grey and its other faces say what they were.
+        Solid base = material == null && !isInherited ? greyed(solid) : solid;
+        return SolidFaces.with(
+                base,
+                face,
+                new Solid.Face(
+                        isInherited ? null : material,
+                        SolidFaces.said(solid, face).portalable(),
+                        texture));
+    }
+
+    private static Solid greyed(Solid solid) {
+        Solid grey = withMaterial(solid, null);
+        for (String name : SolidFaces.names(solid)) {
+            Solid.Face said = SolidFaces.said(solid, name);
+            String material = said.material() == null ? solid.material() : said.material();
+            grey = SolidFaces.with(grey, name, new Solid.Face(material, said.portalable(), said.texture()));
+        }
+        return grey;
+    }
+
+    /** Returns the solid with all of its faces of the material; the same object if they are. */
+    private static Solid whole(Solid solid, String material) {
+        Solid painted = withMaterial(solid, material);
+        for (String name : SolidFaces.names(solid)) {
+            Solid.Face said = SolidFaces.said(solid, name);
+            if (said.material() != null) {
+                painted = SolidFaces.with(painted, name, new Solid.Face(null, said.portalable(), said.texture()));
+            }
+        }
+        return painted.equals(solid) ? solid : painted;
+    }
+
+    private static Solid withMaterial(Solid solid, String material) {
+        return solid.with(solid.id(), material, solid.portalable(), solid.textureMapping());
     }
 }

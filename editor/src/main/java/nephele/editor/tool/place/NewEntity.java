@@ -15,12 +15,18 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
+import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.ToolOptions;
+import nephele.engine.level.Body;
+import nephele.engine.level.Camera;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Spatial;
 import nephele.engine.math.Vec3;
 
 /**
@@ -29,13 +35,17 @@ import nephele.engine.math.Vec3;
  * @param section path of its section
  */
 record NewEntity(String section, Record entity) {
+    /** The distance of a lamp or camera from the surface, so that the surface does not hide it. */
+    private static final double SYMBOL_METRES = 0.3;
+    /** The height of a cloud's base over the floor that is pointed at: on the floor it would be fog in a room. */
+    private static final double CLOUD_BASE_METRES = 60;
 
     /** Makes the entity that the options name; empty if there is no such kind. */
     static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
         String section = options.section();
         return kind(entities.structure(), options).map(kind -> {
             String id = entities.freshId(level, section, wish(entities.structure(), options, kind));
-            double off = Standoff.metres(made(kind, id, at.point(), options, level), at.normal());
+            double off = standoffMetres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
                     made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
             return new NewEntity(section, record instanceof PortalSpec portal ? on(at, portal) : record);
@@ -121,5 +131,36 @@ record NewEntity(String section, Record entity) {
         Level added = Completion.of(before.level(), (Level) entities.added(base, section, entity));
         Level level = Completion.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
+    }
+
+    /** Returns the distance of an entity's place from the surface on which it stands, along the unit normal. */
+    private static double standoffMetres(Record entity, Vec3 normal) {
+        double upright = Math.abs(normal.y());
+        if (entity instanceof Light || entity instanceof Camera) {
+            return SYMBOL_METRES;
+        } else if (entity instanceof Body.Sphere sphere) {
+            return sphere.radiusMetres();
+        } else if (entity instanceof Body.Capsule capsule) {
+            return capsule.radiusMetres() + upright * (capsule.heightMetres() / 2 - capsule.radiusMetres());
+        } else if (entity instanceof Solid.Prism prism) {
+            double level = Math.sqrt(Math.max(0, 1 - upright * upright));
+            return level * prism.radiusMetres() + upright * prism.heightMetres() / 2;
+        }
+        Vec3 size = extent(entity);
+        if (entity instanceof Cloud && normal.y() > 0.5) {
+            return CLOUD_BASE_METRES + size.y() / 2;
+        }
+        return (Math.abs(normal.x()) * size.x() + upright * size.y() + Math.abs(normal.z()) * size.z()) / 2;
+    }
+
+    private static Vec3 extent(Record entity) {
+        Vec3[] found = {Vec3.ZERO};
+        RecordWalk.map(entity, (field, value) -> {
+            if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
+                found[0] = size;
+            }
+            return value;
+        });
+        return found[0];
     }
 }

@@ -2,12 +2,12 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
+import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
-import nephele.editor.mark.MarkOutline;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.term.EntityWords;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
+import nephele.editor.pane.MarkOutline;
+import nephele.editor.text.EntityWords;
 import nephele.editor.text.Words;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.Pointer;

@@ -4,10 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.PlacedLevelCache;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
+import nephele.editor.pane.MarkOutline;
+import nephele.editor.proving.HeatText;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
@@ -16,11 +19,26 @@ import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
+import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
+import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.portal.placement.ShotAids;
+import nephele.engine.portal.placement.ShotRay;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.SimSettings;
 
 /**
  * Opens pairs of portals where the game's gun would: the first click gives one, the second its partner; both are one
@@ -46,28 +64,48 @@ public final class PortalTool implements Tool {
             "O primeiro portal já não cabe: volta a colocá-lo");
     private static final String SECTION = "portals";
 
+    /** Slide up to which a portal is where it was aimed. */
+    private static final double AIMED_METRES = 1e-6;
+
+    private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+
+    /** Beyond every level, and every plan's eye. */
+    private static final double FARTHEST_METRES = 1e8;
+
+    /** The aids of a game with the usual assists. */
+    private static final ShotAids AIDS = new SimSettings(SimSettings.DEFAULT.ticksPerSecond(), Assist.USUAL).shotAids();
+
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
     private final ToolContext context;
-    private final SightShots shots;
+    private final PlacedLevelCache placedLevel;
+
+    /** The level whose surfaces are prepared; they are prepared anew only when the shapes differ. */
+    private Level preparedOf;
+
+    private StaticShapes shapes;
+    private PlacementSurfaces surfaces;
+
     /** The portal of the first click; not in the level before it has a partner. */
     private Portal first;
     /** The portal that a drag moves; {@code null} without one. */
     private PortalSpec moving;
-    /** {@code null} before the pointer is over the pane. */
-    private PortalAim aim;
+    /** The result of a shot at the pointer; {@code null} before it is over the pane. */
+    private PlacementResult aim;
 
     public PortalTool(ToolContext context) {
         this.context = context;
-        shots = new SightShots(context);
+        placedLevel = new PlacedLevelCache(context.background());
     }
 
     @Override
     public void moved(Pointer pointer) {
-        aim = new PortalAim(shots.shot("new", gun(), pointer, open("")));
+        aim = shot("new", gun(), pointer, open(""));
     }
 
     private PortalGun gun() {
-        PortalGun said = context.document().level().portalGun();
-        return said == null ? SightShots.DEFAULT_GUN : said;
+        PortalGun gun = context.document().level().portalGun();
+        return gun == null ? DEFAULT_GUN : gun;
     }
 
     /** Returns the portals that are open, but for one that moves. */
@@ -116,9 +154,9 @@ public final class PortalTool implements Tool {
             return;
         }
         PortalGun own = new PortalGun(moving.widthMetres(), moving.heightMetres(), moving.shape(), 1, false);
-        aim = new PortalAim(shots.shot(moving.id(), own, pointer, open(moving.id())));
-        context.status(aim.words());
-        if (aim.result() instanceof PlacementResult.Fits fits) {
+        aim = shot(moving.id(), own, pointer, open(moving.id()));
+        context.status(aimWords());
+        if (aim instanceof PlacementResult.Fits fits) {
             PortalSpec there = spec(fits.portal(), moving.id(), moving.linkedTo());
             Entities entities = context.document().entities();
             context.document()
@@ -141,14 +179,14 @@ public final class PortalTool implements Tool {
 
     private void click() {
         if (first != null
-                && !shots.holds(
+                && !holds(
                         first,
                         gun(),
                         open("").stream().filter(portal -> portal != first).toList())) {
             first = null;
             context.status(GONE);
-        } else if (!(aim.result() instanceof PlacementResult.Fits fits)) {
-            context.status(aim.words());
+        } else if (!(aim instanceof PlacementResult.Fits fits)) {
+            context.status(aimWords());
         } else if (first == null) {
             first = fits.portal();
         } else {
@@ -180,6 +218,64 @@ public final class PortalTool implements Tool {
                 portal.aperture().shape());
     }
 
+    /**
+     * Returns the result of a shot along the ray of sight, as the game makes it with the usual assists, without a range.
+     *
+     * @param others portals that stay open
+     */
+    private PlacementResult shot(String id, PortalGun gun, Pointer pointer, List<Portal> others) {
+        Ray ray = pointer.ray();
+        Vec3 eye = new Vec3(ray.originX(), ray.originY(), ray.originZ());
+        Vec3 sight = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
+        Vec3 up = pointer.isPlan() ? pointer.camera().up() : UP;
+        // The difference to a far origin would lose digits of the direction.
+        Basis view = Basis.lookAt(Vec3.ZERO, sight, up, Basis.WORLD);
+        return placement(gun).place(id, new ShotRay(eye, view), others, MovingSurfaces.NONE);
+    }
+
+    /** Returns true if a portal still fits where it is. */
+    private boolean holds(Portal portal, PortalGun gun, List<Portal> others) {
+        return placement(gun).holds(portal, others);
+    }
+
+    private Placement placement(PortalGun authored) {
+        Gun gun = Gun.of(authored);
+        return new Placement(surfaces(), new Gun(gun.aperture(), FARTHEST_METRES, gun.slideMetres(), gun.toFloor()))
+                .with(AIDS);
+    }
+
+    private PlacementSurfaces surfaces() {
+        Level level = context.document().level();
+        if (level != preparedOf) {
+            StaticShapes next = shapes(level);
+            preparedOf = level;
+            if (shapes == null || !shapes.equals(next)) {
+                shapes = next;
+                surfaces = PlacementSurfaces.of(next);
+            }
+        }
+        return surfaces;
+    }
+
+    private StaticShapes shapes(Level level) {
+        try {
+            return context.assets()
+                    .map(assets -> placedLevel.of(level, assets).statics())
+                    .orElseGet(() -> solids(level));
+        } catch (AssetException | IllegalArgumentException unusable) {
+            // A level with a model or solid that cannot be used counts without models.
+            placedLevel.forget();
+            return solids(level);
+        }
+    }
+
+    private StaticShapes solids(Level level) {
+        Set<String> mirrors = MirrorFaces.materials(level.materials());
+        return StaticShapes.of(context.shapes().brushes().stream()
+                .map(brush -> brush.refusingPortalsOn(mirrors))
+                .toList());
+    }
+
     @Override
     public void cancel() {
         context.document().cancelDrag();
@@ -192,16 +288,41 @@ public final class PortalTool implements Tool {
     public List<Mark> marks() {
         List<Mark> marks = new ArrayList<>();
         if (first != null) {
-            marks.addAll(PortalAim.outline(first, MarkColour.PREVIEW));
+            marks.addAll(outline(first, MarkColour.PREVIEW));
         }
         if (aim != null) {
-            marks.addAll(aim.marks());
+            marks.addAll(aimMarks());
         }
         return marks;
     }
 
+    private List<Mark> aimMarks() {
+        return aim instanceof PlacementResult.Fits fits
+                ? outline(fits.portal(), isSliding(fits) ? MarkColour.SLIDES : MarkColour.ALLOWED)
+                : List.of(new Mark.Handle(((PlacementResult.Refused) aim).where(), MarkColour.REFUSED));
+    }
+
+    /** Returns the border of a portal, with a line in the direction in which it faces. */
+    private static List<Mark> outline(Portal portal, MarkColour colour) {
+        List<Mark> marks = new ArrayList<>(MarkOutline.polygon(portal.corners(), colour, Mark.Visibility.ALWAYS));
+        marks.add(new Mark.Line(portal.centre(), portal.world(0, 0, 0.3), colour, Mark.Visibility.ALWAYS));
+        return marks;
+    }
+
+    private Words aimWords() {
+        if (aim instanceof PlacementResult.Fits fits) {
+            return (isSliding(fits) ? HeatText.SLIDES : HeatText.FITS).words(fits.slideMetres());
+        }
+        PlacementResult.Refused refused = (PlacementResult.Refused) aim;
+        return HeatText.of(refused.reason()).words(refused.unevenMetres());
+    }
+
+    private static boolean isSliding(PlacementResult.Fits fits) {
+        return fits.slideMetres() > AIMED_METRES;
+    }
+
     @Override
     public Words hint() {
-        return aim == null ? ENTRY.description() : aim.words();
+        return aim == null ? ENTRY.description() : aimWords();
     }
 }

@@ -5,22 +5,22 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
+import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
-import nephele.editor.mark.Mark;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.pick.Pick;
-import nephele.editor.pick.Picker.Containment;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
 import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.EditorNotes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -100,18 +100,17 @@ public final class SelectTool implements Tool {
                             before.level(),
                             Notes.unlocked(before.level(), before.selection().entities()),
                             snapped,
-                            context.options().textureLock())));
+                            context.options().isTextureLocked())));
         });
     }
 
     private Optional<Vec3> inPlane(Pointer pointer) {
-        return PointerDrag.onPlane(pointer, grabbed, PointerDrag.planeNormal(start))
-                .map(at -> at.minus(grabbed));
+        return pointer.onPlane(grabbed, start.dragPlaneNormal()).map(at -> at.minus(grabbed));
     }
 
     private Optional<Vec3> vertical(Pointer pointer) {
         Vec3 up = new Vec3(0, 1, 0);
-        return PointerDrag.alongLine(pointer, grabbed, up).map(up::scaled);
+        return pointer.alongLine(grabbed, up).map(up::scaled);
     }
 
     @Override
@@ -163,40 +162,40 @@ public final class SelectTool implements Tool {
     }
 
     private void selectRectangle(Pointer pointer) {
-        Containment containment = pointer.isHeld(Modifier.ALT) ? Containment.INSIDE : Containment.TOUCHING;
-        List<EntityRef> found = new ArrayList<>(pointer.isPlan() ? inPlan(pointer, containment) : inView(pointer));
+        Picker picker = context.picker();
+        boolean onlyInside = pointer.isHeld(Modifier.ALT);
+        List<EntityRef> found = new ArrayList<>(
+                !pointer.isPlan()
+                        ? inView(pointer)
+                        : onlyInside ? picker.inside(region(pointer)) : picker.touching(region(pointer)));
         // Ground and clouds are behind everything: a rectangle means them only if it is around them.
-        List<EntityRef> inside = pointer.isPlan() ? inPlan(pointer, Containment.INSIDE) : List.of();
+        List<EntityRef> inside = pointer.isPlan() ? picker.inside(region(pointer)) : List.of();
         found.removeIf(ref -> BACKDROPS.contains(ref.section()) && !inside.contains(ref));
         apply(grouped(found), pointer);
     }
 
-    private List<EntityRef> inPlan(Pointer pointer, Containment containment) {
+    /** Returns the rectangle of a plan, as deep as the world. */
+    private Aabb region(Pointer pointer) {
         Vec3 a = at(start);
         Vec3 b = at(pointer);
         Vec3 along = pointer.camera().forward();
         Vec3 far = new Vec3(Math.abs(along.x()), Math.abs(along.y()), Math.abs(along.z())).scaled(1e8);
         Aabb box = Aabb.of(List.of(a, b));
-        Aabb deep = Aabb.of(List.of(
+        return Aabb.of(List.of(
                 new Vec3(box.minX(), box.minY(), box.minZ()).minus(far),
                 new Vec3(box.maxX(), box.maxY(), box.maxZ()).plus(far)));
-        return context.picker().in(deep, containment);
     }
 
     /** Returns what appears in the rectangle of a perspective view, by the middle of its bounds. */
     private List<EntityRef> inView(Pointer pointer) {
         Aabb everywhere = new Aabb(-1e8, -1e8, -1e8, 1e8, 1e8, 1e8);
-        List<EntityRef> found = new ArrayList<>(context.picker().in(everywhere, Containment.TOUCHING));
+        List<EntityRef> found = new ArrayList<>(context.picker().touching(everywhere));
         found.removeIf(ref -> !appears(ref, pointer));
         return found;
     }
 
     private boolean appears(EntityRef ref, Pointer pointer) {
-        Aabb box = context.document()
-                .entities()
-                .find(context.document().level(), ref)
-                .map(EntityBounds::of)
-                .orElse(Aabb.EMPTY);
+        Aabb box = EntityBounds.of(context.document().level(), ref);
         return pointer.camera()
                 .project(box.centre(), pointer.size())
                 .filter(p -> p.x() >= Math.min(start.x(), pointer.x())
@@ -223,11 +222,28 @@ public final class SelectTool implements Tool {
         if (start == null || !isDragging || grabbed != null) {
             return List.of();
         }
-        return SelectionRectangle.marks(start, now);
+        return rectangle(start, now);
     }
 
     @Override
     public Words hint() {
         return ENTRY.description();
+    }
+
+    /** Returns the rectangle between two places of the pointer, as lines just before the camera. */
+    private static List<Mark> rectangle(Pointer a, Pointer b) {
+        Vec3 first = at(b, a.x(), a.y());
+        Vec3 second = at(b, b.x(), a.y());
+        Vec3 third = at(b, b.x(), b.y());
+        Vec3 fourth = at(b, a.x(), b.y());
+        return List.of(line(first, second), line(second, third), line(third, fourth), line(fourth, first));
+    }
+
+    private static Vec3 at(Pointer pointer, double x, double y) {
+        return pointer.camera().ray(x, y, pointer.size()).at(pointer.isPlan() ? 2e7 : 1);
+    }
+
+    private static Mark line(Vec3 from, Vec3 to) {
+        return new Mark.Line(from, to, MarkColour.PREVIEW, Mark.Visibility.ALWAYS);
     }
 }

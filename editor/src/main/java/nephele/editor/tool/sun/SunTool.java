@@ -1,8 +1,8 @@
 package nephele.editor.tool.sun;
 
 import java.util.List;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Tool;

@@ -1,8 +1,11 @@
 package nephele.editor.tool.terrain;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.mark.Mark;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.Mark.Visibility;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
@@ -20,6 +23,7 @@ import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Terrain;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /** Paints heights or layers with a round brush: a drag is one stroke. */
@@ -34,6 +38,9 @@ public final class TerrainTool implements Tool {
             "T",
             "terrain",
             TerrainTool::new);
+    private static final int RING_CORNERS = 64;
+    /** Height of the outline above the ground, so that the ground does not hide it. */
+    private static final double LIFT_PER_RADIUS = 0.01;
 
     private final ToolContext context;
     private final TerrainPainting painting;
@@ -47,8 +54,8 @@ public final class TerrainTool implements Tool {
 
     public TerrainTool(ToolContext context) {
         this.context = context;
-        sight = new TerrainSight(context.aside());
-        painting = new TerrainPainting(context.document(), context.maps(), context.aside());
+        sight = new TerrainSight(context.background());
+        painting = new TerrainPainting(context.document(), context.maps(), context.background());
         brush = context.options().terrainBrush();
     }
 
@@ -132,10 +139,10 @@ public final class TerrainTool implements Tool {
             return List.of();
         }
         double radius = context.options().terrainBrush().radiusMetres();
-        return BrushRing.around(hovered.point().x(), hovered.point().z(), radius, this::y);
+        return ring(hovered.point().x(), hovered.point().z(), radius);
     }
 
-    /** Returns the world y of the heights that are shown. */
+    /** Returns the world y of the visible ground; NaN beside the terrain. */
     private double y(double x, double z) {
         double y = HeightFieldSurface.y(hovered.field(), x, z);
         return Double.isNaN(y) ? y : painting.y(x, z).orElse(y);
@@ -161,9 +168,31 @@ public final class TerrainTool implements Tool {
                         - hovered.terrain().centre().y()));
     }
 
-    private static Words title(TerrainBrush shown, Terrain said) {
+    private static Words title(TerrainBrush shown, Terrain terrain) {
         return shown.effect() == Effect.PAINT
-                ? TerrainText.PAINT.with(LayerChoice.name(said, shown.layer()))
+                ? TerrainText.PAINT.with(LayerChoice.name(terrain, shown.layer()))
                 : shown.effect().title();
+    }
+
+    /** Returns the outline and the middle of a brush on the ground; parts beside the terrain are left out. */
+    private List<Mark> ring(double x, double z, double radius) {
+        List<Mark> marks = new ArrayList<>();
+        Vec3 previous = corner(x, z, radius, 0);
+        for (int i = 1; i <= RING_CORNERS; i++) {
+            Vec3 next = corner(x, z, radius, i);
+            if (!Double.isNaN(previous.y() + next.y())) {
+                marks.add(new Mark.Line(previous, next, MarkColour.PREVIEW, Visibility.ALWAYS));
+            }
+            previous = next;
+        }
+        marks.add(new Mark.Handle(new Vec3(x, y(x, z), z), MarkColour.PREVIEW));
+        return marks;
+    }
+
+    private Vec3 corner(double middleX, double middleZ, double radius, int number) {
+        double angle = 2 * Math.PI * number / RING_CORNERS;
+        double x = middleX + radius * Math.cos(angle);
+        double z = middleZ + radius * Math.sin(angle);
+        return new Vec3(x, y(x, z) + LIFT_PER_RADIUS * radius, z);
     }
 }

@@ -4,20 +4,26 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import nephele.editor.document.EntityBounds;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.pick.EntityBounds;
-import nephele.editor.record.EntityRef;
+import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.ScreenDistance;
+import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.Snap;
+import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
+import nephele.editor.tool.WorldAxis;
 import nephele.editor.tool.select.SelectTool;
+import nephele.editor.tool.transform.Gizmo.Grip;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 
 /** Changes the selection by the grips of a gizmo; elsewhere the pointer selects as with the select tool. */
 public final class TransformTool implements Tool {
@@ -54,6 +60,9 @@ public final class TransformTool implements Tool {
             "scale",
             context -> new TransformTool(context, Gizmo.SCALE));
 
+    private static final double TURN_DEGREES = 15;
+    private static final double FINE_TURN_DEGREES = 5;
+
     private final ToolContext context;
     private final Gizmo gizmo;
     private final Tool select;
@@ -61,8 +70,10 @@ public final class TransformTool implements Tool {
     private Pointer last;
 
     private String hovered = "";
-    /** The drag of a grip; {@code null} without one. */
-    private GripDrag drag;
+    /** The grip that a drag holds; {@code null} without one. */
+    private Grip taken;
+
+    private Pointer start;
 
     private TransformTool(ToolContext context, Gizmo gizmo) {
         this.context = context;
@@ -87,7 +98,8 @@ public final class TransformTool implements Tool {
         moved(pointer);
         Optional<Grip> grip = under(pointer);
         if (grip.isPresent()) {
-            drag = new GripDrag(context, grip.get().constraint(), pointer);
+            taken = grip.get();
+            start = pointer;
         } else {
             select.pressed(pointer);
         }
@@ -95,7 +107,7 @@ public final class TransformTool implements Tool {
 
     private Optional<Grip> under(Pointer pointer) {
         return grips(pointer).stream()
-                .filter(grip -> grip.pixelsFrom(pointer) < ScreenDistance.REACH_PIXELS)
+                .filter(grip -> grip.pixelsFrom(pointer) < Pointer.REACH_PIXELS)
                 .min(Comparator.comparingDouble(grip -> grip.pixelsFrom(pointer)));
     }
 
@@ -106,33 +118,25 @@ public final class TransformTool implements Tool {
         }
         double metresPerPixel = pointer.camera().metresPerPixel(bounds.centre(), pointer.size());
         List<Grip> grips = new ArrayList<>(gizmo.grips(bounds, metresPerPixel));
-        grips.removeIf(grip ->
-                pointer.isPlan() && !grip.constraint().isUsable(pointer.camera().forward()));
+        grips.removeIf(
+                grip -> pointer.isPlan() && !grip.isUsable(pointer.camera().forward()));
         return grips;
     }
 
     private Aabb bounds() {
         Snapshot now = context.document().now();
-        Aabb bounds = Aabb.EMPTY;
-        for (EntityRef ref : Notes.unlocked(now.level(), now.selection().entities())) {
-            bounds = context.document()
-                    .entities()
-                    .find(now.level(), ref)
-                    .map(EntityBounds::of)
-                    .orElse(Aabb.EMPTY)
-                    .union(bounds);
-        }
-        return bounds;
+        return EntityBounds.of(
+                now.level(), Notes.unlocked(now.level(), now.selection().entities()));
     }
 
     @Override
     public void dragged(Pointer pointer) {
         last = pointer;
-        if (drag == null) {
+        if (taken == null) {
             select.dragged(pointer);
             return;
         }
-        drag.change(pointer).ifPresent(change -> context.document()
+        change(pointer).ifPresent(change -> context.document()
                 .drag(before -> before.with((Level) context.document()
                         .entities()
                         .changed(
@@ -144,11 +148,11 @@ public final class TransformTool implements Tool {
 
     @Override
     public void released(Pointer pointer) {
-        if (drag == null) {
+        if (taken == null) {
             select.released(pointer);
         } else {
             context.document().commitDrag(entry().title());
-            drag = null;
+            taken = null;
         }
     }
 
@@ -156,7 +160,7 @@ public final class TransformTool implements Tool {
     public void cancel() {
         select.cancel();
         context.document().cancelDrag();
-        drag = null;
+        taken = null;
     }
 
     @Override
@@ -173,6 +177,81 @@ public final class TransformTool implements Tool {
     @Override
     public Words hint() {
         return entry().description();
+    }
+
+    /** Returns the change of each entity by the taken grip; empty where the pointer has no meaning, as over the horizon. */
+    private Optional<UnaryOperator<Record>> change(Pointer now) {
+        return switch (taken.change()) {
+            case MOVE_ALONG -> along(now).map(metres -> moved(taken.direction().scaled(metres)));
+            case MOVE_IN_PLANE -> inPlane(now).map(TransformTool::moved);
+            case TURN -> degrees(now).map(this::turned);
+            case SCALE_AXIS -> factor(now).map(this::scaledAlong);
+            case SCALE_ALL -> factor(now).map(f -> scaled(new Vec3(f, f, f)));
+        };
+    }
+
+    private SnappedMove move() {
+        return new SnappedMove(context, taken.origin());
+    }
+
+    private Optional<Double> along(Pointer now) {
+        return between(now).map(metres -> move().length(now, taken.direction(), metres));
+    }
+
+    /** Returns the movement along the direction, in lengths of it. */
+    private Optional<Double> between(Pointer now) {
+        Optional<Double> from = start.alongLine(taken.origin(), taken.direction());
+        return from.flatMap(
+                begin -> now.alongLine(taken.origin(), taken.direction()).map(end -> end - begin));
+    }
+
+    private Optional<Vec3> inPlane(Pointer now) {
+        Vec3 normal = taken.direction();
+        WorldAxis axis = WorldAxis.nearest(normal);
+        return start.onPlane(taken.origin(), normal).flatMap(from -> now.onPlane(taken.origin(), normal)
+                .map(to -> axis.with(move().offset(now, to.minus(from)), 0)));
+    }
+
+    private Optional<Double> degrees(Pointer now) {
+        Vec3 axis = taken.direction();
+        double step = now.isHeld(Modifier.SHIFT) ? FINE_TURN_DEGREES : TURN_DEGREES;
+        return start.onPlane(taken.origin(), axis)
+                .flatMap(from -> now.onPlane(taken.origin(), axis).map(to -> step * Math.rint(angle(from, to) / step)));
+    }
+
+    private double angle(Vec3 from, Vec3 to) {
+        Vec3 a = from.minus(taken.origin());
+        Vec3 b = to.minus(taken.origin());
+        return Math.toDegrees(Math.atan2(a.cross(b).dot(taken.direction()), a.dot(b)));
+    }
+
+    /** Returns how many times as long the longest side becomes: it snaps, and stays at least a step. */
+    private Optional<Double> factor(Pointer now) {
+        Vec3 sides = taken.direction();
+        double size = Math.abs(WorldAxis.nearest(sides).of(sides));
+        double least = Math.min(context.grid().stepMetres(), size);
+        return between(now).map(by -> by == 0 ? 1 : Math.max(least, Snap.length(context, size * (1 + by))) / size);
+    }
+
+    private UnaryOperator<Record> scaledAlong(double factor) {
+        WorldAxis axis = WorldAxis.nearest(taken.direction());
+        return scaled(axis.with(new Vec3(1, 1, 1), factor));
+    }
+
+    private UnaryOperator<Record> scaled(Vec3 factors) {
+        return factors.equals(new Vec3(1, 1, 1))
+                ? UnaryOperator.identity()
+                : entity -> EntityTransform.scaled(entity, taken.origin(), factors);
+    }
+
+    private UnaryOperator<Record> turned(double degrees) {
+        return degrees == 0
+                ? UnaryOperator.identity()
+                : entity -> EntityTransform.turned(entity, taken.origin(), taken.direction(), degrees);
+    }
+
+    private static UnaryOperator<Record> moved(Vec3 by) {
+        return by.equals(Vec3.ZERO) ? UnaryOperator.identity() : entity -> EntityTransform.moved(entity, by);
     }
 
     private ToolEntry entry() {

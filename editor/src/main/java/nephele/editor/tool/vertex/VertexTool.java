@@ -12,14 +12,12 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.VertexEdit;
 import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
-import nephele.editor.mark.Mark;
-import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
-import nephele.editor.tool.ScreenDistance;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -70,7 +68,7 @@ public final class VertexTool implements Tool {
 
     private Optional<VertexGrip> under(Pointer pointer) {
         return grips().stream()
-                .filter(grip -> ScreenDistance.toPoint(pointer, grip.at()) < ScreenDistance.REACH_PIXELS)
+                .filter(grip -> pointer.reaches(grip.at()))
                 .min(Comparator.comparingDouble(grip -> depthMetres(grip, pointer)));
     }
 
@@ -142,10 +140,9 @@ public final class VertexTool implements Tool {
         Vec3 at = taken.at();
         if (pointer.isHeld(Modifier.ALT) && !pointer.isPlan()) {
             Vec3 up = new Vec3(0, 1, 0);
-            return PointerDrag.alongLine(pointer, at, up).map(metres -> up.scaled(Snap.length(context, metres)));
+            return pointer.alongLine(at, up).map(metres -> up.scaled(Snap.length(context, metres)));
         }
-        return PointerDrag.onPlane(pointer, at, PointerDrag.planeNormal(start))
-                .map(to -> Snap.offset(context, to.minus(at)));
+        return pointer.onPlane(at, start.dragPlaneNormal()).map(to -> Snap.offset(context, to.minus(at)));
     }
 
     private void show(Vec3 offset) {
@@ -191,9 +188,9 @@ public final class VertexTool implements Tool {
         return moving;
     }
 
-    private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<VertexEdit.Edited> edit) {
-        return edit.map(edited ->
-                (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) edited.solid()));
+    private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<Solid> edit) {
+        return edit.map(
+                solid -> (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) solid));
     }
 
     @Override
@@ -245,5 +242,40 @@ public final class VertexTool implements Tool {
     @Override
     public Words hint() {
         return ENTRY.description();
+    }
+
+    /**
+     * A vertex of a solid, or an edge by its middle.
+     *
+     * @param vertices the vertex, or both ends of the edge
+     */
+    private record VertexGrip(EntityRef solid, List<Vec3> vertices) {
+        private static final double SAME_METRES = 1e-6;
+
+        Vec3 at() {
+            return vertices.get(0).lerp(vertices.get(vertices.size() - 1), 0.5);
+        }
+
+        boolean isVertex() {
+            return vertices.size() == 1;
+        }
+
+        /** Returns true if another grip of the solid is where this one is after a movement, but for rounding. */
+        boolean isAt(VertexGrip other, Vec3 by) {
+            boolean isSame = solid.equals(other.solid) && vertices.size() == other.vertices.size();
+            for (int i = 0; isSame && i < vertices.size(); i++) {
+                isSame = isIn(vertices.get(i).plus(by), other.vertices);
+            }
+            return isSame;
+        }
+
+        /** Returns true for a grip of any solid at the same place, but for rounding. */
+        boolean isBeside(VertexGrip other) {
+            return at().minus(other.at()).length() < SAME_METRES;
+        }
+
+        private static boolean isIn(Vec3 vertex, List<Vec3> others) {
+            return others.stream().anyMatch(other -> other.minus(vertex).length() < SAME_METRES);
+        }
     }
 }

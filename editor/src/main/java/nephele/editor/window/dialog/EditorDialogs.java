@@ -13,10 +13,10 @@ import nephele.editor.action.ActionCall;
 import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.action.Desk;
-import nephele.editor.command.EditorCommand;
+import nephele.editor.action.EditorCommand;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSetting;
+import nephele.editor.session.EditorSetting;
 import nephele.editor.text.Words;
 import nephele.editor.window.EditorPanel;
 

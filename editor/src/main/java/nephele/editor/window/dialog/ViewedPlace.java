@@ -1,11 +1,11 @@
 package nephele.editor.window.dialog;
 
 import java.util.List;
+import nephele.editor.document.Pick;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pick.Pick;
 import nephele.editor.session.EditorSession;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;

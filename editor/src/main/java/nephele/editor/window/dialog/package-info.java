@@ -1,2 +1,2 @@
-/** The dialogues: search lists, forms that ask for the values of actions, and the choice of an asset. */
+/** The dialogues: search lists, forms that ask for the values of actions, the choice of an asset, explained pixels. */
 package nephele.editor.window.dialog;

@@ -16,8 +16,8 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSetting.Theme;
+import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 

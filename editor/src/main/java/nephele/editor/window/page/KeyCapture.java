@@ -5,7 +5,7 @@ import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JLabel;
-import nephele.editor.command.KeyText;
+import nephele.editor.action.KeyText;
 
 /** A line that waits for one key. Tab and Enter are keys like all others for it; Esc gives up. */
 final class KeyCapture extends JLabel {

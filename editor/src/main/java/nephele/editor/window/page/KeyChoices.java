@@ -4,11 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorKeys;
-import nephele.editor.command.KeyText;
-import nephele.editor.settings.EditorSetting;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.action.KeyText;
+import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSettings;
 
 /** The keys that a user has chosen instead of the defaults, as the settings keep them. */
 public final class KeyChoices {

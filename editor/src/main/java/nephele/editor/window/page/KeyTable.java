@@ -3,10 +3,10 @@ package nephele.editor.window.page;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.table.AbstractTableModel;
-import nephele.editor.command.EditorCommand;
-import nephele.editor.command.EditorKeys;
-import nephele.editor.command.EditorKeys.KeyConflict;
-import nephele.editor.command.KeyText;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorKeys;
+import nephele.editor.action.EditorKeys.KeyConflict;
+import nephele.editor.action.KeyText;
 import nephele.editor.window.dialog.Searches;
 import nephele.engine.level.Language;
 

@@ -8,7 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
-import nephele.editor.command.EditorCommand;
+import nephele.editor.action.EditorCommand;
 import nephele.editor.session.EditorSession;
 import net.miginfocom.swing.MigLayout;
 

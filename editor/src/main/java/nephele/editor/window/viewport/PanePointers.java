@@ -6,17 +6,15 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import nephele.editor.document.Pick;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
-import nephele.editor.pick.Pick;
 import nephele.editor.session.EditorSession;
-import nephele.editor.surface.SurfaceSize;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
-import nephele.editor.tool.PointerDrag;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
@@ -100,9 +98,9 @@ final class PanePointers {
         if (pointer.kind() != PaneKind.PERSPECTIVE) {
             Ray ray = pointer.ray();
             Vec3 centre = session.panes().activeView().plan().centre();
-            return PointerDrag.onPlane(pointer, centre, new Vec3(ray.directionX(), ray.directionY(), ray.directionZ()));
+            return pointer.onPlane(centre, new Vec3(ray.directionX(), ray.directionY(), ray.directionZ()));
         }
-        return surface(pointer).or(() -> PointerDrag.onPlane(pointer, Vec3.ZERO, new Vec3(0, 1, 0)));
+        return surface(pointer).or(() -> pointer.onPlane(Vec3.ZERO, new Vec3(0, 1, 0)));
     }
 
     private Optional<Vec3> surface(Pointer pointer) {

@@ -22,7 +22,6 @@ import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.PlanNavigation;
 import nephele.editor.session.EditorSession;
-import nephele.editor.surface.SurfaceSize;
 import nephele.editor.tool.Pointer;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;

@@ -16,7 +16,6 @@ import javax.swing.JPanel;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionListener.Change;
-import nephele.editor.surface.ViewportSurface;
 import nephele.editor.tool.Pointer;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;

@@ -1,2 +1,2 @@
-/** The viewport as a Swing component: input, navigation, and the frame that the session makes. */
+/** The viewport as a Swing component: its surface with a drawing thread, input, navigation, and the session's frame. */
 package nephele.editor.window.viewport;

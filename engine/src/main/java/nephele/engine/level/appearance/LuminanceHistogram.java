@@ -1,6 +1,7 @@
 package nephele.engine.level.appearance;
 
 import java.util.stream.IntStream;
+import nephele.engine.math.Vec3;
 
 /**
  * Histogram of a picture's luminance, from which its exposure is metered. The picture is divided into {@value #COLUMNS} ×
@@ -33,7 +34,12 @@ public final class LuminanceHistogram {
     /** Share of the cells up to the brightest ones, which are left out: the sun's disc, lamps, glints. */
     public static final double HIGH_SHARE = 0.97;
 
-    private static final float LARGEST_HALF = 65504;
+    /** The largest half float: radiance is bounded by it, since a light may be so near that half floats overflow. */
+    public static final float LARGEST_HALF = 65504;
+
+    /** Luminance of red, green and blue (ITU-R BT.709). */
+    private static final Vec3 LUMINANCE = new Vec3(0.2126, 0.7152, 0.0722);
+
     private static final double LOG_2 = Math.log(2);
 
     private final int[] counts = new int[BINS];
@@ -78,11 +84,11 @@ public final class LuminanceHistogram {
         return (2 * sample + 1) * pixels / (2 * samples);
     }
 
-    /** Returns the luminance of what a linear picture of half floats holds (ITU-R BT.709). */
+    /** Returns the luminance of what a linear picture of half floats holds. */
     private static double luminance(float[] rgb, int at) {
-        double sum = 0.2126 * rgb[at] + 0.7152 * rgb[at + 1] + 0.0722 * rgb[at + 2];
+        double sum = LUMINANCE.x() * rgb[at] + LUMINANCE.y() * rgb[at + 1] + LUMINANCE.z() * rgb[at + 2];
         return Double.isFinite(sum)
-                ? 0.2126 * held(rgb[at]) + 0.7152 * held(rgb[at + 1]) + 0.0722 * held(rgb[at + 2])
+                ? LUMINANCE.x() * held(rgb[at]) + LUMINANCE.y() * held(rgb[at + 1]) + LUMINANCE.z() * held(rgb[at + 2])
                 : sum;
     }
 

@@ -20,6 +20,18 @@ public record SunAndMoon(Environment environment, Vec3 towardsSun, Moonlight moo
                 Moonlight.of((Atmosphere) environment.sky(), environment.sun()));
     }
 
+    /** Returns true if surfaces of an environment are seen through air: under an atmosphere with a sun. */
+    public static boolean lightAir(Environment environment) {
+        return environment.sky() instanceof Atmosphere && environment.sun() != null;
+    }
+
+    /** Returns true if the moon lights the air of an environment, at once or, while its sky moves, at some time. */
+    public static boolean moonLightsAir(Environment environment) {
+        return lightAir(environment)
+                && (Daylight.moves(environment)
+                        || of(Daylight.at(environment, 0)).moonlight.shines());
+    }
+
     /** Returns true if an environment has the same sky and sun objects. */
     public boolean areOf(Environment other) {
         return other.sky() == environment.sky() && other.sun() == environment.sun();

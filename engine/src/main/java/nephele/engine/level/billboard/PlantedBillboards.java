@@ -16,6 +16,15 @@ import nephele.engine.math.Vec3;
  * @param groups in the order of the level
  */
 public record PlantedBillboards(List<Group> groups) {
+    /** How round a billboard is lit: a corner faces so far to the side and above. */
+    public static final double BULGE = 0.75;
+
+    /** Part of the light that leaves let through. */
+    public static final double THROUGH = 0.4;
+
+    /** Part of the sun's light that leaves which lie behind others receive on the mean. */
+    public static final double BETWEEN_LEAVES = 0.75;
+
     private static final int SIZE = 0;
     private static final int PHASE = 1;
     private static final int TURN = 2;

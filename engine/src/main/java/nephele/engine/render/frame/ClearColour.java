@@ -3,6 +3,7 @@ package nephele.engine.render.frame;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.LuminanceHistogram;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
@@ -10,8 +11,6 @@ import org.joml.Vector3dc;
 
 /** The colour behind everything, computed once on the CPU: a constant sky and fog without end need no pass. */
 public record ClearColour(float red, float green, float blue) {
-    private static final double LARGEST_HALF = 65504;
-
     public static ClearColour of(Environment environment, Output output) {
         return of(environment, output, new Vector3d(1));
     }
@@ -43,7 +42,7 @@ public record ClearColour(float red, float green, float blue) {
     private static float value(double radiance, Environment environment, Output output) {
         return switch (output) {
             case PLAIN -> (float) radiance;
-            case HDR -> (float) Math.min(radiance, LARGEST_HALF);
+            case HDR -> (float) Math.min(radiance, LuminanceHistogram.LARGEST_HALF);
             case DIRECT -> (float) ToneMapping.displayValue(radiance, exposure(environment), environment.toneCurve());
         };
     }

@@ -5,6 +5,7 @@ import java.util.Map;
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.ShaftLight;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.scene.ViewTree;
 
 /** The preprocessor definitions with which a pass compiles its shaders. */
@@ -21,13 +22,13 @@ public final class Defines {
                 .withIf(context.quality().samples() > 1, "MULTISAMPLED")
                 .with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
-                .withIf(MeteredExposure.isRequiredBy(context.request()), "EXPOSURE_METERED")
+                .withIf(context.request().metersExposure(), "EXPOSURE_METERED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(
                         FogTransmittance.of(environment).isPresent() && !FogTransmittance.hidesSky(environment),
                         "FOG_LAYER")
-                .withIf(AerialPerspective.isIn(environment), "AIR")
-                .withIf(AerialPerspective.isMoonlit(environment), "MOONLIT_AIR")
+                .withIf(SunAndMoon.lightAir(environment), "AIR")
+                .withIf(SunAndMoon.moonLightsAir(environment), "MOONLIT_AIR")
                 .withIf(ShaftLight.isIn(environment), "SHAFTS")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");

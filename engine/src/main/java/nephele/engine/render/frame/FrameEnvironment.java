@@ -22,7 +22,7 @@ public final class FrameEnvironment {
         }
     }
 
-    /** Returns the factor on radiance before the tone curve; 1 for auto, see {@link MeteredExposure}. */
+    /** Returns the factor on radiance before the tone curve; 1 for auto, which is metered. */
     public double exposure() {
         return exposure;
     }

@@ -1,5 +1,6 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.WeatherClouds;
@@ -57,7 +58,12 @@ public record FrameRequest(
                 || !WeatherClouds.all(level.environment()).isEmpty()
                 || sky instanceof Sky.Gradient
                 || sky instanceof Sky.Skybox
-                || AerialPerspective.isIn(level.environment());
+                || SunAndMoon.lightAir(level.environment());
+    }
+
+    /** Returns true if exposure is metered: for auto, from linear light. */
+    public boolean metersExposure() {
+        return output == Output.HDR && level.environment().exposureStops().isAuto();
     }
 
     public boolean mayShowCharacter() {

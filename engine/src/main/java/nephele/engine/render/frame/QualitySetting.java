@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 /**
  * Declares a setting: its values, those that the presets have, and what it trades. It stands on a component of
  * {@link Quality} or of the settings of a picture, whose name and type are the setting's. The presets, {@code --set} and
- * its help, the subject of the speed and accuracy report and docs/quality.md follow from it.
+ * its help, and the subject of the speed and accuracy report follow from it.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)

@@ -1,8 +1,10 @@
 package nephele.engine.render.frame;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import nephele.engine.render.gl.Texture;
 
 /** The targets that a pass reads; the same value declares and binds them. */
 public record TargetReads(List<Target> targets) {
@@ -24,11 +26,15 @@ public record TargetReads(List<Target> targets) {
         return Set.copyOf(targets);
     }
 
-    /** Binds the published textures, each to its unit. */
-    public void bind(SharedResources shared) {
+    /** Binds the textures of these targets, each to its unit. */
+    public void bind(Map<Target, Texture> written) {
         for (int i = 0; i < targets.size(); i++) {
             Target target = targets.get(i);
-            shared.texture(target).bind(target.unit());
+            Texture texture = written.get(target);
+            if (texture == null) {
+                throw new IllegalStateException(target + " is read, but no pass has written it");
+            }
+            texture.bind(target.unit());
         }
     }
 }

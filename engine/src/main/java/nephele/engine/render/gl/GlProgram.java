@@ -1,5 +1,6 @@
 package nephele.engine.render.gl;
 
+import java.util.Map;
 import java.util.function.Function;
 import nephele.engine.render.gl.shader.LinkedPrograms;
 import nephele.engine.render.gl.shader.ShaderSource;
@@ -27,6 +28,20 @@ public final class GlProgram<U> {
         this.gl = gl;
         id = gl.programs().linked(vertex, fragment);
         this.uniforms = uniforms.apply(new Uniforms(id, LinkedPrograms.name(vertex, fragment)));
+    }
+
+    /**
+     * Links the program or takes the linked one, with a record of its uniforms as {@link Uniforms} describes.
+     *
+     * @param vertex path of the resource; {@code fragment} likewise
+     */
+    public static <U extends Record> GlProgram<U> of(
+            GlContext gl, String vertex, String fragment, Map<String, String> defines, Class<U> uniforms) {
+        return new GlProgram<>(
+                gl,
+                ShaderSource.load(vertex, defines),
+                ShaderSource.load(fragment, defines),
+                found -> found.record(uniforms));
     }
 
     public U uniforms() {

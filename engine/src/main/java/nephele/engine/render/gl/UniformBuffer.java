@@ -3,6 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 import nephele.engine.render.gl.shader.GlException;
+import nephele.engine.render.gl.shader.UniformBlock;
 
 /** The storage of a uniform block, std140; the caller provides floats in multiples of four. */
 public final class UniformBuffer implements GlObject {
@@ -25,8 +26,8 @@ public final class UniformBuffer implements GlObject {
         glBufferSubData(GL_UNIFORM_BUFFER, 0, values);
     }
 
-    public void bind(int bindingPoint) {
-        glBindBufferBase(GL_UNIFORM_BUFFER, bindingPoint, handle.id());
+    public void bind(UniformBlock block) {
+        glBindBufferBase(GL_UNIFORM_BUFFER, block.binding(), handle.id());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.SharedResource;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinWorkerThread;
@@ -8,6 +9,9 @@ import nephele.engine.render.gl.GlObject;
 
 /** Threads of one renderer that compute tables beside its frames, on all processors but one. They end with it. */
 public final class BackgroundWork implements GlObject {
+    public static final SharedResource<BackgroundWork> RESOURCE =
+            SharedResource.of("background work", context -> context.own(new BackgroundWork()));
+
     private final ForkJoinPool threads = new ForkJoinPool(
             Math.max(1, Runtime.getRuntime().availableProcessors() - 1),
             pool -> {

@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Quality.SpriteCoverage;
+import nephele.engine.scene.Scene;
+import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -69,6 +72,28 @@ public final class BillboardQuads implements GlObject {
         }
         texels = BufferTexture.ofFloats(gl, "billboards", values);
         cluster(images);
+    }
+
+    /** Shares the level's billboards of a kind. */
+    public static BillboardQuads of(LoadContext context, BillboardSource.Kind kind) {
+        Scene scene = context.scene();
+        BillboardSource source = BillboardSource.of(
+                scene.level(),
+                scene.statics(),
+                scene.assets(),
+                kind,
+                context.get(SurfaceLight.RESOURCE).anchor(),
+                context.output().pictures(),
+                context.quality().spriteCoverage() == SpriteCoverage.KEPT);
+        return context.share(
+                BillboardQuads.class,
+                source,
+                () -> new BillboardQuads(
+                        context.gl(),
+                        PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()),
+                        scene.statics(),
+                        scene.assets(),
+                        source));
     }
 
     private List<Image> images(List<PlantedBillboards.Group> drawn) {

@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.scene.Scene;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.nio.FloatBuffer;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
@@ -23,6 +26,9 @@ import org.lwjgl.BufferUtils;
  * {@code dynamic-position.glsl} and {@code dynamic-instance.glsl}.
  */
 public final class DynamicMeshes implements GlObject {
+    public static final SharedResource<DynamicMeshes> RESOURCE =
+            SharedResource.of("dynamic objects", DynamicMeshes::of);
+
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
 
     private final DynamicObjects dynamicObjects;
@@ -32,7 +38,7 @@ public final class DynamicMeshes implements GlObject {
     private FloatBuffer staging = BufferUtils.createFloatBuffer(1 << 10);
     private long version;
 
-    public DynamicMeshes(GlContext gl, DynamicObjects dynamicObjects, Vec3 anchor, SkyProbes sky) {
+    private DynamicMeshes(GlContext gl, DynamicObjects dynamicObjects, Vec3 anchor, SkyProbes sky) {
         this.dynamicObjects = dynamicObjects;
         copies = new DynamicInstances(dynamicObjects, anchor, sky);
         mesh = new GpuMesh(
@@ -42,6 +48,14 @@ public final class DynamicMeshes implements GlObject {
                 dynamicObjects.mesh().vertices(),
                 dynamicObjects.mesh().indices());
         instances = BufferTexture.changing(gl, "dynamic instances");
+    }
+
+    private static DynamicMeshes of(LoadContext context) {
+        Scene scene = context.scene();
+        DynamicObjects all = DynamicObjects.of(
+                scene.level(), scene.materials(), context.request().character());
+        Vec3 anchor = context.get(SurfaceLight.RESOURCE).anchor();
+        return context.own(new DynamicMeshes(context.gl(), all, anchor, context.get(SurfaceLight.SKY_PROBES)));
     }
 
     public DynamicObjects dynamicObjects() {

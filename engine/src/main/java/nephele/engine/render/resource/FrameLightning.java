@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.level.Environment;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.nio.FloatBuffer;
 import nephele.engine.level.Environment.Lightning;
 import nephele.engine.lightning.Bolt;
@@ -14,6 +17,10 @@ import org.lwjgl.system.MemoryUtil;
 
 /** The lightning of a level at the time of the frame, with the points of its bolt on the GPU. */
 public final class FrameLightning implements GlObject {
+    public static final SharedResource<FrameLightning> RESOURCE =
+            SharedResource.of("lightning", FrameLightning::of)
+                    .following((lightning, frame) -> lightning.follow(frame.frameState()));
+
     /** Place on the main channel from which surfaces are lit as if all light came from there. */
     private static final double MIDDLE = 0.4;
 
@@ -25,13 +32,18 @@ public final class FrameLightning implements GlObject {
     private final FloatBuffer staging = MemoryUtil.memAllocFloat(Bolt.STRIDE * Bolt.MOST_POINTS);
     private long uploaded = Long.MIN_VALUE;
 
-    public FrameLightning(GlContext gl, Lightning description) {
+    private FrameLightning(GlContext gl, Lightning description) {
         lightning = new LevelLightning(description);
         points = BufferTexture.changing(gl, "points of a bolt");
     }
 
+    private static FrameLightning of(LoadContext context) {
+        Environment environment = context.scene().level().environment();
+        return environment.hasLightning() ? context.own(new FrameLightning(context.gl(), environment.lightning())) : null;
+    }
+
     /** Takes the time of a frame. */
-    public void follow(FrameState frameState) {
+    private void follow(FrameState frameState) {
         lightning.at(frameState.seconds(), frameState.flashStyle());
         if (lightning.isLit() && lightning.strike() != uploaded) {
             upload();

@@ -6,14 +6,13 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.light.LightGrid;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
 
 /** The uniform block {@code Light} of {@code light.glsl}: the light of a level. */
 public final class LightBlock implements GlObject {
-    public static final int BINDING = 4;
-
     private static final int SUN = 0;
     private static final int AMBIENT = 8;
     private static final int SUN_MAP = 12;
@@ -98,7 +97,7 @@ public final class LightBlock implements GlObject {
     }
 
     public void bind() {
-        buffer.bind(BINDING);
+        buffer.bind(UniformBlock.LIGHT);
     }
 
     @Override

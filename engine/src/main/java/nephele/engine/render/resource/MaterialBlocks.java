@@ -6,13 +6,12 @@ import nephele.engine.level.Material;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidGeometry;
 
 /** The parameters of the materials in uniform blocks, in the layout of {@code materials.glsl}. */
 public final class MaterialBlocks implements GlObject {
-    public static final int BINDING = 1;
-
     private static final int FLOATS_PER_MATERIAL = 16;
 
     private final List<UniformBuffer> blocks = new ArrayList<>();
@@ -48,7 +47,7 @@ public final class MaterialBlocks implements GlObject {
     }
 
     public void bind(int block) {
-        blocks.get(block).bind(BINDING);
+        blocks.get(block).bind(UniformBlock.MATERIALS);
     }
 
     @Override

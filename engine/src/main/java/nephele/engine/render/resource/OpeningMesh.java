@@ -1,5 +1,6 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.SharedResource;
 import java.util.Arrays;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
@@ -22,6 +23,9 @@ import nephele.engine.scene.ViewTree;
  * interpolation of depth from before the near plane to the far end of an opening would be lost to rounding.
  */
 public final class OpeningMesh implements GlObject {
+    public static final SharedResource<OpeningMesh> RESOURCE =
+            SharedResource.of("openings", context -> context.own(new OpeningMesh(context.gl())));
+
     private static final int FLOATS_PER_VERTEX = 7;
 
     private final PolygonStream stream;

@@ -1,5 +1,6 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.gl.OwnedObjects;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;

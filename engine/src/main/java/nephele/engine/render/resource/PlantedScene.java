@@ -1,5 +1,6 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.placed.PlacedModel;
@@ -57,6 +58,18 @@ public final class PlantedScene implements GlObject {
             clusters.add(cluster(first, at));
         }
         texels = BufferTexture.ofFloats(gl, "plants", values);
+    }
+
+    /** Shares the level's models that are drawn as impostors. */
+    public static PlantedScene of(LoadContext context) {
+        PlantSource source = PlantSource.of(
+                context.scene(),
+                context.get(SurfaceLight.RESOURCE).anchor(),
+                context.output().pictures(),
+                context.output().decoding(),
+                context.quality().impostorPixels());
+        return context.share(
+                PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
     }
 
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */

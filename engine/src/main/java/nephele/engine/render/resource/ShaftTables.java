@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.level.appearance.ShaftLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +21,11 @@ import org.lwjgl.system.MemoryUtil;
  * it. A view without a table, as one of which only the sky is drawn, has no shafts.
  */
 public final class ShaftTables implements GlObject {
+    public static final SharedResource<ShaftTables> RESOURCE =
+            SharedResource.of("shafts", ShaftTables::of)
+                    .following((tables, frame) -> tables.used = 0)
+                    .inViews(ShaftTables::setView);
+
     /** Pixels of a view along each side of one of its table. */
     public static final int DIVISOR = 8;
 
@@ -27,6 +35,7 @@ public final class ShaftTables implements GlObject {
     private final GlContext gl;
     private final Texture none;
     private final List<Table> tables = new ArrayList<>();
+    /** Tables of views of this frame; the others are free. */
     private int used;
 
     private static final class Table {
@@ -40,7 +49,7 @@ public final class ShaftTables implements GlObject {
         }
     }
 
-    public ShaftTables(GlContext gl) {
+    private ShaftTables(GlContext gl) {
         this.gl = gl;
         none = layers("no shafts", 1, 1);
         ByteBuffer zeros = MemoryUtil.memCalloc(4 * Float.BYTES);
@@ -55,9 +64,9 @@ public final class ShaftTables implements GlObject {
         return new Texture(gl, name, Texture.Shape.ARRAY, PixelFormat.RGBA16F, extent, Sampling.LINEAR_CLAMP);
     }
 
-    /** Begins a frame: no view has a table. */
-    public void begin() {
-        used = 0;
+    /** Returns {@code null} if no cloud shades the air. */
+    private static ShaftTables of(LoadContext context) {
+        return ShaftLight.isIn(context.scene().level().environment()) ? context.own(new ShaftTables(context.gl())) : null;
     }
 
     /** Binds the table of a view for the following draws. */

@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
@@ -19,6 +22,9 @@ import nephele.engine.scene.VisibleSet;
  * map or, for models, smooth normal and sky visibility.
  */
 public final class SolidMesh implements GlObject {
+    public static final SharedResource<SolidMesh> RESOURCE =
+            SharedResource.of("solids", SolidMesh::of);
+
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
     private static final VertexFormat LIGHT_MAPPED =
             VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X2);
@@ -38,6 +44,11 @@ public final class SolidMesh implements GlObject {
         models = mesh(gl, "models", OF_MODELS, geometry.models());
         int mostRanges = geometry.slotCount();
         geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
+    }
+
+    private static SolidMesh of(LoadContext context) {
+        SolidGeometry solids = context.scene().solids();
+        return context.share(SolidMesh.class, new Same(solids), () -> new SolidMesh(context.gl(), solids));
     }
 
     /** Returns {@code null} for no triangles. */

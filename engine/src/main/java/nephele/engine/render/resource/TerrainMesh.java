@@ -1,5 +1,9 @@
 package nephele.engine.render.resource;
 
+import java.util.List;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -26,6 +30,9 @@ import org.lwjgl.system.MemoryUtil;
  * the column and row within the chunk. {@code terrain-position.glsl} places a vertex.
  */
 public final class TerrainMesh implements GlObject {
+    public static final SharedResource<List<TerrainMesh>> RESOURCE =
+            SharedResource.of("terrains", TerrainMesh::of);
+
     /** Cells along a side of a chunk. */
     public static final int CHUNK_CELLS = 64;
 
@@ -64,6 +71,16 @@ public final class TerrainMesh implements GlObject {
                 VertexFormat.of(Attribute.UINT16X2),
                 corners(cellsX, cellsZ),
                 cells(cellsX, cellsZ));
+    }
+
+    /** Returns the level's terrains, in its order. */
+    private static List<TerrainMesh> of(LoadContext context) {
+        return context.scene().statics().ground().stream()
+                .map(grid -> context.share(
+                        TerrainMesh.class,
+                        new Same(grid.field()),
+                        () -> new TerrainMesh(context.gl(), grid.field())))
+                .toList();
     }
 
     /** Copies what an earlier mesh has on the GPU, and uploads what differs. */

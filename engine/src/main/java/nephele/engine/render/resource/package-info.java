@@ -1,5 +1,5 @@
 /**
- * Buffers and meshes on the GPU that several passes draw or read: static geometry, dynamic objects, openings,
- * materials, lights and the view's uniform block.
+ * Objects that several passes read, each a {@link nephele.engine.render.frame.SharedResource}: the light of a level, air,
+ * exposure and clouds, static geometry, dynamic objects, openings, billboards and plants.
  */
 package nephele.engine.render.resource;

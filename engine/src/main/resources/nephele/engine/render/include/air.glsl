@@ -6,14 +6,14 @@
 // with SHAFTS, those of each light are followed by slices of what the air scatters of it once.
 uniform sampler3D airTable;
 
-const vec3 AIR_SIZE = vec3(24.0, 65.0, 24.0); // = AerialTable.AZIMUTHS, AerialTable.ROWS, AerialTable.SLICES
-const float AIR_MIDDLE = 100000.0; // = AerialTable.MIDDLE_METRES; metres
-const float AIR_FARTHEST = 2.0 / 3.0; // = AerialTable.FARTHEST_METRES / 300000; share of the range
-const float AIR_RAYLEIGH_HEIGHT = 8000.0; // = Air.RAYLEIGH_HEIGHT_METRES; metres
-const float AIR_PLANET_RADIUS = 6360000.0; // = Air.PLANET_RADIUS_METRES; metres
+const vec3 AIR_SIZE = vec3(java(atmosphere.AerialTable.AZIMUTHS), java(atmosphere.AerialTable.ROWS), java(atmosphere.AerialTable.SLICES));
+const float AIR_MIDDLE = java(atmosphere.AerialTable.MIDDLE_METRES); // metres
+const float AIR_FARTHEST = java(atmosphere.AerialTable.FARTHEST_METRES) / 300000.0; // share of the range
+const float AIR_RAYLEIGH_HEIGHT = java(atmosphere.Air.RAYLEIGH_HEIGHT_METRES); // metres
+const float AIR_PLANET_RADIUS = java(atmosphere.Air.PLANET_RADIUS_METRES); // metres
 // Scattering by molecules at the ground at 680, 550 and 440 nm, less that at 680 nm, per metre.
 const vec3 AIR_MORE_THAN_RED = vec3(0.0, 7.756e-6, 27.298e-6);
-const float AIR_LEVEL = 10.0; // = AerialTable.LEVEL_METRES; metres of rise within which the density does not change
+const float AIR_LEVEL = java(atmosphere.AerialTable.LEVEL_METRES); // metres of rise within which the density does not change
 
 #ifdef SHAFTS
 const float AIR_BLOCKS = 4.0;

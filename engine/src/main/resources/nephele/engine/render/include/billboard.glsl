@@ -10,13 +10,13 @@ uniform samplerBuffer billboards;
 uniform samplerBuffer billboardGroups;
 uniform samplerBuffer billboardOrder; // four images in each texel, -1 for none
 
-const int SPHERICAL = 0; // = Billboards.Facing.SPHERICAL
-const int CYLINDRICAL = 1; // = Billboards.Facing.CYLINDRICAL
-const int SCREEN = 2; // = Billboards.Facing.SCREEN
-const int CROSSED = 3; // = Billboards.Facing.CROSSED
+const int SPHERICAL = java(level.Billboards.Facing.SPHERICAL);
+const int CYLINDRICAL = java(level.Billboards.Facing.CYLINDRICAL);
+const int SCREEN = java(level.Billboards.Facing.SCREEN);
+const int CROSSED = java(level.Billboards.Facing.CROSSED);
 
 const float TURN = 6.2831853;
-const float STEEP = 1e-8; // = FacingAxes.STEEP
+const float STEEP = java(level.billboard.FacingAxes.STEEP);
 
 struct Billboard {
     vec3 foot;

@@ -5,9 +5,9 @@ uniform vec4 cells; // x, y: rows of a box in a cloud's density and light; z: bo
 uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
 uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of all boxes, metres
 
-const float WIDENING = 3.0; // = CellStack.WIDENING; widths of successive boxes
+const float WIDENING = java(cloud.cells.CellStack.WIDENING); // widths of successive boxes
 const float PER_LOG2 = 0.63092975; // 1 / log2(WIDENING)
-const float FADING = 0.25; // = FocusedStack.FADING; share of a box's reach, as a logarithm, in which the next one takes over
+const float FADING = java(cloud.cells.FocusedStack.FADING); // share of a box's reach, as a logarithm, in which the next one takes over
 
 // The box that serves a place, and the share that the next wider one has already.
 vec2 boxOf(vec3 place) {

@@ -13,11 +13,11 @@ uniform vec4 diffuseAxis; // xyz: along which diffuse light flows besides along 
                           // unit irradiance of the beam
 
 const float FOUR_PI = 12.5663706;
-const float BRIGHTEST = 0.397887358; // = CloudLight.BRIGHTEST; mean diffuse radiance deep under a side that is lit at a right angle
-const float OBLIQUITY = 0.666666667; // = CloudLight.OBLIQUITY; distance from a side along its normal, divided by that along a ray, on the mean
-const float OPAQUE = 0.01; // = CellMarch.OPAQUE
-const float SEPARATIONS = 64.0; // = SmallAngleScattering.SEPARATIONS
-const float DEPTHS = 64.0; // = SmallAngleScattering.DEPTHS
+const float BRIGHTEST = java(cloud.light.CloudLight.BRIGHTEST); // mean diffuse radiance deep under a side that is lit at a right angle
+const float OBLIQUITY = java(cloud.light.CloudLight.OBLIQUITY); // distance from a side along its normal, divided by that along a ray, on the mean
+const float OPAQUE = java(cloud.cells.CellMarch.OPAQUE);
+const float SEPARATIONS = java(cloud.light.SmallAngleScattering.SEPARATIONS);
+const float DEPTHS = java(cloud.light.SmallAngleScattering.DEPTHS);
 
 struct CloudRay {
     float transmittance;

@@ -6,8 +6,8 @@ uniform vec4 cellEdges; // xyz: edges of a cell of the narrowest box; w: the sho
 uniform vec4 stepping; // cells of a step; place of the first sample in its step; the eye's height over a round planet; optical
                        // depth around the place where the view begins
 
-const float GROWTH = 0.01; // = CellMarch.GROWTH; metres of a step per metre of distance
-const float FARTHEST = 32.0; // = DensityCells.FARTHEST; distance that cloudDensity's 1 means, cells
+const float GROWTH = java(cloud.cells.CellMarch.GROWTH); // metres of a step per metre of distance
+const float FARTHEST = java(cloud.cells.DensityCells.FARTHEST); // distance that cloudDensity's 1 means, cells
 
 // The part of a ray of unit direction in the cloud's boxes.
 vec2 insideCloud(vec3 ray) {

@@ -11,8 +11,8 @@ uniform vec3 detailComing;
 uniform vec4 generations; // weights of the fading and the coming generation, of shape and of detail
 uniform float eroding;
 
-const float KNOTS = 33.0; // = HeightProfile.KNOTS
-const float WISPS_TO = 1.0 / 6.0; // = ProfiledNoise.WISPS_TO
+const float KNOTS = java(cloud.field.HeightProfile.KNOTS);
+const float WISPS_TO = java(cloud.field.ProfiledNoise.WISPS_TO);
 
 float evolved(sampler3D table, vec3 metres, vec4 fading, vec3 coming, vec2 weights) {
     float first = textureLod(table, fading.xyz + metres * fading.w, 0.0).r;

@@ -2,8 +2,8 @@
 
 uniform samplerBuffer dynamicInstances;
 
-const int INSTANCE_TEXELS = 8; // = DynamicInstances.FLOATS / 4
-const float PARTS_STRIDE = 64.0; // = DynamicMesh.PARTS_STRIDE
+const int INSTANCE_TEXELS = java(scene.dynamic.DynamicInstances.FLOATS) / 4;
+const float PARTS_STRIDE = java(scene.dynamic.DynamicMesh.PARTS_STRIDE);
 
 vec4 instanceTexel(int instance, int texel) {
     return texelFetch(dynamicInstances, INSTANCE_TEXELS * instance + texel);

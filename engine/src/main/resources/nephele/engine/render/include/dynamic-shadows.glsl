@@ -1,5 +1,5 @@
 // Shadows of dynamic objects, in addition to those of static geometry: depth maps that are drawn when an object has
-// moved. Written by render.frame.DynamicShadows. Needs shadow-filter.glsl.
+// moved. Written by render.resource.DynamicShadows. Needs shadow-filter.glsl.
 
 layout(std140) uniform DynamicShade {
     mat4 dynamicMapFromAnchor; // metres from the anchor -> texture coordinates and depth, 0 to 1

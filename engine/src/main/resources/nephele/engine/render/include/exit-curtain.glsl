@@ -1,9 +1,9 @@
 // The light of an exit along a ray. Twin: level.appearance.ExitCurtain.
 
 // SHELL_SHARE is the define ExitCurtain.SHELL_SHARE: thickness of the shell as a share of the radius.
-const float BASE = 0.66; // = ExitCurtain.BASE
-const vec3 LOW_COLOUR = vec3(1.0, 0.86, 0.58); // = ExitCurtain.LOW_COLOUR
-const vec3 HIGH_COLOUR = vec3(0.72, 0.92, 1.0); // = ExitCurtain.HIGH_COLOUR
+const float BASE = java(level.appearance.ExitCurtain.BASE);
+const vec3 LOW_COLOUR = java(level.appearance.ExitCurtain.LOW_COLOUR);
+const vec3 HIGH_COLOUR = java(level.appearance.ExitCurtain.HIGH_COLOUR);
 
 // Optical depth of the veil across a shell at a right angle, between two strands of light.
 const float VEIL = 2.8;

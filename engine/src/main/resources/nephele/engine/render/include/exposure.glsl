@@ -2,7 +2,7 @@
 #include "frame.glsl"
 
 #ifdef EXPOSURE_METERED
-// One texel, see render.frame.MeteredExposure: of the last picture in its views, of this one afterwards.
+// One texel, see render.resource.MeteredExposure: of the last picture in its views, of this one afterwards.
 uniform sampler2D exposure;
 
 float exposureFactor() {

@@ -1,11 +1,11 @@
 // The light of the portal gun's own lamps on it; twin: nephele.engine.scene.dynamic.GunLight. Positions are the gun's own.
 
-const vec3 CHAMBER = vec3(0.0, 0.058, -0.185); // = GunLight.CHAMBER
-const vec3 HOOP = vec3(0.0, 0.062, -0.345); // = GunLight.HOOP
-const vec2 HOOP_HALF = vec2(0.055, 0.075); // = GunLight.HOOP_HALF_WIDTH_METRES, GunLight.HOOP_HALF_HEIGHT_METRES
-const float LAMP_REACH = 0.03; // = GunLight.LAMP_REACH_METRES
-const float FLASH_REACH = 0.11; // = GunLight.FLASH_REACH_METRES
-const float WRAPPED = 0.35; // = GunLight.WRAPPED
+const vec3 CHAMBER = java(scene.dynamic.GunLight.CHAMBER);
+const vec3 HOOP = java(scene.dynamic.GunLight.HOOP);
+const vec2 HOOP_HALF = vec2(java(scene.dynamic.GunLight.HOOP_HALF_WIDTH_METRES), java(scene.dynamic.GunLight.HOOP_HALF_HEIGHT_METRES));
+const float LAMP_REACH = java(scene.dynamic.GunLight.LAMP_REACH_METRES);
+const float FLASH_REACH = java(scene.dynamic.GunLight.FLASH_REACH_METRES);
+const float WRAPPED = java(scene.dynamic.GunLight.WRAPPED);
 
 float lampLight(vec3 p, vec3 n, vec3 lamp, float reach) {
     vec3 towards = lamp - p;

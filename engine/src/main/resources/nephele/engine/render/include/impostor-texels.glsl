@@ -1,6 +1,6 @@
 // The colour, normal and depth of a plant from three views of its atlas; for a fragment shader.
 
-const float VIEWS = 8.0; // = ImpostorAtlas.SIDE
+const float VIEWS = java(scene.impostor.ImpostorAtlas.SIDE);
 // Half of the border between views: filters must not reach the next one.
 const float VIEW_EDGE = 0.016;
 

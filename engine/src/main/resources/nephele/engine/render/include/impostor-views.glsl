@@ -1,8 +1,8 @@
 // Which views of its atlas show a plant from a direction, and where; for a vertex shader. Twins:
 // scene.impostor.HemiOctahedron, ViewBlend and AtlasView. Needs plants.glsl.
 
-const float VIEWS = 8.0; // = ImpostorAtlas.SIDE; along a side of the atlas
-const float FILLED = 0.9375; // = ImpostorAtlas.FILLED; part of a view's side
+const float VIEWS = java(scene.impostor.ImpostorAtlas.SIDE); // along a side of the atlas
+const float FILLED = java(scene.impostor.ImpostorAtlas.FILLED); // part of a view's side
 
 out vec4 places01; // in each of three views, 0 to 1
 out vec2 places2;

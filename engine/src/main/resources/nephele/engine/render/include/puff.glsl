@@ -2,9 +2,9 @@
 
 const float ROOT_2 = 1.41421356;
 const float ROOT_HALF_PI = 1.25331414;
-const float FAINTEST = 1e-4; // = CloudPuffs.Puff.FAINTEST; optical depth from which on a ball ends
+const float FAINTEST = java(cloud.drawn.CloudPuffs.Puff.FAINTEST); // optical depth from which on a ball ends
 const float MOST_DEVIATIONS = 2.5; // from the centre up to which a ball is lit
-const float CUT = 5.0; // = GaussianPuff.CUT_DEVIATIONS; deviations at which every ball ends
+const float CUT = java(cloud.field.GaussianPuff.CUT_DEVIATIONS); // deviations at which every ball ends
 
 // Abramowitz and Stegun 1964, formula 7.1.26; the error is below 1.5e-7.
 float errorFunction(float x) {

@@ -1,4 +1,4 @@
-// Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
+// Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
 // faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
@@ -62,7 +62,7 @@ const float PI = 3.14159265;
 #endif
 
 // The largest finite half float: lights may be arbitrarily near and strong, but targets must not overflow.
-const float MAX_RADIANCE = 65504.0; // = Illumination.MAX_RADIANCE
+const float MAX_RADIANCE = java(level.appearance.LuminanceHistogram.LARGEST_HALF);
 
 #ifdef METALLIC_ROUGHNESS
 #define REFLECTANCE Brdf

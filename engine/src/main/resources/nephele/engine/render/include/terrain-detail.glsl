@@ -6,12 +6,12 @@ uniform samplerBuffer terrainTiles; // two texels a tile: first column and row, 
 uniform vec4 detailView; // DetailView.forward and leastShare
 uniform vec3 detailAlong; // DetailView.along
 
-const float TILE_CELLS = 8.0; // = HeightFieldDetail.TILE_CELLS
+const float TILE_CELLS = java(math.heightfield.HeightFieldDetail.TILE_CELLS);
 // DetailRanges; a vertex has arrived shortly before the range, in spite of rounding.
-const float MORPH_START = 0.6; // = DetailRanges.MORPH_START
-const float MORPH_END = 0.95; // = DetailRanges.MORPH_END
-const float SLIDE_START = 0.99; // = DetailRanges.SLIDE_START
-const float SLIDE_END = 0.999; // = DetailVertex.SLIDE_END
+const float MORPH_START = java(math.heightfield.DetailRanges.MORPH_START);
+const float MORPH_END = java(math.heightfield.DetailRanges.MORPH_END);
+const float SLIDE_START = java(math.heightfield.DetailRanges.SLIDE_START);
+const float SLIDE_END = java(math.heightfield.DetailVertex.SLIDE_END);
 
 struct DetailVertex {
     vec2 column; // columns and rows from the terrain's first sample

@@ -80,7 +80,7 @@ uniform sampler2DArray colours;
 uniform sampler2DArray normals;
 #endif
 
-const float LEAST_COMPONENT = 0.5; // = GroundProjections.LEAST; of the normal; a projection along an axis with a smaller one is not seen
+const float LEAST_COMPONENT = java(level.terrain.GroundProjections.LEAST); // of the normal; a projection along an axis with a smaller one is not seen
 
 // Returns the picture's coordinates of a place or of a change of place; the projection is along x, from above or along z.
 vec2 projected(int axis, vec3 place, vec3 facing) {

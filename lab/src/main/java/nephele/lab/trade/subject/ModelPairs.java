@@ -9,8 +9,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.model.bound.Bound;
 import nephele.engine.model.bound.BoundedModel;
 import nephele.engine.model.bound.Pose;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 
 /** Pairs of the models of the sample {@code models}, turned at random and so far apart that their spheres nearly touch or overlap. */
 public final class ModelPairs {

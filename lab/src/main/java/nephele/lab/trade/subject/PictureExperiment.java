@@ -1,11 +1,11 @@
 package nephele.lab.trade.subject;
 
+import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import nephele.engine.draw.Outputs;
 import nephele.engine.level.Level;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.ImageError;
@@ -15,6 +15,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
+import nephele.host.draw.Outputs;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
@@ -111,7 +112,7 @@ final class PictureExperiment implements Experiment {
 
     Renderer renderer(Shot shot) {
         Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
-        return Renderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
+        return LevelRenderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
     }
 
     @Override

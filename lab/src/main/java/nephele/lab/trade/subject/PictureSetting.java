@@ -3,8 +3,8 @@ package nephele.lab.trade.subject;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.render.frame.QualityField;
+import nephele.host.draw.QualityChoice;
 import nephele.lab.trade.Setting;
 
 /** A setting that changes what is drawn or how. */

@@ -2,10 +2,10 @@ package nephele.lab.trade.subject;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
+import nephele.host.draw.QualityChoice;
 
 /**
  * The level, output and quality of a picture.

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.lang.reflect.Array;
 import java.lang.reflect.Field;
 import java.nio.charset.StandardCharsets;
@@ -28,9 +29,9 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
 
 /**
- * A constant that stands in GLSL and in Java has one value. A shader's constant names its twin behind it, {@code // =
- * Class.CONSTANT}, and is compared with it here; one without a twin stands in the list of those that only shaders have,
- * and no Java class may then have a constant of its name and value.
+ * A constant that GLSL and Java share stands once, in Java: shaders take its value by {@code java(package.Class.NAME)}.
+ * Every other constant of a shader is in the list of those that only shaders have, and no Java class has one of its name
+ * and value.
  */
 @TestInstance(Lifecycle.PER_CLASS)
 class ShaderConstantsTest {
@@ -42,7 +43,7 @@ class ShaderConstantsTest {
     private static final Pattern CONSTANT =
             Pattern.compile("(?m)^[ \\t]*const \\w+ ([A-Z][A-Z_0-9]*)(?:\\[\\w*\\])? = ([^;]*);[^\\n]*$");
     private static final Pattern DEFINED = Pattern.compile("(?m)^[ \\t]*#define ([A-Z]\\w*) +[-\\d.]");
-    private static final Pattern TWIN = Pattern.compile("// = ([A-Z][\\w.]*(?:, [A-Z][\\w.]*)*)(?: / (\\d+))?");
+    private static final String OF_JAVA = "java(";
     private static final Pattern NUMBER = Pattern.compile("(?<![\\w.])-?\\d+(?:\\.\\d*)?(?:e-?\\d+)?(?![\\w.])");
 
     /** Constants of mathematics, in single precision, and the corners of a square. */
@@ -103,20 +104,26 @@ class ShaderConstantsTest {
         }
     }
 
-    private void readShaders(Path folder) throws IOException {
+    private static List<Path> files(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
-                String text = resource(file.toString().replace('\\', '/').replaceFirst(".*/resources/", "/"));
-                assertFalse(DEFINED.matcher(text).find(), file + " defines a number; write it as a const");
-                Matcher found = CONSTANT.matcher(text);
-                Map<String, Constant> before = new HashMap<>();
-                while (found.find()) {
-                    String value = found.group();
-                    Constant constant = new Constant(
-                            file.getFileName().toString(), found.group(1), value, values(found.group(2), before));
-                    before.put(constant.name, constant);
-                    constants.add(constant);
-                }
+            return files.filter(Files::isRegularFile).sorted().toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private void readShaders(Path folder) {
+        for (Path file : files(folder)) {
+            String text = resource(file.toString().replace('\\', '/').replaceFirst(".*/resources/", "/"));
+            assertFalse(DEFINED.matcher(text).find(), file + " defines a number; write it as a const");
+            Matcher found = CONSTANT.matcher(text);
+            Map<String, Constant> before = new HashMap<>();
+            while (found.find()) {
+                String value = found.group();
+                Constant constant = new Constant(
+                        file.getFileName().toString(), found.group(1), value, values(found.group(2), before));
+                before.put(constant.name, constant);
+                constants.add(constant);
             }
         }
     }
@@ -131,9 +138,11 @@ class ShaderConstantsTest {
     }
 
     /** Returns a shader as programs find it: on the class path, which may have another one first. */
-    private static String resource(String path) throws IOException {
+    private static String resource(String path) {
         try (InputStream in = ShaderSource.class.getResourceAsStream(path)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -199,39 +208,36 @@ class ShaderConstantsTest {
         }
     }
 
+    /** Assembling fails if Java has no such constant. */
     @Test
-    void aConstantEqualsTheTwinThatItNames() {
-        int twins = 0;
-        for (Constant constant : constants) {
-            Matcher twin = TWIN.matcher(constant.text);
-            if (twin.find()) {
-                double divisor = twin.group(2) == null ? 1 : Double.parseDouble(twin.group(2));
-                List<Double> expected = Stream.of(twin.group(1).split(", "))
-                        .flatMap(name -> ofJava(name).stream())
-                        .map(value -> value / divisor)
-                        .toList();
-                assertSame(expected, constant.values, constant.place());
-                twins++;
+    void everyConstantThatShadersTakeFromJavaExists() {
+        int taken = 0;
+        for (Path folder : SHADERS) {
+            for (Path file : files(folder)) {
+                String path = file.toString().replace('\\', '/').replaceFirst(".*/resources/", "/");
+                String text = new AssembledShader(ShaderSource.load(path, Map.of())).text();
+                assertFalse(text.contains(OF_JAVA), path);
+                taken += resource(path).contains(OF_JAVA) ? 1 : 0;
             }
         }
-        assertTrue(twins > 50, twins + " twins");
+        assertTrue(taken > 20, taken + " files take constants");
     }
 
     @Test
-    void aConstantHasATwinOrOnlyShadersHaveIt() {
+    void aConstantIsTakenFromJavaOrOnlyShadersHaveIt() {
         Set<String> alone = new TreeSet<>();
         for (Constant constant : constants) {
             if (MATHEMATICS.containsKey(constant.name)) {
                 assertSame(MATHEMATICS.get(constant.name), constant.values, constant.place());
-            } else if (!TWIN.matcher(constant.text).find()) {
+            } else if (!constant.text.contains(OF_JAVA)) {
                 alone.add(constant.place());
             }
         }
         Set<String> gone = new TreeSet<>(OF_SHADERS);
         gone.removeAll(alone);
         alone.removeAll(OF_SHADERS);
-        assertEquals(Set.of(), alone, "name their twins, or that they have none");
-        assertEquals(Set.of(), gone, "are in no shader any more, or have twins");
+        assertEquals(Set.of(), alone, "take them from Java, or add them to the list");
+        assertEquals(Set.of(), gone, "are in no shader any more, or are taken from Java");
     }
 
     @Test

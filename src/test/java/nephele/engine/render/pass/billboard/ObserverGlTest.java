@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -104,7 +105,7 @@ class ObserverGlTest {
         Level level = observed(lit(), centre);
         View view = offscreen.view(Vec3.ZERO, centre);
         Scene scene = Scene.of(level, assets);
-        try (Renderer renderer = Renderer.load(offscreen.gl, scene, RenderSettings.of(Output.PLAIN))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.PLAIN))) {
             var state = FrameState.atStart(level);
             assertEquals(new ObserverSphere(centre, 0.5, false), state.observer());
             int apart = middle(renderer, view, state);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
@@ -62,7 +63,7 @@ class DynamicGlTest {
             assertTrue(covered(solid) > 200);
             assertEquals(0, unlike(solid, body));
             Level elsewhere = white().cube("white", new Vec3(50, 0, 0), 1).level();
-            try (Renderer renderer = Renderer.load(offscreen.gl, elsewhere, TestAssets.NONE, settings(Output.PLAIN))) {
+            try (Renderer renderer = LevelRenderer.load(offscreen.gl, elsewhere, TestAssets.NONE, settings(Output.PLAIN))) {
                 FrameState frameState = FrameState.atStart(elsewhere);
                 frameState.body(0, at.toVector(), new Quaterniond().rotationY(Math.PI / 2));
                 renderer.draw(view, frameState, offscreen.picture);
@@ -155,7 +156,7 @@ class DynamicGlTest {
 
     private static long triangles(Level level, RenderSettings settings) {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(0, 0, -2)), offscreen.picture);
             return renderer.triangles();
         }
@@ -169,7 +170,7 @@ class DynamicGlTest {
         Posture character = new Posture(new Vec3(0, 0.9, 0), new Vec3(0, 1, 0), 0, 0, 1.8, 0, 0, 0, 0, 0);
         RenderSettings played = settings(Output.DIRECT).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
             View within = offscreen.view(new Vec3(0, 1.65, 0), new Vec3(0, 1.65, -1));
             View before = offscreen.view(new Vec3(0, 1.65, -1), new Vec3(0, 1.65, 0));
             int[] alone = with(renderer, offscreen, within, level, null);
@@ -204,7 +205,7 @@ class DynamicGlTest {
                 .level();
         Quaterniond turn = new Quaterniond().rotationXYZ(0.4, 0.7, 0.2);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.HDR))) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.HDR))) {
             View view = View.lookAt(
                     new Vec3(0, 4, 0),
                     Vec3.ZERO,

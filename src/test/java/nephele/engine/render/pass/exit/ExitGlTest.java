@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.atmosphere.Air;
@@ -43,7 +44,7 @@ class ExitGlTest {
     private static final RenderSettings LIGHT = RenderSettings.of(Output.HDR).with(Decoration.OFF);
 
     private static float[] radiance(Offscreen offscreen, Level level, View view) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, LIGHT)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, LIGHT)) {
             renderer.draw(view, offscreen.picture);
             return renderer.readRadiance();
         }
@@ -77,7 +78,7 @@ class ExitGlTest {
     void beforeTheSkyACurtainIsSeenFromAllSides() {
         Projection endless = new Projection(Math.PI / 2, 1, 0.1, Double.POSITIVE_INFINITY);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
-                Renderer renderer = Renderer.load(offscreen.gl, level().level(), TestAssets.NONE, LIGHT)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level().level(), TestAssets.NONE, LIGHT)) {
             for (int side = 0; side < 40; side++) {
                 Vec3 aside = new Vec3(4 * Math.cos(side), 0.02 * side, 4 * Math.sin(side));
                 View view = View.lookAt(AHEAD.plus(aside), AHEAD, new Vec3(0, 1, 0), endless);

@@ -2,18 +2,20 @@ package nephele.engine.render.pass.exposure;
 
 import java.nio.ByteBuffer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.dynamic.CharacterPresence;
@@ -21,7 +23,7 @@ import org.lwjgl.BufferUtils;
 
 /** Meters any picture with the pass alone. */
 final class MeteredPicture implements AutoCloseable {
-    private final SharedResources shared;
+    private final RenderResources resources;
     private final Pass pass;
     private final FrameState state;
     private final RenderTarget picture;
@@ -31,8 +33,14 @@ final class MeteredPicture implements AutoCloseable {
         Scene scene = Scene.of(level, TestAssets.NONE);
         FrameRequest request =
                 FrameRequest.of(level, scene.statics(), Output.HDR, Quality.HIGH, CharacterPresence.NEVER);
-        shared = new SharedResources(gl, scene, request);
-        pass = ExposurePass.FEATURE.requiredBy().apply(request).get(0).build().apply(shared.loadContext());
+        OwnedObjects owned = new OwnedObjects(gl);
+        resources = new RenderResources(owned, LevelRenderer.drawn(owned, scene), request, null);
+        pass = ExposurePass.FEATURE
+                .requiredBy()
+                .apply(request)
+                .get(0)
+                .build()
+                .apply(resources.context(ExposurePass.FEATURE));
         state = FrameState.atStart(level);
         picture = RenderTarget.picture(gl, "metered", PixelFormat.RGBA16F, width, height);
     }
@@ -64,12 +72,12 @@ final class MeteredPicture implements AutoCloseable {
     }
 
     MeteredExposure exposure() {
-        return shared.exposure();
+        return resources.get(MeteredExposure.RESOURCE);
     }
 
     @Override
     public void close() {
         picture.close();
-        shared.close();
+        resources.close();
     }
 }

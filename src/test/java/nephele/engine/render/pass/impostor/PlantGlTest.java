@@ -3,9 +3,9 @@ package nephele.engine.render.pass.impostor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.IdLevel;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
@@ -20,6 +20,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -71,7 +72,7 @@ class PlantGlTest {
     }
 
     private Renderer renderer(Level level, Quality quality) {
-        return Renderer.load(
+        return LevelRenderer.load(
                 offscreen.gl, level, assets, RenderSettings.of(Output.HDR).with(quality));
     }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Environment.Lightning;
 import nephele.engine.level.Level;
@@ -52,7 +53,7 @@ class LightningGlTest {
     }
 
     private float[] radiance(Level level, View view, double seconds, RenderTarget picture) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             FrameState state = FrameState.atStart(level);
             state.seconds(seconds);
             renderer.draw(view, state, picture);

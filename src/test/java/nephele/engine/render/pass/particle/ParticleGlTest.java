@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Emitter.Kind;
@@ -58,7 +59,7 @@ class ParticleGlTest {
     }
 
     private float[] radiance(Level level, View view, double... seconds) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             FrameState state = FrameState.atStart(level);
             for (double now : seconds) {
                 state.seconds(now);
@@ -222,7 +223,7 @@ class ParticleGlTest {
         Level level = all.level();
         try (RenderTarget small = RenderTarget.picture(offscreen.gl, "small", PixelFormat.RGBA8, 4, 4);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             for (int i = 0; i < 3600; i++) {
                 double pitch = Math.PI * (i / 60 / 59.0 - 0.5);
                 double yaw = 2 * Math.PI * (i % 60) / 60;
@@ -241,12 +242,12 @@ class ParticleGlTest {
     void withoutARateThereIsNoPass() {
         Emitter nothing = new Emitter("e", Kind.SMOKE, CENTRE, new Vec3(3, 3, 3), 0);
         try (Renderer renderer =
-                Renderer.load(offscreen.gl, level(nothing).level(), TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+                LevelRenderer.load(offscreen.gl, level(nothing).level(), TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             assertFalse(
                     renderer.stepNames().contains("particle"),
                     renderer.stepNames().toString());
         }
-        try (Renderer renderer = Renderer.load(
+        try (Renderer renderer = LevelRenderer.load(
                 offscreen.gl, level(emitter(Kind.SMOKE)).level(), TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             assertTrue(
                     renderer.stepNames().contains("particle"),

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
@@ -73,7 +74,7 @@ class RimGlTest {
 
     private static int[] draw(FrameState frameState, Decoration decoration) {
         try (var offscreen = new Offscreen(WIDTH, HEIGHT);
-                var renderer = Renderer.load(
+                var renderer = LevelRenderer.load(
                         offscreen.gl,
                         wall(),
                         TestAssets.NONE,
@@ -113,7 +114,7 @@ class RimGlTest {
         for (FrameState frameState : List.of(FrameState.atStart(fogged), closed)) {
             try (var offscreen = new Offscreen(64, 36);
                     var renderer =
-                            Renderer.load(offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
+                            LevelRenderer.load(offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
                 renderer.draw(offscreen.view(new Vec3(0, 1.2, 4), new Vec3(0, 1.2, 0)), frameState, offscreen.picture);
                 for (int rgb : offscreen.pixels()) {
                     assertEquals(0x336699, rgb, "0x" + Integer.toHexString(rgb));
@@ -133,7 +134,7 @@ class RimGlTest {
         preview.previews(List.of(new PortalPreview(onFloor.get(0), 0), new PortalPreview(onFloor.get(1), 1)));
         FrameState none = FrameState.atStart(wall());
         try (var offscreen = new Offscreen(WIDTH, HEIGHT);
-                var renderer = Renderer.load(offscreen.gl, wall(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
+                var renderer = LevelRenderer.load(offscreen.gl, wall(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
             // Where the eye is in the plane of one of the faces of the lower bar.
             for (double away : new double[] {1.02, 3.48, 3.5, 3.52, 8.74}) {
                 View view = offscreen.view(new Vec3(0.3, 1.65, away), new Vec3(0.3, 1.65, 0));

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.shadow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
@@ -52,7 +53,7 @@ class DynamicSunShadowGlTest {
     /** @param views one frame each @return the number of pixels in shadow in the last one */
     private static int dark(Offscreen offscreen, Level level, View... views) {
         RenderSettings settings = RenderSettings.of(Output.HDR).with(Decoration.OFF);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             for (View view : views) {
                 renderer.draw(view, offscreen.picture);
             }

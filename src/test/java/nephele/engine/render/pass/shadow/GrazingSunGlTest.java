@@ -2,6 +2,7 @@ package nephele.engine.render.pass.shadow;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
@@ -89,7 +90,7 @@ class GrazingSunGlTest {
         Vec3 up = face / 2 == 1 ? new Vec3(0, 0, 1) : new Vec3(0, 1, 0);
         View view = View.lookAt(eye, Vec3.ZERO, up, new Projection(Math.toRadians(40), 1, 0.1, 100));
         RenderSettings settings = RenderSettings.of(Output.HDR).with(Decoration.OFF);
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             renderer.draw(view, offscreen.picture);
             float[] rgb = renderer.readRadiance();
             for (int i = 0; i < rgb.length; i += 3) {

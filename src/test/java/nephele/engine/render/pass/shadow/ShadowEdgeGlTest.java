@@ -3,6 +3,7 @@ package nephele.engine.render.pass.shadow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
@@ -159,7 +160,7 @@ class ShadowEdgeGlTest {
                 // The edge is the shadow of the box's lower edge on the sun's side, 0.9 m up.
                 double edgeX = 0.0062 * i + 0.5 - 0.9 * SUN.x();
                 double edgeZ = 0.0094 * i + 0.5 - 0.9 * SUN.z();
-                try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, HDR)) {
+                try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, HDR)) {
                     offAlongX += displacement(renderer, offscreen, new Vec3(edgeX, 0, -0.3));
                     offAlongZ += displacement(renderer, offscreen, new Vec3(-0.5, 0, edgeZ));
                 }

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.sky;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -45,7 +46,7 @@ class AtmosphereGlTest {
         int checked = 0;
         for (var group : bySun.entrySet()) {
             try (Offscreen offscreen = new Offscreen(SIDE, SIDE);
-                    Renderer renderer = Renderer.load(
+                    Renderer renderer = LevelRenderer.load(
                             offscreen.gl, level(group.getKey()), new TestAssets(), RenderSettings.of(Output.HDR))) {
                 for (AtmosphereRow row : group.getValue()) {
                     Vec3 eye = new Vec3(0, row.eyeHeight(), 0);

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.sky;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.function.BiFunction;
 import nephele.engine.asset.TestAssets;
@@ -53,7 +54,7 @@ class NightSkyGlTest {
                 .orElseThrow();
         try (Offscreen offscreen = new Offscreen(3, 3);
                 Renderer renderer =
-                        Renderer.load(offscreen.gl, level, new TestAssets(), RenderSettings.of(Output.HDR))) {
+                        LevelRenderer.load(offscreen.gl, level, new TestAssets(), RenderSettings.of(Output.HDR))) {
             for (Vec3 direction : DIRECTIONS) {
                 renderer.draw(offscreen.view(Vec3.ZERO, direction), offscreen.picture);
                 float[] drawn = renderer.readRadiance();

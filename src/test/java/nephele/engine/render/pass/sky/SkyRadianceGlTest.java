@@ -2,6 +2,7 @@ package nephele.engine.render.pass.sky;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
@@ -57,7 +58,7 @@ class SkyRadianceGlTest {
                             ColourDecoding.SRGB)
                     .orElseThrow();
             try (Offscreen offscreen = new Offscreen(3, 3);
-                    Renderer renderer = Renderer.load(
+                    Renderer renderer = LevelRenderer.load(
                             offscreen.gl, new TestLevel().sky(sky).level(), assets, RenderSettings.of(Output.HDR))) {
                 SplittableRandom random = new SplittableRandom(5);
                 for (int i = 0; i < 24; i++) {

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.sky;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
@@ -137,7 +138,7 @@ class SkyboxLayoutsGlTest {
 
     private static Renderer renderer(Offscreen offscreen, SkyboxLayout layout, int side) {
         TestAssets assets = SkyboxConvention.assets(layout, side);
-        return Renderer.load(
+        return LevelRenderer.load(
                 offscreen.gl, new TestLevel().sky(sky(layout)).level(), assets, RenderSettings.of(Output.PLAIN));
     }
 }

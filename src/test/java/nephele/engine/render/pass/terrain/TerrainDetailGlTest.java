@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
@@ -78,7 +79,7 @@ class TerrainDetailGlTest {
         Level level = on(new TestLevel().ambient(0.5).sky(new Sky.Constant(new Vec3(1, 0, 1))), side);
         SplittableRandom random = new SplittableRandom(side);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(
+                Renderer renderer = LevelRenderer.load(
                         offscreen.gl, level, map(side), settings(Output.PLAIN, TerrainDetail.LOD, errorPixels))) {
             for (int camera = 0; camera <= 13_505; camera++) {
                 Vec3 eye =
@@ -132,7 +133,7 @@ class TerrainDetailGlTest {
     private static List<LinearPicture> pictures(
             Offscreen offscreen, Level level, List<View> views, TerrainDetail detail) {
         List<LinearPicture> seen = new ArrayList<>();
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, map(257), settings(Output.HDR, detail, 1))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, map(257), settings(Output.HDR, detail, 1))) {
             for (View view : views) {
                 renderer.draw(view, offscreen.picture);
                 seen.add(new LinearPicture(WIDTH, HEIGHT, renderer.readRadiance()));
@@ -158,7 +159,7 @@ class TerrainDetailGlTest {
     void theBareTwinDrawsTheSamePictures(TerrainDetail detail) {
         Level level = on(new TestLevel().ambient(0.5).sun(new Vec3(0.4, 0.7, 0.5), 2), 200);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = Renderer.load(offscreen.gl, level, map(200), settings(Output.DIRECT, detail, 1))) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, level, map(200), settings(Output.DIRECT, detail, 1))) {
             List<View> views = IntStream.range(0, 2)
                     .mapToObj(turn -> offscreen.view(new Vec3(-90 + 80 * turn, 130, 80), new Vec3(0, 60, 0)))
                     .toList();
@@ -174,7 +175,7 @@ class TerrainDetailGlTest {
     }
 
     private static long triangles(Offscreen offscreen, Level level, TerrainDetail detail) {
-        try (Renderer renderer = Renderer.load(offscreen.gl, level, map(257), settings(Output.PLAIN, detail, 1))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, map(257), settings(Output.PLAIN, detail, 1))) {
             offscreen.gl.state().resetCounts();
             renderer.draw(offscreen.view(new Vec3(-100, 140, 100), new Vec3(0, 80, 0)), offscreen.picture);
             return offscreen.gl.state().triangles();

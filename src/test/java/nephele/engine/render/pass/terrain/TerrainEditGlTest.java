@@ -3,6 +3,7 @@ package nephele.engine.render.pass.terrain;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -106,10 +107,10 @@ class TerrainEditGlTest {
         List<int[]> pictures = new ArrayList<>();
         PlacedLevel placed = PlacedLevel.of(levels.get(0), MAPS);
         try (Offscreen offscreen = new Offscreen(160, 120)) {
-            Renderer renderer = Renderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS);
+            Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS);
             for (Level level : levels) {
                 placed = placed.edited(level);
-                renderer = renderer.edited(renderer.scene().edited(placed, null));
+                renderer = LevelRenderer.edited(renderer, renderer.scene().edited(placed, null));
                 renderer.draw(view(offscreen), offscreen.picture);
                 offscreen.gl.requireNoError("edit");
                 pictures.add(offscreen.pixels());
@@ -123,7 +124,7 @@ class TerrainEditGlTest {
     private static int[] opened(Level level) {
         PlacedLevel placed = PlacedLevel.of(level, MAPS);
         try (Offscreen offscreen = new Offscreen(160, 120);
-                Renderer renderer = Renderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS)) {
             renderer.draw(view(offscreen), offscreen.picture);
             return offscreen.pixels();
         }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.draw.IdLevel;
+import nephele.host.draw.IdLevel;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -26,7 +26,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

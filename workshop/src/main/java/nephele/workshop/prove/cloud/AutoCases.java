@@ -8,11 +8,11 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.View;
 import nephele.engine.sim.reach.EyeReach;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 import nephele.lab.technique.SeenSky;
 import nephele.lab.technique.TableCase;
 

@@ -1,11 +1,10 @@
 package nephele.workshop.prove.cloud;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.named.Viewpoints;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
@@ -17,6 +16,8 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 
 /**
  * Frames of a flight through clouds, 60 a second: by a quality that uses earlier frames, and by one that does not. Pictures are
@@ -64,7 +65,7 @@ final class CloudFlight implements AutoCloseable {
     }
 
     private static Renderer renderer(GlContext gl, OpenedLevel level, Quality quality) {
-        return Renderer.load(
+        return LevelRenderer.load(
                 gl, level.level(), level.assets(), RenderSettings.of(Output.HDR, quality.with("pictureResolution", 1)));
     }
 

@@ -1,13 +1,14 @@
 package nephele.workshop.prove.cloud;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.level.Camera;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -19,7 +20,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -73,7 +74,7 @@ public final class CloudStackProof implements Proof {
     private static LinearPicture drawn(GlContext gl, OpenedLevel opened, View view) {
         var settings = RenderSettings.of(Output.HDR, Quality.ULTRA.with("samples", 1));
         try (var target = RenderTarget.picture(gl, "stack", PixelFormat.RGBA8, SIDE * WIDTH, SIDE * HEIGHT);
-                Renderer renderer = Renderer.load(gl, opened.level(), opened.assets(), settings)) {
+                Renderer renderer = LevelRenderer.load(gl, opened.level(), opened.assets(), settings)) {
             renderer.draw(view, target);
             gl.requireNoError("stack");
             return new LinearPicture(target.width(), target.height(), renderer.readRadiance()).reduced(SIDE);

@@ -1,5 +1,6 @@
 package nephele.workshop.prove.cloud;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.cloud.field.CloudMedium;
@@ -94,7 +95,7 @@ final class DrawnCase {
                     .with("cloudHistory", CloudHistory.NONE)
                     .with("cloudScattering", model);
             Scene scene = Scene.of(exact.placed(), BakedSky.of(exact.placed(), done -> {}));
-            renderer = Renderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
+            renderer = LevelRenderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
             LinearPicture size = exact.radiance();
             target = RenderTarget.picture(
                     gl, "cloud case", PixelFormat.RGBA8, side * size.width(), side * size.height());

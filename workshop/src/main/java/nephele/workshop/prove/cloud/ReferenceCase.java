@@ -18,11 +18,11 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.Viewpoints;
+import nephele.host.named.Viewpoints;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 
 /**
  * A level of one cloud with its exact picture: three by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path

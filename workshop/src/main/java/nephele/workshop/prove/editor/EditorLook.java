@@ -4,10 +4,9 @@ import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.editor.settings.EditorSetting.Theme;
-import nephele.editor.settings.EditorSettings;
+import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.session.EditorSettings;
 import nephele.engine.level.Language;
-import nephele.workshop.prove.editor.picture.PaintedPanel;
 
 /** Theme, scale and language of the editor; the screen grows with the scale, as screens do. */
 record EditorLook(Theme theme, int percent, Language language) {

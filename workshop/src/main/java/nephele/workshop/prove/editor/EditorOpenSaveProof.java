@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.brush.TextureLock;
 import nephele.editor.document.Document;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
 import nephele.editor.save.Backups;
@@ -19,7 +19,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.SaveResult;
 import nephele.editor.text.Words;
-import nephele.editor.transform.EntityTransform;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
@@ -131,8 +130,7 @@ public final class EditorOpenSaveProof implements Proof {
         }
 
         private static Level moved(Level level, String solid) {
-            return EntityTransform.moved(
-                    level, List.of(new EntityRef("solids", solid)), new Vec3(0.5, 0, 0), TextureLock.WORLD);
+            return EntityTransform.moved(level, List.of(new EntityRef("solids", solid)), new Vec3(0.5, 0, 0), false);
         }
 
         /** Returns the text of a copy that was opened, edited and saved. */

@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.save.DocumentFile;
-import nephele.editor.surface.ViewportSurface;
+import nephele.editor.window.viewport.ViewportSurface;
 import nephele.workshop.prove.process.TemporaryFolder;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;

@@ -14,15 +14,15 @@ import nephele.editor.file.SessionJournal;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.journal.JournalFolder;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.Filing;
 import nephele.editor.session.NewDocument;
-import nephele.editor.settings.EditorFiles;
 import nephele.editor.text.Words;
 import nephele.editor.window.WaitingLoop;
+import nephele.editor.window.dialog.ExplanationPanel;
 import nephele.editor.window.file.BackupsPanel;
 import nephele.editor.window.file.RecoveryPanel;
-import nephele.editor.window.proving.ExplanationPanel;
 import nephele.engine.level.Level;
 import nephele.workshop.prove.process.TemporaryFolder;
 
@@ -41,7 +41,7 @@ final class FileScenes {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
         session.filing(Filing.of(EditorFiles.of(null, folder)));
-        session.aside().runOn(new WaitingLoop(() -> {}));
+        session.background().runOn(new WaitingLoop(() -> {}));
         return session;
     }
 
@@ -82,7 +82,8 @@ final class FileScenes {
         Path file = folder.resolve("room.json");
         EditorSession session = sessionIn(folder, NewDocument.opened(), editor);
         session.filing().saver().saveAs(file, editor.session().document().level());
-        EditorSession opened = sessionIn(folder, session.aside().get(() -> DocumentFile.open(file.toString())), editor);
+        EditorSession opened =
+                sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
         opened.filing().saver().saveAs(file, NewDocument.opened().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),

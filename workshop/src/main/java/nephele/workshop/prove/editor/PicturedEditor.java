@@ -21,9 +21,6 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.DialogFrame;
-import nephele.workshop.prove.editor.picture.CutTexts;
-import nephele.workshop.prove.editor.picture.PaintedPanel;
-import nephele.workshop.prove.editor.picture.UserTexts;
 
 /** The real editor over a furnished room, in one look, without a display. Used on the event dispatch thread. */
 final class PicturedEditor implements AutoCloseable {

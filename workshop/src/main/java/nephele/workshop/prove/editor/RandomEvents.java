@@ -10,14 +10,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
-import nephele.editor.command.EditorCommand;
+import nephele.editor.action.EditorCommand;
+import nephele.editor.document.EntityBounds;
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
-import nephele.editor.pick.EntityBounds;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.settings.EditorSetting;
+import nephele.editor.session.EditorSetting;
 import nephele.engine.math.Aabb;
 
 /**

@@ -47,7 +47,7 @@ final class RandomSessionInput {
     String problem() {
         EditorSession session = editor.session();
         if (problems.isEmpty() || random.nextInt(3) == 0) {
-            problems = session.aside()
+            problems = session.background()
                     .get(() -> ProblemSearch.of(session.document().level(), session.assets()));
             session.proving().problems().found(problems);
         }

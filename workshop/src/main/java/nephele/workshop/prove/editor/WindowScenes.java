@@ -4,15 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import javax.swing.JTabbedPane;
-import nephele.editor.guide.GuideStep;
+import nephele.editor.panel.GuideStep;
 import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.Tools;
 import nephele.editor.tool.ToolEntry;
-import nephele.editor.toolbox.Tools;
 import nephele.engine.math.Vec3;
-import nephele.workshop.prove.editor.picture.PaintedPanel;
 
 /** The whole window: with each tool in use, each tab, each kind of view, and each step of the guide. */
 final class WindowScenes {
@@ -87,8 +86,8 @@ final class WindowScenes {
     private static void problems(PicturedEditor editor) throws Exception {
         ProblemsPanel problems = editor.the(ProblemsPanel.class);
         EditorSession session = editor.session();
-        problems.show(
-                session.aside().get(() -> ProblemSearch.of(session.document().level(), session.assets())));
+        problems.show(session.background()
+                .get(() -> ProblemSearch.of(session.document().level(), session.assets())));
         editor.run("select ids=materials/" + editor.session().options().material(), "four-panes", "unlit");
     }
 

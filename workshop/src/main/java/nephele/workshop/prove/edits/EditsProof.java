@@ -1,5 +1,6 @@
 package nephele.workshop.prove.edits;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -126,7 +127,7 @@ public final class EditsProof implements Proof {
         /** Makes the edits and returns the last picture. */
         ByteBuffer edits(long from, long count) {
             try (GlContext gl = GlContext.offscreen()) {
-                renderer = Renderer.load(gl, town.scene(), SETTINGS);
+                renderer = LevelRenderer.load(gl, town.scene(), SETTINGS);
                 picture(gl, renderer);
                 for (long unit = from; unit < from + count; unit++) {
                     if (unit == from + count / 2) {
@@ -172,7 +173,7 @@ public final class EditsProof implements Proof {
         /** Does everything that an edit costs before the next frame is drawn. */
         private void show(Level level) {
             town = town.edited(level, baked);
-            renderer = renderer.edited(town.scene());
+            renderer = LevelRenderer.edited(renderer, town.scene());
         }
 
         private void frame(GlContext gl) {
@@ -198,7 +199,7 @@ public final class EditsProof implements Proof {
             EditedTown fresh = fresh();
             List<String> differences = new ArrayList<>(Differences.of(town, fresh));
             try (GlContext gl = GlContext.offscreen();
-                    Renderer loaded = Renderer.load(gl, fresh.scene(), SETTINGS)) {
+                    Renderer loaded = LevelRenderer.load(gl, fresh.scene(), SETTINGS)) {
                 if (!picture.equals(picture(gl, loaded))) {
                     differences.add("picture");
                 }

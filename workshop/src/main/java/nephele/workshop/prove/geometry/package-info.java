@@ -1,5 +1,5 @@
 /**
- * Proofs for geometric queries against brute force and exact arithmetic: rays, height fields, rotations, separations,
+ * Proofs for geometric queries against brute force and exact arithmetic: rays, height fields, terrains, rotations, separations,
  * skin distances.
  */
 package nephele.workshop.prove.geometry;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /**
  * The assignment of levels and cameras to the units of a proof: a few cameras of every level, then the next few of

@@ -1,5 +1,6 @@
 package nephele.workshop.prove.picture;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,7 +47,7 @@ final class ComparedLevel<W> implements AutoCloseable {
         cameras = new SeededCameras(level, traced, 16.0 / 9);
         var scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
         try {
-            ways.forEach((way, settings) -> renderers.put(way, Renderer.load(gl, scene, settings)));
+            ways.forEach((way, settings) -> renderers.put(way, LevelRenderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {
             close();
             throw failure;

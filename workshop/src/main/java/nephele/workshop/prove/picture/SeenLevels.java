@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
-import nephele.engine.named.LevelCatalogue;
+import nephele.host.named.LevelCatalogue;
 
 /** The levels of a checkout that are compared in pictures. */
 final class SeenLevels {

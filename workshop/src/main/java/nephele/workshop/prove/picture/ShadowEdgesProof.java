@@ -1,5 +1,6 @@
 package nephele.workshop.prove.picture;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -10,7 +11,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.Viewpoints;
+import nephele.host.named.Viewpoints;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.RenderSettings;
@@ -21,7 +22,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 import nephele.workshop.prove.picture.ShadowScene.Shadows;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
@@ -116,7 +117,7 @@ public final class ShadowEdgesProof implements Proof {
     private static float[] radiance(Level level, View view, GlContext gl, RenderTarget picture) {
         var settings = RenderSettings.of(Output.HDR, Quality.HIGH.with("samples", 1));
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        try (var renderer = Renderer.load(gl, level, assets, settings)) {
+        try (var renderer = LevelRenderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);
             gl.requireNoError("shadows");
             return renderer.readRadiance();

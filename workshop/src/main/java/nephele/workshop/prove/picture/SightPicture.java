@@ -1,12 +1,12 @@
 package nephele.workshop.prove.picture;
 
 import java.util.stream.IntStream;
-import nephele.engine.draw.IdLevel;
+import nephele.host.draw.IdLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.PinholeViews;
+import nephele.lab.bake.PinholeViews;
 
 /**
  * The surfaces that the exact twin sees, in identity colours, bottom row first: one ray in the middle of each pixel,

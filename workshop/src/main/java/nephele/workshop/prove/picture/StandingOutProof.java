@@ -1,5 +1,6 @@
 package nephele.workshop.prove.picture;
 
+import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,13 +8,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import nephele.engine.draw.Outputs;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.ColourVision;
-import nephele.engine.named.LevelName;
-import nephele.engine.named.OpenedLevel;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.render.Capture;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
@@ -30,6 +26,11 @@ import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.draw.Outputs;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.ReplayInput;
 import nephele.workshop.prove.picture.LevelSigns.Sight;
 import nephele.workshop.prove.picture.LevelSigns.Sign;
 import nephele.workshop.prove.proof.Claim;
@@ -121,8 +122,8 @@ public final class StandingOutProof implements Proof {
                 .with(CharacterPresence.POSSIBLE);
         LevelSigns signs = new LevelSigns(opened.placed());
         var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);
-        try (var with = Renderer.load(gl, scene, settings);
-                var without = Renderer.load(gl, bare, settings.with(Decoration.OFF))) {
+        try (var with = LevelRenderer.load(gl, scene, settings);
+                var without = LevelRenderer.load(gl, bare, settings.with(Decoration.OFF))) {
             var drawn = new Drawing(file, opened, signs, with, without, picture, tally);
             for (Sign sign : signs.signs()) {
                 List<Sight> sights = signs.sights(sign);

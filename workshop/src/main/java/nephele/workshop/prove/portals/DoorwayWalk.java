@@ -1,9 +1,8 @@
 package nephele.workshop.prove.portals;
 
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.Renderer;
@@ -14,6 +13,8 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.TickInput;
 import nephele.workshop.prove.portals.DoorwayRooms.Cube;
 import nephele.workshop.prove.portals.DoorwayRooms.Doors;
 import nephele.workshop.prove.portals.FrameSteps.Step;
@@ -46,7 +47,7 @@ final class DoorwayWalk implements AutoCloseable {
         var settings = RenderSettings.of(
                         Output.DIRECT, Quality.HIGH.with("shadowTexels", 1024).with("viewBudget", 6))
                 .with(Decoration.OFF);
-        renderer = Renderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
+        renderer = LevelRenderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
         playthrough = new Playthrough(
                 level, new Playthrough.Beginning("doorways.json", SimSettings.DEFAULT, null), new Steps(manner));
         if (manner == Manner.BOOM) {

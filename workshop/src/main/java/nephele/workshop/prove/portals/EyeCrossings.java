@@ -1,5 +1,6 @@
 package nephele.workshop.prove.portals;
 
+import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
@@ -55,7 +56,7 @@ public final class EyeCrossings implements AutoCloseable {
 
     public EyeCrossings(PortalTechnique technique) {
         Quality quality = Quality.HIGH.with("portalTechnique", technique).with("viewBudget", 6);
-        renderer = Renderer.load(
+        renderer = LevelRenderer.load(
                 gl,
                 level,
                 LevelAssets.inJar("/levels/none.json"),

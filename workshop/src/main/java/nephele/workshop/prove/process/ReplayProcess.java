@@ -6,10 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.named.LevelName;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
+import nephele.host.named.LevelName;
 
 /** A replay played in a process of its own. */
 public record ReplayProcess(JvmVariant variant, String level, Path replay, int every) {

@@ -10,7 +10,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.userfile.UserFile;
+import nephele.host.userfile.UserFile;
 
 /** A kind of file that is saved in generations, each with a content of its own size. */
 enum SavedFile {

@@ -1,17 +1,18 @@
 package nephele.workshop.prove.process;
 
+import nephele.engine.choice.LevelRenderer;
 import java.util.Map;
-import nephele.engine.draw.Preparation;
-import nephele.engine.draw.QualityChoice;
-import nephele.engine.named.LevelCatalogue;
-import nephele.engine.named.LevelName;
-import nephele.engine.playthrough.Playthrough;
-import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.host.draw.Preparation;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.LevelCatalogue;
+import nephele.host.named.LevelName;
+import nephele.host.playthrough.Playthrough;
+import nephele.host.playthrough.ReplayInput;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
@@ -51,7 +52,7 @@ public final class SoakProof implements Proof {
         var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
-                var renderer = Renderer.load(gl, prepared.scene(), settings)) {
+                var renderer = LevelRenderer.load(gl, prepared.scene(), settings)) {
             var soak = new Soak(gl, renderer, picture, () -> walk(level, prepared));
             soak.play(WARM_UP_SECONDS, Progress.NONE);
             soak.forget();

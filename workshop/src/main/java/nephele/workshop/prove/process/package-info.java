@@ -1,4 +1,5 @@
 /**
- * Proofs that run whole processes: replays in several virtual machines, saving under kill, soak tests, planted faults.
+ * Proofs about the whole program: replays in several virtual machines, saving under kill, soak tests, planted faults, and levels
+ * with odd numbers, made from the records and their ranges.
  */
 package nephele.workshop.prove.process;

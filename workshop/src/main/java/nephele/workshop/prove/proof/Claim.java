@@ -20,7 +20,7 @@ public record Claim(String name, String sentence, String unit, LongSupplier need
     /**
      * Returns the number of units that the claim needs.
      *
-     * @throws nephele.engine.terminal.CommandFailure if the number depends on an environment that is missing
+     * @throws nephele.host.terminal.CommandFailure if the number depends on an environment that is missing
      */
     public long fullCount() {
         return needed.getAsLong();

@@ -1,6 +1,6 @@
 package nephele.workshop.prove.proof;
 
-import nephele.engine.terminal.CommandFailure;
+import nephele.host.terminal.CommandFailure;
 
 /**
  * A claim and the code that tries to refute it. {@code nephele prove} runs the full count in batches and saves the

@@ -1,5 +1,6 @@
 package nephele.engine.render.gl.shader;
 
+import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -7,12 +8,25 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collector;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import nephele.engine.math.Vec3;
 
-/** The assembled text of a {@link ShaderSource}, with the origin of each line. */
+/**
+ * The assembled text of a {@link ShaderSource}, with the origin of each line. In place of {@code java(cloud.Slab.DEPTH)}
+ * stands the value of the constant {@code DEPTH} of class {@code nephele.engine.cloud.Slab}: a number, a vector for a
+ * {@link Vec3} or a row of an array, the ordinal of a constant of an enum.
+ */
 final class AssembledShader {
     private static final String INCLUDE_FOLDER = "/nephele/engine/render/include/";
     private static final Pattern INCLUDE = Pattern.compile("\\s*#include\\s+\"([\\w./-]+)\"\\s*");
+    private static final Pattern CONSTANT =
+            Pattern.compile("\\bjava\\(([a-z.]+)\\.([A-Z]\\w*(?:\\.[A-Z]\\w*)*)\\.([A-Z]\\w*)\\)");
     private static final Pattern PLACE = Pattern.compile("(?m)^(?:ERROR: )?(\\d+)[:(](\\d+)\\)?");
+
+    private static final Collector<CharSequence, ?, String> LIST = Collectors.joining(", ", "(", ")");
 
     private final ShaderSource source;
     private final List<String> files = new ArrayList<>();
@@ -48,7 +62,7 @@ final class AssembledShader {
                 appendOnce(include.group(1), path);
                 text.append("#line ").append(i + 2).append(' ').append(index).append('\n');
             } else {
-                text.append(lines[i]).append('\n');
+                text.append(withConstants(lines[i], path)).append('\n');
             }
         }
     }
@@ -69,6 +83,42 @@ final class AssembledShader {
         append(path);
         open.remove(path);
         text.append("\n#endif\n");
+    }
+
+    private static String withConstants(String line, String path) {
+        return line.contains("java(")
+                ? CONSTANT.matcher(line)
+                        .replaceAll(found -> constant(found.group(1), found.group(2), found.group(3), path))
+                : line;
+    }
+
+    private static String constant(String folder, String types, String name, String path) {
+        String type = "nephele.engine." + folder + "." + types.replace('.', '$');
+        try {
+            Field field = Class.forName(type).getDeclaredField(name);
+            field.setAccessible(true);
+            return value(field.get(null));
+        } catch (ReflectiveOperationException | NullPointerException e) {
+            throw new GlException(path + " needs a constant " + name + " of " + type + ", which does not exist");
+        }
+    }
+
+    private static String value(Object value) {
+        if (value instanceof Vec3 v) {
+            return "vec3(" + value(v.x()) + ", " + value(v.y()) + ", " + value(v.z()) + ")";
+        }
+        if (value instanceof Enum<?> word) {
+            return Integer.toString(word.ordinal());
+        }
+        if (value instanceof double[] row) {
+            return "vec" + row.length
+                    + DoubleStream.of(row).mapToObj(AssembledShader::value).collect(LIST);
+        }
+        if (value instanceof double[][] rows) {
+            return "vec" + rows[0].length + "[]"
+                    + Stream.of(rows).map(AssembledShader::value).collect(LIST);
+        }
+        return value instanceof Integer ? value.toString() : Float.toString(((Number) value).floatValue());
     }
 
     String text() {

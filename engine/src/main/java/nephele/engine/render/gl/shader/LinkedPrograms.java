@@ -46,6 +46,7 @@ public final class LinkedPrograms {
             if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
                 throw new GlException(name(vertex, fragment) + " does not link:\n" + glGetProgramInfoLog(program));
             }
+            new Uniforms(program, name(vertex, fragment)).bindByName();
             return program;
         } catch (GlException e) {
             glDeleteProgram(program);

@@ -13,7 +13,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -24,6 +23,8 @@ import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
 import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -31,11 +32,13 @@ import nephele.engine.scene.View;
  * their places; blended ones each for itself, the farthest first, equal distances in the order of the level.
  */
 public final class BillboardPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("billboard", Stage.IN_VIEWS, request -> requiredBy(request, Kind.WITH_EDGES));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "billboard", Stage.IN_VIEWS, request -> requiredBy(request, Kind.WITH_EDGES))
+            .using(SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     public static final RenderFeature BLENDED = new RenderFeature(
-            "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED));
+                    "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED))
+            .using(SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     /** Cells along a side of a billboard over which light varies. */
     private static final int CELLS = 2;
@@ -66,12 +69,12 @@ public final class BillboardPass implements Pass {
         this.kind = kind;
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         boolean isSampled = context.quality().samples() > 1;
         blend = kind == Kind.BLENDED
                 ? Blend.PREMULTIPLIED_OVER
                 : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
-        quads = context.billboards(kind);
+        quads = BillboardQuads.of(context, kind);
         program = new BillboardProgram(context, kind);
         list = context.own(new BillboardList(gl, program.varies() ? CELLS : 1));
         large = context.own(new BillboardList(gl, LARGE_CELLS));

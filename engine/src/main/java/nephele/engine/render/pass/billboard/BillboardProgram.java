@@ -5,8 +5,8 @@ import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
@@ -14,7 +14,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
@@ -40,7 +40,7 @@ final class BillboardProgram {
     private final float[] eye = new float[6];
 
     BillboardProgram(LoadContext context, Kind kind) {
-        SurfaceLight light = context.shared().surfaceLight();
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         anchor = light.anchor();
         boolean isAnimated = context.scene().level().billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
@@ -59,7 +59,6 @@ final class BillboardProgram {
                 ShaderSource.load(FOLDER + "billboard.vert", defines),
                 ShaderSource.load(FOLDER + "billboard.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     light.tieForDynamicObjects(uniforms);
                     BillboardQuads.tie(uniforms);

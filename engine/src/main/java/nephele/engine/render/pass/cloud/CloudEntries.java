@@ -1,28 +1,30 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import nephele.engine.choice.TechniqueFade;
+import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.FrameClouds;
+import nephele.engine.render.resource.FrameClouds;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
-import nephele.engine.render.resource.OwnedObjects;
+import nephele.engine.render.gl.OwnedObjects;
 
 /**
  * The clouds of a level with their drawings, in the order in which they are drawn. While techniques change, a cloud has a
  * drawing by each of them, the later ones over the earlier ones; those of techniques that are gone are closed.
  */
 final class CloudEntries {
-    private final SharedResources shared;
+    private final RendererClouds levelClouds;
+    private final boolean hasLightning;
     private final List<Registered> techniques;
     private final List<Entry> all = new ArrayList<>();
     /** Builds what ends with the change; {@code null} without one. */
@@ -73,9 +75,10 @@ final class CloudEntries {
      * @param techniques the one for {@code auto} first
      */
     CloudEntries(CloudContext context, List<PlacedCloud> clouds, List<Registered> techniques) {
-        shared = context.load().shared();
+        levelClouds = context.load().get(RendererClouds.RESOURCE);
+        hasLightning = context.load().get(FrameLightning.RESOURCE) != null;
         this.techniques = techniques;
-        TechniqueFade fade = shared.techniques();
+        TechniqueFade fade = levelClouds.fade();
         Map<CloudTechnique, CloudTechniqueDrawer> remaining = new EnumMap<>(CloudTechnique.class);
         List<PassingStage> stages = fade.isComplete() ? List.of() : stages(context.load(), fade);
         for (PlacedCloud cloud : clouds) {
@@ -96,7 +99,7 @@ final class CloudEntries {
         List<PassingStage> stages = new ArrayList<>();
         for (TechniqueFade.Stage stage : fade.stages()) {
             boolean remains = stage.techniques().equals(fade.techniques());
-            FrameClouds clouds = remains ? shared.clouds() : shared.clouds(stage.techniques(), passing.owner());
+            FrameClouds clouds = remains ? levelClouds.current() : levelClouds.sampledFor(stage.techniques(), passing.owner());
             if (!remains) {
                 passingClouds.add(clouds);
             }
@@ -120,7 +123,7 @@ final class CloudEntries {
             List<PassingStage> run = stages.subList(first, end);
             List<List<CloudTechnique>> runTechniques =
                     run.stream().map(PassingStage::techniques).toList();
-            boolean remains = runTechniques.contains(shared.techniques().techniques());
+            boolean remains = runTechniques.contains(levelClouds.fade().techniques());
             all.add(
                     remains
                             ? remaining(cloud, runTechniques, context, remaining)
@@ -140,7 +143,7 @@ final class CloudEntries {
     private Entry passing(
             PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext context) {
         var before = new PlacedCloud(source(stage, cloud), cloud.index());
-        var own = new CloudContext(passing.with(shared.chosenFor(stages.get(0))), null, context.ranges());
+        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, context.ranges());
         CloudDrawing drawing = drawer(drawn(before.source()), stage.built, own).of(before);
         return new Entry(before, stage.clouds, stages, drawing, null);
     }
@@ -154,12 +157,12 @@ final class CloudEntries {
         CloudDrawing drawing = drawer(technique, built, context).of(cloud);
         // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
         Registered marched = techniques.get(0);
-        CloudDrawing flashed = shared.lightning() == null
+        CloudDrawing flashed = !hasLightning
                 ? null
                 : technique == marched
                         ? drawing
                         : drawer(marched, built, context).of(cloud);
-        return new Entry(cloud, shared.clouds(), stages, drawing, flashed);
+        return new Entry(cloud, levelClouds.current(), stages, drawing, flashed);
     }
 
     private static CloudTechniqueDrawer drawer(
@@ -183,16 +186,16 @@ final class CloudEntries {
 
     /** Takes the clouds at the time of the frame, the farthest from an eye first. */
     void follow(FrameContext frame, boolean isFlash) {
-        TechniqueFade fade = shared.techniques();
+        TechniqueFade fade = levelClouds.fade();
         if (passing != null && fade.isComplete()) {
-            all.removeIf(entry -> entry.clouds != shared.clouds());
+            all.removeIf(entry -> entry.clouds != levelClouds.current());
             passingClouds.clear();
             passing.owner().close();
             passing = null;
         }
         Vec3 eye = frame.view().eye();
         for (FrameClouds clouds : passingClouds) {
-            clouds.follow(frame.frameState(), shared.clouds().focus());
+            clouds.follow(frame.frameState(), levelClouds.current().focus());
         }
         for (int i = 0; i < all.size(); i++) {
             all.get(i).follow(frame, isFlash, fade);

@@ -39,12 +39,12 @@ final class CloudFlash {
         this.context = context;
         this.clouds = clouds;
         gl = context.gl();
-        lightning = context.shared().lightning();
+        lightning = context.get(FrameLightning.RESOURCE);
         layer = context.own(new CloudLayer(context, Math.max(LEAST_DIVISOR, divisorOfClouds), 1));
         row = context.own(
                 RenderTarget.picture(gl, "transmittance of a bolt", PixelFormat.RGBA16F, Bolt.MOST_POINTS, 1));
         row.clear(1, 1, 1);
-        context.shared().publish(Target.BOLT_TRANSMITTANCE, row.colour());
+        context.targets().put(Target.BOLT_TRANSMITTANCE, row.colour());
     }
 
     boolean isLit() {

@@ -16,7 +16,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -25,6 +24,9 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -34,7 +36,7 @@ import nephele.engine.scene.View;
  */
 public final class CloudPass implements Pass {
     private final GlContext gl;
-    private final SharedResources shared;
+    private final RendererClouds levelClouds;
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
@@ -61,14 +63,15 @@ public final class CloudPass implements Pass {
     private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
         this.context = context;
         gl = context.gl();
-        shared = context.shared();
+        levelClouds = context.get(RendererClouds.RESOURCE);
+        FrameLightning lightning = context.get(FrameLightning.RESOURCE);
         triangle = context.own(new FullScreenTriangle(gl, "clouds"));
-        List<CloudSource> sources = shared.clouds().sources();
+        List<CloudSource> sources = levelClouds.current().sources();
         for (int i = 0; i < sources.size(); i++) {
             clouds.add(new PlacedCloud(sources.get(i), i));
         }
         ranges = new CloudRanges(clouds);
-        canvas = new CloudCanvas(ranges, shared.lightning());
+        canvas = new CloudCanvas(ranges, lightning);
         surfaces = context.scene().statics().bounds();
         Quality quality = context.quality();
         int divisor = (int) Math.round(1 / quality.cloudResolution());
@@ -78,12 +81,13 @@ public final class CloudPass implements Pass {
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
-        flash = shared.lightning() == null ? null : new CloudFlash(context, divisor, ranges.count());
+        flash = lightning == null ? null : new CloudFlash(context, divisor, ranges.count());
     }
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
     public static RenderFeature feature(List<CloudTechniqueDrawer.Registered> techniques) {
-        return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques));
+        return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques))
+                .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE);
     }
 
     private static List<Required> requiredBy(FrameRequest request, List<CloudTechniqueDrawer.Registered> techniques) {
@@ -117,7 +121,7 @@ public final class CloudPass implements Pass {
 
     /** Returns the cloud whose bounds are nearest to an eye. */
     private CloudLayer.Nearest nearest(Vec3 eye) {
-        double seconds = shared.clouds().now().seconds();
+        double seconds = levelClouds.current().now().seconds();
         double least = Double.POSITIVE_INFINITY;
         PlacedCloud nearest = null;
         for (int i = 0; i < clouds.size(); i++) {
@@ -136,7 +140,7 @@ public final class CloudPass implements Pass {
             return;
         }
         View view = frame.view();
-        CloudInterval now = shared.clouds().now();
+        CloudInterval now = levelClouds.current().now();
         boolean isFlash = flash != null && flash.isLit();
         entries.follow(frame, isFlash);
         ranges.follow(clouds);
@@ -145,7 +149,7 @@ public final class CloudPass implements Pass {
         }
         boolean mixed = isMixed(view.eye());
         if (mainLayer == null || mixed) {
-            reads.bind(shared);
+            reads.bind(context.targets());
         }
         if (mainLayer == null) {
             frame.surface().bind();
@@ -165,7 +169,7 @@ public final class CloudPass implements Pass {
     private void drawLayered(FrameContext frame, CloudInterval now, boolean mixed) {
         View view = frame.view();
         CloudLayer layer = isMain(frame) ? mainLayer : nestedLayer;
-        layer.begin(frame.surface(), shared.cuts(), now.seconds());
+        layer.begin(frame.surface(), levelClouds.cuts(), now.seconds());
         draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, nearest(view.eye()), triangle);
         frame.surface().bind();
@@ -180,7 +184,7 @@ public final class CloudPass implements Pass {
         flash.beginBolt();
         draw(CloudPixels.BOLT, view, null);
         flash.endBolt();
-        flash.layer().begin(frame.surface(), shared.cuts(), now.seconds());
+        flash.layer().begin(frame.surface(), levelClouds.cuts(), now.seconds());
         draw(CloudPixels.FLASH, view, flash.layer());
         flash.layer().end(view, nearest(view.eye()), triangle);
         flash.add(frame, mixed ? ranges : null, triangle);
@@ -188,7 +192,7 @@ public final class CloudPass implements Pass {
 
     /** @param layer into which is drawn; {@code null} for the view itself */
     private void draw(CloudPixels pixels, View view, CloudLayer layer) {
-        canvas.begin(pixels, view, shared.clouds().focus(), layer);
+        canvas.begin(pixels, view, levelClouds.current().focus(), layer);
         List<CloudEntries.Entry> all = entries.all();
         for (int i = 0; i < all.size(); i++) {
             CloudDrawing drawing = all.get(i).drawing(pixels);

@@ -2,7 +2,6 @@ package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.View;
@@ -13,27 +12,14 @@ final class CloudRanges {
     private static final int MOST = 8;
 
     /** Half the width of a layer, metres. */
-    private static final float ENDLESS = 1e9f;
+    private static final double ENDLESS = 1e9;
 
     private final List<Aabb> bounds = new ArrayList<>();
     private final int count;
     private final double halfCurvature;
 
     /** The uniforms of {@code cloud-ranges.glsl}. */
-    record Places(List<Uniforms.Vector3> base, List<Uniforms.Vector3> half, Uniforms.Vector2 planet) {
-        static Places of(Uniforms uniforms, int clouds) {
-            return new Places(
-                    named(uniforms, "rangeBase", clouds),
-                    named(uniforms, "rangeHalf", clouds),
-                    uniforms.vector2("rangePlanet"));
-        }
-
-        private static List<Uniforms.Vector3> named(Uniforms uniforms, String name, int count) {
-            return IntStream.range(0, count)
-                    .mapToObj(i -> uniforms.vector3(name + "[" + i + "]"))
-                    .toList();
-        }
-    }
+    record Places(List<Uniforms.Vector3> rangeBase, List<Uniforms.Vector3> rangeHalf, Uniforms.Vector2 rangePlanet) {}
 
     CloudRanges(List<PlacedCloud> clouds) {
         count = Math.min(MOST, clouds.size());
@@ -60,22 +46,16 @@ final class CloudRanges {
     }
 
     void put(Places places, View view) {
-        for (int i = 0; i < bounds.size(); i++) {
+        for (int i = 0; i < places.rangeBase.size(); i++) {
             Aabb box = bounds.get(i);
             boolean isLayer = box.maxX() == Double.POSITIVE_INFINITY;
-            places.base()
-                    .get(i)
-                    .set(
-                            isLayer ? 0 : (float) ((box.minX() + box.maxX()) / 2 - view.eyeX()),
-                            (float) (box.minY() - view.eyeY()),
-                            isLayer ? 0 : (float) ((box.minZ() + box.maxZ()) / 2 - view.eyeZ()));
-            places.half()
-                    .get(i)
-                    .set(
-                            isLayer ? ENDLESS : (float) ((box.maxX() - box.minX()) / 2),
-                            (float) (box.maxY() - box.minY()),
-                            isLayer ? ENDLESS : (float) ((box.maxZ() - box.minZ()) / 2));
+            double middleX = isLayer ? 0 : (box.minX() + box.maxX()) / 2 - view.eyeX();
+            double middleZ = isLayer ? 0 : (box.minZ() + box.maxZ()) / 2 - view.eyeZ();
+            places.rangeBase.get(i).set(middleX, box.minY() - view.eyeY(), middleZ);
+            double halfX = isLayer ? ENDLESS : (box.maxX() - box.minX()) / 2;
+            double halfZ = isLayer ? ENDLESS : (box.maxZ() - box.minZ()) / 2;
+            places.rangeHalf.get(i).set(halfX, box.maxY() - box.minY(), halfZ);
         }
-        places.planet().set((float) halfCurvature, (float) view.eyeY());
+        places.rangePlanet.set(halfCurvature, view.eyeY());
     }
 }

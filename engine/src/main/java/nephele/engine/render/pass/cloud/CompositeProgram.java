@@ -5,13 +5,17 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.gl.shader.Uniforms;
 
 /** {@code composite.frag}, which draws a layer of clouds over a view. */
 final class CompositeProgram {
     private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
 
-    private final GlProgram<CloudRanges.Places> program;
+    private final GlProgram<Places> program;
+
+    /** @param ranges absent unless surfaces can be among the clouds */
+    private record Places(@Uniforms.IfRead CloudRanges.Places ranges) {}
 
     /**
      * @param mixed whether surfaces can be among the clouds
@@ -24,26 +28,14 @@ final class CompositeProgram {
                 .with("CLOUDS", clouds)
                 .with("DIVISOR", (double) divisor)
                 .values();
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "cloud.vert", defines),
-                ShaderSource.load(FOLDER + "composite.frag", defines),
-                uniforms -> {
-                    if (mixed) {
-                        uniforms.block("Frame", FrameUniforms.BINDING);
-                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    }
-                    uniforms.sampler("clouds", TextureUnit.COLOURS);
-                    return mixed ? CloudRanges.Places.of(uniforms, clouds) : null;
-                });
+        program = GlProgram.of(context.gl(), FOLDER + "cloud.vert", FOLDER + "composite.frag", defines, Places.class);
     }
 
     void use() {
         program.use();
     }
 
-    /** Returns {@code null} unless surfaces can be among the clouds. */
     CloudRanges.Places ranges() {
-        return program.uniforms();
+        return program.uniforms().ranges;
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Aabb;
@@ -8,13 +9,12 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.QuadStream;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 
@@ -28,7 +28,7 @@ public final class Impostors {
 
     private final LoadContext context;
     private final GlContext gl;
-    private final SharedResources shared;
+    private final RendererClouds levelClouds;
     private final int divisor;
     private final int side;
     private final Aabb surfaces;
@@ -51,7 +51,7 @@ public final class Impostors {
     Impostors(LoadContext context, int divisor, int side) {
         this.context = context;
         gl = context.gl();
-        shared = context.shared();
+        levelClouds = context.get(RendererClouds.RESOURCE);
         this.divisor = divisor;
         this.side = side;
         surfaces = context.scene().statics().bounds();
@@ -90,8 +90,8 @@ public final class Impostors {
         }
         Vec3 moved = eye == null ? Vec3.ZERO : view.eye().minus(eye);
         eye = view.eye();
-        if (cuts != shared.cuts()) {
-            cuts = shared.cuts();
+        if (cuts != levelClouds.cuts()) {
+            cuts = levelClouds.cuts();
             all.forEach(Impostor::forget);
             return;
         }
@@ -118,7 +118,7 @@ public final class Impostors {
             next = neediest();
         }
         gl.state().endLayer(before);
-        shared.frameUniforms().upload(view, shared.surroundings().exposure());
+        context.resources().resume(view);
     }
 
     private Impostor neediest() {
@@ -143,7 +143,7 @@ public final class Impostors {
         picture.bindTarget();
         gl.state().set(DrawState.Depth.OFF, DrawState.Blend.PREMULTIPLIED_OVER_PASSING, DrawState.Cull.NONE);
         var grid = new ImpostorGrid(picture.slabs(), picture.slabs().slabs().get(slab));
-        canvas.begin(CloudPixels.CAPTURED, from, shared.clouds().focus(), grid);
+        canvas.begin(CloudPixels.CAPTURED, from, levelClouds.current().focus(), grid);
         impostor.captureProgram().use(canvas, impostor.placed(), impostor.cells());
         long texels = picture.draw(count);
         if (picture.isComplete()) {

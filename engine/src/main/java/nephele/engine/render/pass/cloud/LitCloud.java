@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
@@ -15,14 +16,13 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 
 /** The cells of a cloud on the GPU at the time of the frame, and the light around it: the numbers of {@link CellUniforms}. */
 public final class LitCloud {
-    private final SharedResources shared;
+    private final SurfaceLight light;
     private final PlacedCloud placed;
     private final CloudSource cloud;
     private final CloudTextures textures;
@@ -56,7 +56,7 @@ public final class LitCloud {
     }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
-        shared = context.shared();
+        light = context.get(SurfaceLight.RESOURCE);
         this.placed = placed;
         cloud = placed.source();
         textures = new CloudTextures(context, cloud);
@@ -79,7 +79,7 @@ public final class LitCloud {
         followed = now;
         Aabb extent = cloud.bounds();
         Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
-        SkyIrradiance sky = shared.surfaceLight().clearIrradiance(now);
+        SkyIrradiance sky = light.clearIrradiance(now);
         around = new Around(
                 CloudTimeline.towardsSun(now),
                 sun == null ? Vec3.ZERO : sun.irradiance(),

@@ -3,7 +3,7 @@ package nephele.engine.render.pass.cloud;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /**
  * The uniforms of {@code cloud-pixel.glsl}, which the programs of all techniques have.
@@ -52,7 +52,6 @@ public record PixelUniforms(
 
     /** Finds the uniforms of a program and assigns its samplers. */
     public static PixelUniforms of(Uniforms uniforms, CloudContext context, CloudPixels pixels) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
         if (pixels == CloudPixels.ALL || pixels == CloudPixels.MIXED) {
             uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
         }
@@ -61,7 +60,7 @@ public record PixelUniforms(
             uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
         }
         return new PixelUniforms(
-                pixels == CloudPixels.MIXED ? CloudRanges.Places.of(uniforms, context.ranges()) : null,
+                pixels == CloudPixels.MIXED ? uniforms.record(CloudRanges.Places.class) : null,
                 pixels.isGrid() ? Rays.of(uniforms, pixels) : null,
                 pixels == CloudPixels.FLASH ? FlashUniforms.of(uniforms) : null,
                 isBolt ? uniforms.vector3("boltFromEye") : null,

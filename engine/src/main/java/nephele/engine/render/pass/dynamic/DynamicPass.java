@@ -12,6 +12,8 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.dynamic.HeldBodyVisibility;
 import nephele.engine.scene.dynamic.VisibleInstances;
 
@@ -22,9 +24,11 @@ import nephele.engine.scene.dynamic.VisibleInstances;
  * solid.
  */
 public final class DynamicPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("dynamic", Stage.IN_VIEWS, DynamicPass::requiredBy);
-    public static final RenderFeature HELD =
-            new RenderFeature("dynamic.held", Stage.IN_VIEWS_AFTER_OPAQUE, DynamicPass::heldRequiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("dynamic", Stage.IN_VIEWS, DynamicPass::requiredBy)
+            .using(DynamicMeshes.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
+    public static final RenderFeature HELD = new RenderFeature(
+                    "dynamic.held", Stage.IN_VIEWS_AFTER_OPAQUE, DynamicPass::heldRequiredBy)
+            .using(DynamicMeshes.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
     /** The opacity of the middle of a held face; a define of {@code held-look.glsl}. */
     public static final double HELD_FACE_OPACITY = 0.3;
@@ -39,7 +43,7 @@ public final class DynamicPass implements Pass {
     private DynamicPass(LoadContext context, DynamicBlending look, TargetReads reads) {
         this.look = look;
         this.reads = reads;
-        meshes = context.shared().dynamicObjects();
+        meshes = context.get(DynamicMeshes.RESOURCE);
         visible = new VisibleInstances(meshes.dynamicObjects(), meshes.copies());
         held = new HeldBodyVisibility(meshes.copies());
         draw = new DynamicDraw(context, look, reads);

@@ -4,8 +4,8 @@ import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -27,7 +27,7 @@ record DynamicVariant(SurfaceVariant surface, boolean detailed, DynamicBlending 
     }
 
     GlProgram<DynamicUniforms> program(LoadContext context, int materialsPerBlock) {
-        SurfaceLight light = context.shared().surfaceLight();
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         Defines defines = surface.addTo(light.addForDynamicObjects(Defines.of(context)), materialsPerBlock)
                 .withIf(detailed, "DETAIL");
         if (look == DynamicBlending.SEE_THROUGH) {

@@ -11,13 +11,11 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -26,10 +24,11 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
 
 /**
@@ -39,11 +38,16 @@ import nephele.engine.scene.View;
  * see the proof {@code standing-out}.
  */
 public final class ExitPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT))
+            .using(MeteredExposure.RESOURCE);
 
     public static final RenderFeature VEIL = new RenderFeature(
-            "exit.veil", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Part.VEIL));
+                    "exit.veil",
+                    Stage.IN_VIEWS_AFTER_OPAQUE,
+                    Role.DECORATION,
+                    request -> requiredBy(request, Part.VEIL))
+            .using(MeteredExposure.RESOURCE);
 
     /** What a pass draws of all curtains. */
     private enum Part {
@@ -60,7 +64,7 @@ public final class ExitPass implements Pass {
     private static final String FOLDER = "/nephele/engine/render/pass/exit/";
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final Blend blend;
     private final List<Exit> exits;
@@ -88,7 +92,7 @@ public final class ExitPass implements Pass {
 
     private ExitPass(LoadContext context, Part part) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         boolean decodes = part == Part.LIGHT && context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
         blend = part == Part.VEIL
@@ -107,7 +111,6 @@ public final class ExitPass implements Pass {
                 ShaderSource.load(FOLDER + "exit.vert", defines),
                 ShaderSource.load(FOLDER + "exit.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     if (decodes) {
@@ -160,7 +163,7 @@ public final class ExitPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.OFF, blend, Cull.BACK, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.use();
         program.uniforms().seconds().set((float) frame.frameState().seconds());
         for (int i = 0; i < exits.size(); i++) {

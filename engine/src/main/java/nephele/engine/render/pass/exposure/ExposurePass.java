@@ -10,7 +10,6 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -29,6 +28,7 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.MeteredExposure;
 
 /**
  * Meters the exposure of the finished linear picture, views through portals included; exists only for exposure auto.
@@ -36,8 +36,9 @@ import nephele.engine.render.resource.FrameLightning;
  * pixel is read back.
  */
 public final class ExposurePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("exposure", Stage.AFTER_VIEWS, ExposurePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "exposure", Stage.AFTER_VIEWS, ExposurePass::requiredBy)
+            .using(MeteredExposure.RESOURCE, FrameLightning.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/exposure/";
     private static final int CELLS = LuminanceHistogram.COLUMNS * LuminanceHistogram.ROWS;
@@ -59,8 +60,8 @@ public final class ExposurePass implements Pass {
 
     private ExposurePass(LoadContext context) {
         gl = context.gl();
-        exposure = context.shared().exposure();
-        lightning = context.shared().lightning();
+        exposure = context.get(MeteredExposure.RESOURCE);
+        lightning = context.get(FrameLightning.RESOURCE);
         cells = context.own(RenderTarget.picture(
                 gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
         findCells = new FullScreenDrawing(
@@ -94,7 +95,7 @@ public final class ExposurePass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return MeteredExposure.isRequiredBy(request)
+        return request.metersExposure()
                 ? List.of(new Required("environment.exposureStops: auto, metered from the picture", ExposurePass::new))
                 : List.of();
     }

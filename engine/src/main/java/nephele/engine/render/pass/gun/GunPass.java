@@ -12,9 +12,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -26,6 +24,8 @@ import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
@@ -41,10 +41,15 @@ import org.joml.Vector3d;
  * which the eye always is, does not fall on it. The path tracer and pictures of a level without its player do not know it.
  */
 public final class GunPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("gun", Stage.IN_VIEWS, Role.DECORATION, request -> requiredBy(request, Turn.FIRST));
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "gun", Stage.IN_VIEWS, Role.DECORATION, request -> requiredBy(request, Turn.FIRST))
+            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
     public static final RenderFeature IN_OPENING = new RenderFeature(
-            "gun.opening", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, Turn.LAST));
+                    "gun.opening",
+                    Stage.IN_VIEWS_AFTER_OPAQUE,
+                    Role.DECORATION,
+                    request -> requiredBy(request, Turn.LAST))
+            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
 
     private enum Turn {
         FIRST,
@@ -79,8 +84,7 @@ public final class GunPass implements Pass {
         this.turn = turn;
         this.reads = reads;
         gl = context.gl();
-        SharedResources shared = context.shared();
-        light = shared.surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(gl, GunMesh.materials()));
         model = GunMesh.make();
         mesh = context.share(
@@ -89,7 +93,7 @@ public final class GunPass implements Pass {
                 () -> new GpuMesh(
                         gl, "gun", FORMAT, model.mesh().vertices(), model.mesh().indices()));
         programs = new GunPrograms(context, materials.materialsPerBlock());
-        sky = shared.skyProbes();
+        sky = context.get(SurfaceLight.SKY_PROBES);
     }
 
     private static List<Required> requiredBy(FrameRequest request, Turn turn) {

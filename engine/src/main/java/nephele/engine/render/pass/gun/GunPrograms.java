@@ -3,15 +3,15 @@ package nephele.engine.render.pass.gun;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
-import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.SolidBatch;
@@ -55,11 +55,8 @@ final class GunPrograms {
                 context.gl(),
                 ShaderSource.load(FOLDER + "gun.vert", onlyDepth),
                 ShaderSource.load(FOLDER + "depth.frag", onlyDepth),
-                uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    return vectors(uniforms, DRAWN);
-                });
-        SurfaceLight light = context.shared().surfaceLight();
+                uniforms -> vectors(uniforms, DRAWN));
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         SurfaceVariant surface = SurfaceVariant.of(KIND, context.quality());
         var defines = surface.addTo(light.addForGun(Defines.of(context)), materialsPerBlock)
                 .with("FIRST_LAMP", GunMesh.FIRST_LAMP)

@@ -11,7 +11,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -21,7 +20,10 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.KindMesh;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.PlantedScene;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.impostor.ImpostorAtlas;
 
@@ -30,7 +32,8 @@ import nephele.engine.scene.impostor.ImpostorAtlas;
  * where they are small, and between the two each in its own pixels of a fixed pattern.
  */
 public final class ImpostorPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("impostor", Stage.IN_VIEWS, ImpostorPass::requiredBy)
+            .using(SurfaceLight.RESOURCE, PictureArrays.COLOURS, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;
@@ -47,9 +50,9 @@ public final class ImpostorPass implements Pass {
     private ImpostorPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         double pixels = context.quality().impostorPixels();
-        plants = context.plants();
+        plants = PlantedScene.of(context);
         choice = context.own(new PlantChoice(gl, plants, new PlantSizes(pixels)));
         impostorBlend = context.quality().samples() > 1 ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         impostor = pixels == 0 ? null : new PlantProgram(context, PlantProgram.Kind.IMPOSTOR);
@@ -60,8 +63,7 @@ public final class ImpostorPass implements Pass {
                 .toList();
         pictureOfKind = plants.meshes().stream()
                 .map(mesh -> isTextured(mesh)
-                        ? context.shared()
-                                .colourPictures()
+                        ? context.get(PictureArrays.COLOURS)
                                 .get(mesh.surface().colour().array())
                         : null)
                 .toList();

@@ -4,14 +4,14 @@ import java.util.Optional;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.View;
@@ -48,7 +48,7 @@ final class PlantProgram {
     private final float[] eye = new float[6];
 
     PlantProgram(LoadContext context, Kind kind) {
-        SurfaceLight light = context.shared().surfaceLight();
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         anchor = light.anchor();
         double pixels = context.quality().impostorPixels();
         var defines = light.addForDynamicObjects(Defines.of(context))
@@ -68,9 +68,8 @@ final class PlantProgram {
     }
 
     private static Numbers numbers(LoadContext context, Kind kind, Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
         MeteredExposure.tieInView(context, uniforms);
-        context.shared().surfaceLight().tieForDynamicObjects(uniforms);
+        context.get(SurfaceLight.RESOURCE).tieForDynamicObjects(uniforms);
         uniforms.sampler("plants", TextureUnit.PLANTS);
         uniforms.sampler("plantKinds", TextureUnit.PLANT_KINDS);
         uniforms.sampler("plantOrder", TextureUnit.PLANT_ORDER);

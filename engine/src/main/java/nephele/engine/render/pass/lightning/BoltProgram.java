@@ -8,7 +8,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
@@ -17,7 +17,7 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.View;
 import org.lwjgl.system.MemoryUtil;
 
@@ -65,7 +65,6 @@ final class BoltProgram {
                 ShaderSource.load(FOLDER + "bolt.vert", defines),
                 ShaderSource.load(FOLDER + "bolt.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
                     if (behindClouds) {

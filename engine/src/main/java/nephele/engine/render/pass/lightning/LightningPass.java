@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.lightning;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.render.frame.FrameContext;
@@ -9,7 +10,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -17,26 +17,29 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.MeteredExposure;
 
 /**
  * Adds the bolt of a strike to each view: behind surfaces it is hidden, and clouds in front of a point take from it what
  * the pass of clouds has found. Between strikes it draws nothing.
  */
 public final class LightningPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("lightning", Stage.IN_VIEWS_AFTER_OPAQUE, LightningPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "lightning", Stage.IN_VIEWS_AFTER_OPAQUE, LightningPass::requiredBy)
+            .using(FrameLightning.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final FrameLightning lightning;
     private final TargetReads reads;
     private final BoltProgram program;
 
     private LightningPass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
-        lightning = shared.lightning();
+        targets = context.targets();
+        lightning = context.get(FrameLightning.RESOURCE);
         boolean hasClouds = hasClouds(context.request());
         reads = hasClouds ? TargetReads.of(Target.BOLT_TRANSMITTANCE) : TargetReads.of();
         program = new BoltProgram(context, hasClouds);
@@ -68,7 +71,7 @@ public final class LightningPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.ADD, Cull.NONE, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.draw(frame, lightning);
     }
 }

@@ -1,19 +1,18 @@
 package nephele.engine.render.pass.muzzle;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -26,10 +25,11 @@ import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.View;
@@ -40,8 +40,9 @@ import nephele.engine.scene.ViewNode;
  * them have it already. It reads copies of the view; between shots it draws nothing and nothing is copied for it.
  */
 public final class MuzzleLightPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("muzzle", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, MuzzleLightPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "muzzle", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, MuzzleLightPass::requiredBy)
+            .using(OpeningMesh.RESOURCE, MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/muzzle/";
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
@@ -50,7 +51,7 @@ public final class MuzzleLightPass implements Pass {
     private record Places(Uniforms.Vector4 muzzle, Uniforms.Vector4 intensity) {}
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final Blend added;
     private final GlProgram<Places> light;
     private final GlProgram<Uniforms> nothing;
@@ -59,9 +60,9 @@ public final class MuzzleLightPass implements Pass {
 
     private MuzzleLightPass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         added = MeteredExposure.added(context);
-        openings = shared.openings();
+        openings = context.get(OpeningMesh.RESOURCE);
         triangle = context.own(new FullScreenTriangle(gl, "muzzle.frag"));
         var defines = Defines.of(context).values();
         light = new GlProgram<>(
@@ -69,7 +70,6 @@ public final class MuzzleLightPass implements Pass {
                 ShaderSource.load(FOLDER + "muzzle.vert", defines),
                 ShaderSource.load(FOLDER + "muzzle.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     MeteredExposure.tieInView(context, uniforms);
                     uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
                     uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
@@ -114,7 +114,7 @@ public final class MuzzleLightPass implements Pass {
             state.stencil(Stencil.EQUAL, depth);
         }
         state.set(Depth.OFF, added, Cull.NONE);
-        READS.bind(shared);
+        READS.bind(targets);
         light.use();
         place(frame);
         triangle.draw();

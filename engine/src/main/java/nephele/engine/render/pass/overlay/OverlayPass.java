@@ -100,7 +100,7 @@ public final class OverlayPass implements AutoCloseable {
                 ShaderSource.load(FOLDER + "overlay.frag", defines),
                 uniforms -> {
                     uniforms.sampler("letters", TextureUnit.COLOURS);
-                    uniforms.sampler("shown", TextureUnit.OVERLAY_PICTURE);
+                    uniforms.sampler("overlayPicture", TextureUnit.OVERLAY_PICTURE);
                     return uniforms.vector4("pictureSize");
                 });
         quads = new QuadStream(gl, "overlay", FORMAT);

@@ -1,5 +1,8 @@
 package nephele.engine.render.pass.particle;
 
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
@@ -12,7 +15,6 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
@@ -33,7 +35,9 @@ final class ParticleLight {
 
     private final Level level;
     private final LevelParticles particles;
-    private final SharedResources shared;
+    private final RendererClouds clouds;
+    /** {@code null} under a constant light from all sides. */
+    private final SurfaceLight light;
     private final double[] skyShare;
     private final Vector3d[] ofLamps;
     /** Scattered radiance by emitter, RGB. */
@@ -52,17 +56,18 @@ final class ParticleLight {
     /** {@code null} without clouds. */
     private CloudInterval.Sample cloudsFollowed;
 
-    ParticleLight(Level level, LevelParticles particles, SharedResources shared) {
-        this.level = level;
+    ParticleLight(LoadContext context, LevelParticles particles) {
+        level = context.scene().level();
         this.particles = particles;
-        this.shared = shared;
+        clouds = context.get(RendererClouds.RESOURCE);
+        light = level.environment().ambient() == null ? context.get(SurfaceLight.RESOURCE) : null;
         List<Emitter> emitters = particles.emitters();
         skyShare = new double[emitters.size()];
         ofLamps = new Vector3d[emitters.size()];
         radiance = new float[3 * emitters.size()];
         relief = new float[3 * emitters.size()];
         ofFlash = new float[3 * emitters.size()];
-        lightning = shared.lightning();
+        lightning = context.get(FrameLightning.RESOURCE);
         for (int i = 0; i < emitters.size(); i++) {
             skyShare[i] = particles.surroundings().skyShare(emitters.get(i));
             ofLamps[i] = ofLamps(emitters.get(i));
@@ -82,7 +87,7 @@ final class ParticleLight {
         if (lightning != null) {
             followFlash();
         }
-        CloudInterval interval = shared.clouds().now();
+        CloudInterval interval = clouds.current().now();
         CloudInterval.Sample sample = interval == null ? null : interval.from();
         if (now == followed && sample == cloudsFollowed) {
             return;
@@ -91,7 +96,7 @@ final class ParticleLight {
         cloudsFollowed = sample;
         Sun sun = Daylight.onGround(now);
         towardsSun = sun == null ? Vec3.ZERO : Directions.unit(sun.directionTowardsSun());
-        SkyIrradiance sky = now.ambient() == null ? shared.surfaceLight().irradiance(now) : null;
+        SkyIrradiance sky = now.ambient() == null ? light.irradiance(now) : null;
         for (int i = 0; i < skyShare.length; i++) {
             Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyShare[i]);
             Vector3d direct = new Vector3d();

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.particle;
 
 import java.nio.FloatBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Emitter;
 import nephele.engine.particle.BackToFront;
@@ -14,7 +15,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
@@ -22,6 +22,11 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -29,11 +34,12 @@ import nephele.engine.scene.View;
  * blended over the view. Places are subtracted in double precision, so the world's size does not matter.
  */
 public final class ParticlePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy)
+            .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final LevelParticles particles;
     private final ParticleLight light;
@@ -46,11 +52,11 @@ public final class ParticlePass implements Pass {
 
     private ParticlePass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
+        targets = context.targets();
         reads = context.request().fadesAtSurfaces() ? TargetReads.of(Target.VIEW_DEPTH) : TargetReads.of();
         List<Emitter> emitters = making(context.request());
         particles = new LevelParticles(emitters, context.scene().statics());
-        light = new ParticleLight(context.scene().level(), particles, shared);
+        light = new ParticleLight(context, particles);
         isSeen = new boolean[emitters.size()];
         centres = new float[3 * emitters.size()];
         quads = context.own(new ParticleQuads(gl));
@@ -108,7 +114,7 @@ public final class ParticlePass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
-        reads.bind(shared);
+        reads.bind(targets);
         program.use(frame);
         quads.draw();
     }

@@ -25,7 +25,7 @@ final class MirrorFog {
 
     private MirrorFog(LoadContext context) {
         gl = context.gl();
-        openings = context.shared().openings();
+        openings = context.get(OpeningMesh.RESOURCE);
         program = OpeningPrograms.fog(context);
     }
 

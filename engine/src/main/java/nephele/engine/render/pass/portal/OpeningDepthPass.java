@@ -19,9 +19,11 @@ import nephele.engine.scene.ViewNode;
 /** Writes the depth of openings first, so that neither their wall nor what is behind it is drawn there. */
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-            "portal.depth",
-            Stage.IN_VIEWS,
-            request -> OpeningRequirements.of(request, "where openings hide what is behind", OpeningDepthPass::new));
+                    "portal.depth",
+                    Stage.IN_VIEWS,
+                    request -> OpeningRequirements.of(
+                            request, "where openings hide what is behind", OpeningDepthPass::new))
+            .using(OpeningMesh.RESOURCE);
 
     private final GlContext gl;
     private final GlProgram<?> program;
@@ -30,7 +32,7 @@ public final class OpeningDepthPass implements Pass {
     private OpeningDepthPass(LoadContext context) {
         gl = context.gl();
         program = OpeningPrograms.nothing(context);
-        openings = context.shared().openings();
+        openings = context.get(OpeningMesh.RESOURCE);
     }
 
     @Override

@@ -8,7 +8,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** Programs that place openings at exactly the same depth. */
 final class OpeningPrograms {
@@ -29,17 +29,14 @@ final class OpeningPrograms {
     /** Returns a program that looks up a picture. */
     static GlProgram<Object> picture(LoadContext context) {
         return program(context, "picture.frag", uniforms -> {
-            uniforms.sampler("shown", TextureUnit.COLOURS);
+            uniforms.sampler("openingPicture", TextureUnit.COLOURS);
             return uniforms;
         });
     }
 
     /** Returns a program for the fog between the eye and openings, times the part of light that they absorb. */
     static GlProgram<Uniforms.Vector3> fog(LoadContext context) {
-        return program(context, "mirror-fog.frag", uniforms -> {
-            uniforms.block("Frame", FrameUniforms.BINDING);
-            return uniforms.vector3("keptBack");
-        });
+        return program(context, "mirror-fog.frag", uniforms -> uniforms.vector3("keptBack"));
     }
 
     private static <U> GlProgram<U> program(LoadContext context, String fragment, Function<Uniforms, U> uniforms) {

@@ -33,9 +33,10 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-            "portal",
-            Stage.IN_VIEWS,
-            request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new));
+                    "portal",
+                    Stage.IN_VIEWS,
+                    request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new))
+            .using(OpeningMesh.RESOURCE);
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -55,8 +56,8 @@ public final class PortalPass implements Pass {
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
-        openings = context.shared().openings();
-        surroundings = context.shared().surroundings();
+        openings = context.get(OpeningMesh.RESOURCE);
+        surroundings = context.resources().environment();
         fog = MirrorFog.of(context);
         Environment environment = context.scene().level().environment();
         boolean isFogBefore = FogTransmittance.of(environment).isPresent();

@@ -4,7 +4,7 @@ import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;

@@ -4,7 +4,6 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalRequirements;
 import nephele.engine.render.frame.RenderFeature;
@@ -17,6 +16,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
 
 /**
@@ -26,8 +26,9 @@ import nephele.engine.scene.FrameState;
  * with the slope of a face, and would show the sides of a ring through the floor that it stands on.
  */
 public final class RimPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("portal.rim", Stage.IN_VIEWS, Role.DECORATION, RimPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "portal.rim", Stage.IN_VIEWS, Role.DECORATION, RimPass::requiredBy)
+            .using(MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final RimShapes shapes;

@@ -4,7 +4,6 @@ import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
@@ -16,6 +15,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewNode;
@@ -26,8 +26,9 @@ import nephele.engine.scene.ViewNode;
  * opening exists with or without rims.
  */
 public final class UnfilledPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("portal.unfilled", Stage.IN_VIEWS, UnfilledPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "portal.unfilled", Stage.IN_VIEWS, UnfilledPass::requiredBy)
+            .using(OpeningMesh.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final RimLook look = new RimLook();
@@ -38,7 +39,7 @@ public final class UnfilledPass implements Pass {
     private UnfilledPass(LoadContext context) {
         gl = context.gl();
         membrane = new OpeningMembrane(context);
-        openings = context.shared().openings();
+        openings = context.get(OpeningMesh.RESOURCE);
         over = MeteredExposure.over(context);
     }
 

@@ -36,7 +36,7 @@ final class BillboardDepth {
 
     BillboardDepth(LoadContext context) {
         gl = context.gl();
-        quads = context.billboards(Kind.WITH_EDGES);
+        quads = BillboardQuads.of(context, Kind.WITH_EDGES);
         list = context.own(new BillboardList(gl, 1));
         boolean isObserved = context.scene().level().observerStart() != null;
         Map<String, String> defines = new Defines()

@@ -47,7 +47,7 @@ final class DepthDraw {
         record OfLevel(Same level, String name, Quality quality) {}
         return context.share(
                 DepthLayers.class,
-                new OfLevel(context.shared().openedLevel(), name, context.quality()),
+                new OfLevel(context.openedLevel(), name, context.quality()),
                 () -> new DepthLayers(context.gl(), name));
     }
 
@@ -92,7 +92,7 @@ final class DepthDraw {
         context.gl().state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
         program.uniforms().depthPerMetre().set((float) depthPerMetre);
-        SolidMesh mesh = context.shared().solids();
+        SolidMesh mesh = context.get(SolidMesh.RESOURCE);
         for (int i = 0; i < mesh.batches().size(); i++) {
             SolidBatch batch = mesh.batches().get(i);
             Vec3 cell = batch.cellOrigin();

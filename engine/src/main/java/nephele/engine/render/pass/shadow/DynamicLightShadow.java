@@ -1,14 +1,14 @@
 package nephele.engine.render.pass.shadow;
 
+import java.util.Map;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Frustum;
-import nephele.engine.render.frame.DynamicShadows;
+import nephele.engine.render.resource.DynamicShadows;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
@@ -28,7 +28,7 @@ final class DynamicLightShadow {
     /** The content of the pictures: the dynamic objects of one renderer in one state. */
     private record Content(Same dynamicObjects, long state) {}
 
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final Same dynamicObjects;
     private final DynamicDepthDraw depth;
     private final DynamicShadows shade;
@@ -39,10 +39,10 @@ final class DynamicLightShadow {
     private List<Content> contents = List.of();
 
     DynamicLightShadow(LoadContext context, DynamicMeshes meshes, DynamicDepthDraw depth) {
-        shared = context.shared();
+        targets = context.targets();
         dynamicObjects = new Same(meshes);
         this.depth = depth;
-        SurfaceLight surfaceLight = shared.surfaceLight();
+        SurfaceLight surfaceLight = context.get(SurfaceLight.RESOURCE);
         shade = surfaceLight.dynamicShadows();
         List<PunctualLight> lights = surfaceLight.lights().lights();
         LightShadowLayers shadows = surfaceLight.lights().shadows();
@@ -65,7 +65,7 @@ final class DynamicLightShadow {
         if (contents.isEmpty() || contents.get(0).state != state) {
             contents = Collections.nCopies(extent.layers(), new Content(dynamicObjects, state));
         }
-        shared.publish(Target.DYNAMIC_LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
+        targets.put(Target.DYNAMIC_LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
     }
 
     private void draw(int number, RenderTarget target, Object before) {

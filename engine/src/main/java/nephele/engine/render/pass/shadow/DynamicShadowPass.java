@@ -3,7 +3,6 @@ package nephele.engine.render.pass.shadow;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.render.frame.DynamicShadows;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -13,14 +12,17 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.DynamicShadows;
+import nephele.engine.render.resource.SurfaceLight;
 
 /**
  * Draws depth maps of dynamic objects for the sun and punctual lights, again when an object has moved or the eye has
  * moved far.
  */
 public final class DynamicShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy)
+            .using(DynamicMeshes.RESOURCE, SurfaceLight.RESOURCE);
 
     private final Set<Target> writes;
     private final DynamicMeshes meshes;
@@ -34,9 +36,9 @@ public final class DynamicShadowPass implements Pass {
 
     private DynamicShadowPass(LoadContext context, Set<Target> writes) {
         this.writes = writes;
-        meshes = context.shared().dynamicObjects();
+        meshes = context.get(DynamicMeshes.RESOURCE);
         depth = new DynamicDepthDraw(context, meshes);
-        shade = context.shared().surfaceLight().dynamicShadows();
+        shade = context.get(SurfaceLight.RESOURCE).dynamicShadows();
         sun = shade.sun() ? new DynamicSunShadow(context, meshes) : null;
         lights = shade.lights() ? new DynamicLightShadow(context, meshes, depth) : null;
     }

@@ -2,10 +2,10 @@ package nephele.engine.render.pass.shadow;
 
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.DynamicShadows;
+import nephele.engine.render.resource.DynamicShadows;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -36,7 +36,7 @@ final class DynamicSunShadow {
     DynamicSunShadow(LoadContext context, DynamicMeshes meshes) {
         gl = context.gl();
         this.meshes = meshes;
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         shade = light.dynamicShadows();
         anchor = light.anchor();
         int side = Math.max(256, context.quality().shadowTexels() / SIDE_DIVISOR);
@@ -51,7 +51,7 @@ final class DynamicSunShadow {
                 Sampling.NEAREST_CLAMP));
         target = context.own(RenderTarget.depthLayer(gl, "sun shadow of dynamic objects", map, 0));
         visible = new VisibleInstances(meshes.dynamicObjects(), meshes.copies());
-        context.shared().publish(Target.DYNAMIC_SUN_SHADOW, map);
+        context.targets().put(Target.DYNAMIC_SUN_SHADOW, map);
     }
 
     /**

@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.PunctualLight;
@@ -11,12 +12,14 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.LightShadowLayers;
 import nephele.engine.scene.light.PunctualLightTable;
@@ -26,10 +29,11 @@ import nephele.engine.scene.light.PunctualLightTable;
  * changed.
  */
 public final class LightShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy)
+            .using(SolidMesh.RESOURCE, TerrainMesh.RESOURCE, SurfaceLight.RESOURCE);
 
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final List<PunctualLight> lights;
     private final LightShadowLayers shadows;
     private final Vec3 anchor;
@@ -42,11 +46,12 @@ public final class LightShadowPass implements Pass {
     private record Content(PunctualLight light, int axis, Same shade, Vec3 anchor) {}
 
     private LightShadowPass(LoadContext context) {
-        shared = context.shared();
-        PunctualLightTable table = shared.surfaceLight().lights();
+        targets = context.targets();
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
+        PunctualLightTable table = light.lights();
         lights = table.lights();
         shadows = table.shadows();
-        anchor = shared.surfaceLight().anchor();
+        anchor = light.anchor();
         depth = new DepthDraw(context);
         maps = DepthDraw.layers(context, "light shadows");
         contents = shadows.layers().stream()
@@ -79,7 +84,7 @@ public final class LightShadowPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        shared.publish(Target.LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
+        targets.put(Target.LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
     }
 
     private void draw(int layer, RenderTarget target, Object before) {

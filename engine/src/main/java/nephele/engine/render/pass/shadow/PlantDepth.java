@@ -46,7 +46,7 @@ final class PlantDepth {
 
     PlantDepth(LoadContext context) {
         gl = context.gl();
-        plants = context.plants();
+        plants = PlantedScene.of(context);
         list = context.own(new PlantList(gl));
         quads = context.own(new BillboardList(gl, 1));
         isMesh = meshKinds(plants, context.quality().impostorPixels() == 0 ? Long.MAX_VALUE : MOST_TRIANGLES);

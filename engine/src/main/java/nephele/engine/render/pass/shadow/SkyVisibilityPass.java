@@ -29,7 +29,7 @@ public final class SkyVisibilityPass implements Pass {
         SkyVisibility visibility = context.scene().skyVisibility();
         Texture map =
                 context.share(Texture.class, new Same(visibility.texels()), () -> texture(context.gl(), visibility));
-        context.shared().publish(Target.SKY_VISIBILITY, map);
+        context.targets().put(Target.SKY_VISIBILITY, map);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

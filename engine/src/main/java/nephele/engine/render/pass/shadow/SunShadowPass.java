@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -15,14 +16,15 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
@@ -32,11 +34,12 @@ import nephele.engine.scene.light.ShadowFrame;
  * has changed.
  */
 public final class SunShadowPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy)
+            .using(SolidMesh.RESOURCE, TerrainMesh.RESOURCE, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final Map<Target, Texture> targets;
     private final SurfaceLight light;
     private final DepthDraw depth;
     /** {@code null} if no billboard casts a shadow. */
@@ -77,8 +80,8 @@ public final class SunShadowPass implements Pass {
 
     private SunShadowPass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
-        light = shared.surfaceLight();
+        targets = context.targets();
+        light = context.get(SurfaceLight.RESOURCE);
         depth = new DepthDraw(context);
         boolean isPlanted = LightRequirements.billboardsCast(context.scene().level());
         billboards = isPlanted ? new BillboardDepth(context) : null;
@@ -118,7 +121,7 @@ public final class SunShadowPass implements Pass {
             size = new Texture.Extent(frame.width(), frame.height(), 1);
         }
         Texture texture = map.showing(contents, size, (layer, target, before) -> draw(target, frame, (Content) before));
-        shared.publish(Target.SUN_SHADOW, texture);
+        targets.put(Target.SUN_SHADOW, texture);
     }
 
     /** Returns the place on which the billboards' shadows depend besides the sun; {@code null} for none. */

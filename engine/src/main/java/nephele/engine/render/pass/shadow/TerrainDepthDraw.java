@@ -25,7 +25,7 @@ final class TerrainDepthDraw {
     private final GlProgram<DepthUniforms> program;
 
     TerrainDepthDraw(LoadContext context) {
-        meshes = context.shared().terrains();
+        meshes = context.get(TerrainMesh.RESOURCE);
         program = meshes.isEmpty()
                 ? null
                 : new GlProgram<>(

@@ -9,7 +9,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
@@ -25,6 +24,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
@@ -35,8 +35,9 @@ import org.lwjgl.system.MemoryUtil;
  * shots it draws nothing.
  */
 public final class ShotPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("shot", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, ShotPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "shot", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, ShotPass::requiredBy)
+            .using(MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/shot/";
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);

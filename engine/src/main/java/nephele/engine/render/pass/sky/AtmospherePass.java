@@ -23,6 +23,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.SunAndMoonTables;
 
@@ -32,8 +33,9 @@ import nephele.engine.render.resource.SunAndMoonTables;
  * stars, {@link NightSky}.
  */
 public final class AtmospherePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy)
+            .using(BackgroundWork.RESOURCE);
 
     private final SkyProgram day;
     /** With moon and stars; {@code null} until the sun has set, since the software renderer executes every branch. */
@@ -47,8 +49,7 @@ public final class AtmospherePass implements Pass {
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
         day = SkyProgram.of(context, false);
-        tables = context.shared()
-                .shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+        tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         byHeight = context.own(new ByHeight<>(this::tables));
     }
 
@@ -63,7 +64,7 @@ public final class AtmospherePass implements Pass {
                         PixelFormat.RGBA32F,
                         extent,
                         Sampling.LINEAR_CLAMP),
-                context.shared().background(),
+                context.get(BackgroundWork.RESOURCE),
                 heightMetres,
                 sine -> new SkyTable(air, heightMetres, sine).texels());
     }

@@ -16,7 +16,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /**
  * Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn; behind fog that ends with
@@ -36,7 +36,6 @@ public final class GradientSkyPass implements Pass {
     private GradientSkyPass(LoadContext context) {
         drawing = new FullScreenDrawing(
                 context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     colours = new Colours(
                             uniforms.vector3("zenith"), uniforms.vector3("horizon"), uniforms.vector3("ground"));
                 });

@@ -18,7 +18,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code atmosphere.frag} with its numbers, which are set when they change. */
 final class SkyProgram {
@@ -60,7 +60,6 @@ final class SkyProgram {
                 .with("AZIMUTHS", SkyTable.AZIMUTHS);
         drawing = new FullScreenDrawing(
                 context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("skyTable", TextureUnit.COLOURS);
                     sunNumbers = new SunNumbers(
                             uniforms.vector3("towardsSun"),

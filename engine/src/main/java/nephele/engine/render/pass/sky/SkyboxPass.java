@@ -32,13 +32,14 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.PictureArrays;
 import org.joml.Vector3d;
 
 /** Draws six pictures around the eye where no solid has been drawn. Fog hides them. */
 public final class SkyboxPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy)
+            .using(PictureArrays.DECODED);
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
     private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
@@ -54,7 +55,7 @@ public final class SkyboxPass implements Pass {
     /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxPictures pictures = SkyboxPictures.of(sky, context.shared()::picture);
+            SkyboxPictures pictures = SkyboxPictures.of(sky, context.get(PictureArrays.DECODED));
             return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
         }
 
@@ -68,9 +69,7 @@ public final class SkyboxPass implements Pass {
     private SkyboxPass(LoadContext context, Sky.Skybox sky) {
         gl = context.gl();
         cube = context.share(
-                Cube.class,
-                new MadeFrom(context.shared().openedLevel(), sky, context.output()),
-                () -> Cube.of(context, sky));
+                Cube.class, new MadeFrom(context.openedLevel(), sky, context.output()), () -> Cube.of(context, sky));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
@@ -78,7 +77,6 @@ public final class SkyboxPass implements Pass {
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms.scalar("whiteRadiance");
                 });

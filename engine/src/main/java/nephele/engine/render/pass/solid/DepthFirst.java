@@ -11,7 +11,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 
 /**
@@ -31,10 +31,8 @@ final class DepthFirst {
                 gl,
                 ShaderSource.load(FOLDER + "depth.vert", defines),
                 ShaderSource.load(FOLDER + "depth.frag", defines),
-                uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
-                    return new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty());
-                });
+                uniforms ->
+                        new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty()));
     }
 
     void draw(FrameContext frame, SolidMesh mesh) {

@@ -11,11 +11,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -25,13 +23,16 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightRequirements;
 
 /** Draws solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy)
+            .using(SolidMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;
@@ -50,10 +51,10 @@ public final class SolidPass implements Pass {
     private SolidPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        mesh = context.shared().solids();
-        colours = context.shared().colourPictures();
-        normals = context.shared().normalPictures();
-        light = context.shared().surfaceLight();
+        mesh = context.get(SolidMesh.RESOURCE);
+        colours = context.get(PictureArrays.COLOURS);
+        normals = context.get(PictureArrays.NORMALS);
+        light = context.get(SurfaceLight.RESOURCE);
         depthFirst = light.variesOverFaces() ? new DepthFirst(context) : null;
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));

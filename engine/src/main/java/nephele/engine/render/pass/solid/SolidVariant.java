@@ -6,8 +6,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
@@ -30,7 +30,7 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
-        SurfaceLight light = context.shared().surfaceLight();
+        SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         Defines lit = form.isModel() ? light.addForModels(Defines.of(context)) : light.addTo(Defines.of(context));
         var defines = surface.addTo(lit, materialsPerBlock)
                 .withIf(emission, "EMISSION")

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.terrain;
 
+import nephele.engine.render.resource.PictureArrays;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
@@ -9,8 +10,8 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
-import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
@@ -62,7 +63,7 @@ final class GroundDrawing {
         isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
         GroundLook said = GroundLook.of(grid, context.scene().materials());
         look = isBaked ? said.baked() : said;
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         paint = grid.painted().map(map -> paint(context, map)).orElse(null);
         parts = slopes(context.quality().normalMaps()).stream()
@@ -121,25 +122,24 @@ final class GroundDrawing {
     private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
         var mixture = BakedLayers.of(
                 grid, context.scene().materials(), context.output().decoding());
-        return context.shared().colourPictures(List.of(mixture));
+        return PictureArrays.enlargedColours(context, List.of(mixture));
     }
 
     private static Texture colours(LoadContext context, LayerPictures pictures) {
         return pictures.array() == LayerPictures.OWN
-                ? context.shared().colourPictures(pictures.own())
-                : context.shared().colourPictures().get(pictures.array());
+                ? PictureArrays.enlargedColours(context, pictures.own())
+                : context.get(PictureArrays.COLOURS).get(pictures.array());
     }
 
     private static Texture normals(LoadContext context, LayerPictures pictures) {
         return pictures.array() == LayerPictures.OWN
-                ? context.shared().normalPictures(pictures.own())
-                : context.shared().normalPictures().get(pictures.array());
+                ? PictureArrays.enlargedNormals(context, pictures.own())
+                : context.get(PictureArrays.NORMALS).get(pictures.array());
     }
 
     private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
         surface.set(uniforms);
         light.tieForDynamicObjects(uniforms);
-        uniforms.samplerIfRead("terrainSlopes", TextureUnit.TERRAIN_SLOPES);
         if (tiles != null) {
             uniforms.sampler("terrainTiles", TextureUnit.TERRAIN_TILES);
         }

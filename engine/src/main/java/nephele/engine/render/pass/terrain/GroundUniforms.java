@@ -9,7 +9,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Quality.TerrainDetail;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;

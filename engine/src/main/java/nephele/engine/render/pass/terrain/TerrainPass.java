@@ -11,18 +11,20 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainMesh;
 
 /** Draws terrains, with all their triangles or with as many as the view needs. */
 public final class TerrainPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy)
+            .using(TerrainMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;
@@ -32,9 +34,9 @@ public final class TerrainPass implements Pass {
     private TerrainPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
         gl = context.gl();
-        light = context.shared().surfaceLight();
+        light = context.get(SurfaceLight.RESOURCE);
         List<StaticShape.HeightGrid> grids = context.scene().statics().ground();
-        List<TerrainMesh> meshes = context.shared().terrains();
+        List<TerrainMesh> meshes = context.get(TerrainMesh.RESOURCE);
         for (int i = 0; i < grids.size(); i++) {
             grounds.add(new GroundDrawing(context, grids.get(i), meshes.get(i)));
         }

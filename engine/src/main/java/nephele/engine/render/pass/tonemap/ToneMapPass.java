@@ -7,7 +7,6 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MeteredExposure;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -16,11 +15,12 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("tonemap", Stage.AFTER_ALL, ToneMapPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("tonemap", Stage.AFTER_ALL, ToneMapPass::requiredBy).using(MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/tonemap/";
 
@@ -28,14 +28,12 @@ public final class ToneMapPass implements Pass {
     private final boolean isMetered;
 
     private ToneMapPass(LoadContext context) {
-        isMetered = MeteredExposure.isRequiredBy(context.request());
+        isMetered = context.request().metersExposure();
         var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
         drawing = new FullScreenDrawing(context, FOLDER, stages, uniforms -> {
             uniforms.sampler("linearPicture", TextureUnit.COLOURS);
             if (isMetered) {
-                context.shared().exposure().tie(uniforms);
-            } else {
-                uniforms.block("Frame", FrameUniforms.BINDING);
+                context.get(MeteredExposure.RESOURCE).tie(uniforms);
             }
         });
     }

@@ -25,7 +25,7 @@ public final class UpscalePass implements Pass {
 
     /**
      * The slope of the weights of {@code SHARP_BILINEAR}; 1 is bilinear. Greater ones are nearer to the whole picture, and
-     * shimmer more (docs/decisions.md).
+     * shimmer more (docs/decisions/performance.md).
      */
     public static final double STEEPNESS = 1.5;
 

@@ -45,11 +45,11 @@ const float FADE_SHARE = 0.15; // of the width
 #endif
 
 // How round a billboard is lit: a corner faces so far to the side and above.
-const float BULGE = 0.75; // = BillboardShape.BULGE
+const float BULGE = java(level.billboard.PlantedBillboards.BULGE);
 // Leaves let light through: faces are turned towards the sun.
-const float THROUGH = 0.4; // = BillboardShape.THROUGH
+const float THROUGH = java(level.billboard.PlantedBillboards.THROUGH);
 // The share of the sun's light that leaves which lie behind others receive on the mean.
-const float BETWEEN_LEAVES = 0.75; // = BillboardShape.BETWEEN_LEAVES
+const float BETWEEN_LEAVES = java(level.billboard.PlantedBillboards.BETWEEN_LEAVES);
 
 vec3 lightAt(Surface s) {
     REFLECTANCE r = reflectanceOf(s);

@@ -6,7 +6,7 @@ layout(location = 0) out vec4 cell; // x: log2 luminance
 
 // Less than one is hidden: display values that were drawn into the scene. The slack is three steps of a half float.
 const float LEAST_SHARE = 0.9985;
-const float LARGEST_HALF = 65504.0; // = LuminanceHistogram.LARGEST_HALF
+const float LARGEST_HALF = java(level.appearance.LuminanceHistogram.LARGEST_HALF);
 
 // The centre of a sample, in whole numbers, so that no rounding decides between two pixels.
 ivec2 pixelOf(int index) {

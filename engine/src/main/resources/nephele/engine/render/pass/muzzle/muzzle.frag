@@ -15,7 +15,7 @@ uniform vec4 intensity; // rgb: radiant, as displayed; a: 1 / range^2
 
 const float GUN_DEPTH = 0.05; // window depths before it are the gun's, which has a light of its own: = gun.vert, DEPTH_SHARE
 
-const float DARK_SHARE = 0.1; // = MuzzleLight.DARK_SHARE
+const float DARK_SHARE = java(scene.MuzzleLight.DARK_SHARE);
 const float FAR = 1e4; // metres, in place of the sky's distance
 
 vec3 placeAt(ivec2 at, float depth) {

@@ -58,15 +58,15 @@ float discInPixel(float sine, float radius, float pixel) {
 }
 
 #ifdef NIGHT
-const float MOON_SINE = 0.0045; // = Moonlight.RADIUS_SINE
-const float MOON_ALBEDO = 0.12; // = Moonlight.ALBEDO
+const float MOON_SINE = java(level.appearance.Moonlight.RADIUS_SINE);
+const float MOON_ALBEDO = java(level.appearance.Moonlight.ALBEDO);
 // The night is brighter than in nature by this factor: half floats and eight stops of exposure shall hold it.
-const float NIGHT_GAIN = 400.0; // = Moonlight.NIGHT_GAIN
+const float NIGHT_GAIN = java(level.appearance.Moonlight.NIGHT_GAIN);
 // Light of the night's own air and of unresolved stars, after nautical dusk; per unit irradiance of the sun.
-const vec3 NIGHT_GLOW = vec3(0.55, 0.75, 1.25) * 1.6e-8 * NIGHT_GAIN; // = Heavens.NIGHT_GLOW
+const vec3 NIGHT_GLOW = java(level.appearance.Heavens.NIGHT_GLOW);
 // The glow's irradiance of a level ground, divided by pi and by the glow of the zenith.
-const float GLOW_ON_GROUND = 1.061; // = Heavens.GLOW_ON_GROUND
-const float CELLS = 40.0; // = StarCells.CELLS
+const float GLOW_ON_GROUND = java(level.appearance.Heavens.GLOW_ON_GROUND);
+const float CELLS = java(level.appearance.StarCells.CELLS);
 
 uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d
     v = v * 1664525u + 1013904223u;
@@ -82,31 +82,10 @@ uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Ren
 
 // Dark plains: unit vectors to their middles, east, north and towards the planet, and their radii in radians.
 const int SEA_COUNT = 15;
-const vec4 SEAS[SEA_COUNT] = vec4[]( // = MoonFace.SEAS
-    vec4(-0.231, 0.545, 0.806, 0.314),
-    vec4(0.273, 0.469, 0.840, 0.192),
-    vec4(0.509, 0.156, 0.847, 0.227),
-    vec4(0.820, 0.292, 0.493, 0.140),
-    vec4(0.770, -0.139, 0.623, 0.192),
-    vec4(0.554, -0.259, 0.791, 0.105),
-    vec4(-0.273, -0.358, 0.893, 0.192),
-    vec4(-0.575, -0.407, 0.710, 0.122),
-    vec4(-0.797, 0.342, 0.498, 0.314),
-    vec4(-0.718, -0.052, 0.694, 0.244),
-    vec4(-0.610, 0.139, 0.780, 0.209),
-    vec4(0.047, 0.839, 0.543, 0.105),
-    vec4(-0.256, 0.839, 0.481, 0.105),
-    vec4(0.068, 0.225, 0.972, 0.087),
-    vec4(-0.385, -0.174, 0.907, 0.122));
+const vec4 SEAS[SEA_COUNT] = java(level.appearance.MoonFace.SEAS);
 // Young craters with bright rays: directions and sizes.
 const int RAYED_COUNT = 6;
-const vec4 RAYED[RAYED_COUNT] = vec4[]( // = MoonFace.RAYED
-    vec4(-0.140, -0.682, 0.718, 0.628),
-    vec4(-0.337, 0.174, 0.925, 0.279),
-    vec4(-0.610, 0.139, 0.780, 0.157),
-    vec4(-0.668, 0.407, 0.623, 0.157),
-    vec4(0.864, -0.156, 0.479, 0.209),
-    vec4(0.703, 0.276, 0.656, 0.122));
+const vec4 RAYED[RAYED_COUNT] = java(level.appearance.MoonFace.RAYED);
 
 float random(ivec3 cell) {
     return float(mixed(uvec3(cell + 4096)).x >> 8u) / 16777216.0;

@@ -2,36 +2,40 @@ package nephele.engine.render.pass.cloud.shade;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.SunShares;
-import nephele.engine.render.frame.CloudShadeRegion;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.CloudShadeRegion;
+import nephele.engine.render.resource.RendererClouds;
 import org.lwjgl.system.MemoryUtil;
 
 /** Publishes the shade of clouds on the level. */
 public final class CloudShadePass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature(
+                    "cloud.shade", Stage.ONCE_A_FRAME, CloudShadePass::requiredBy)
+            .using(RendererClouds.RESOURCE);
 
-    private final SharedResources shared;
+    private final RendererClouds clouds;
+    private final Map<Target, Texture> targets;
     private final SunShares.Size size;
     private final Texture texture;
     private CloudInterval shown;
 
     private CloudShadePass(LoadContext context) {
-        shared = context.shared();
+        clouds = context.get(RendererClouds.RESOURCE);
+        targets = context.targets();
         size = SunShares.Size.of(CloudShadeRegion.of(context.scene().statics()));
         texture = context.own(new Texture(
                 context.gl(),
@@ -55,14 +59,14 @@ public final class CloudShadePass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        CloudInterval now = shared.clouds().now();
+        CloudInterval now = clouds.current().now();
         if (now == null) {
             uploadFull();
         } else if (shown == null || now.from() != shown.from() || now.share() != shown.share()) {
             shown = now;
             upload();
         }
-        shared.publish(Target.CLOUD_SHADE, texture);
+        targets.put(Target.CLOUD_SHADE, texture);
     }
 
     /** Leaves the sun all its light: no cloud has any extinction. */

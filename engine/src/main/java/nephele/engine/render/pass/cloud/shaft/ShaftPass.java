@@ -14,7 +14,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -22,6 +21,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.scene.View;
 
@@ -30,11 +30,12 @@ import nephele.engine.scene.View;
  * drawn; everything that is seen through air reads it, see {@code air.glsl}.
  */
 public final class ShaftPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("cloud.shafts", Stage.IN_VIEWS, ShaftPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("cloud.shafts", Stage.IN_VIEWS, ShaftPass::requiredBy)
+            .using(RendererClouds.RESOURCE, ShaftTables.RESOURCE);
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final RendererClouds levelClouds;
+    private final ShaftTables tables;
     private final FullScreenTriangle triangle;
     /** {@code null} if the clouds that have shafts have no extinction. */
     private final ShaftClouds clouds;
@@ -45,8 +46,9 @@ public final class ShaftPass implements Pass {
 
     private ShaftPass(LoadContext context) {
         gl = context.gl();
-        shared = context.shared();
-        clouds = shared.clouds().shafts();
+        levelClouds = context.get(RendererClouds.RESOURCE);
+        tables = context.get(ShaftTables.RESOURCE);
+        clouds = levelClouds.current().shafts();
         triangle = context.own(new FullScreenTriangle(gl, "shafts"));
         shade = clouds == null ? null : new ShadeTexture(context, clouds.grid());
         program = clouds == null ? null : new ShaftProgram(context);
@@ -68,19 +70,19 @@ public final class ShaftPass implements Pass {
             return;
         }
         View view = frame.view();
-        CloudInterval now = shared.clouds().now();
+        CloudInterval now = levelClouds.current().now();
         shade.show(now);
         gl.state().beginLayer(ShaftTables.DIVISOR, limits);
-        shared.shafts().target(view, frame.surface()).bind();
+        tables.target(view, frame.surface()).bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
         ShaftLight light = ShaftLight.of(SunAndMoon.of(frame.frameState().environment()));
         Vec3 eye = view.eye().minus(clouds.drift(now.seconds()));
-        Vec3 focus = clouds.foot(shared.clouds().focus(), now.seconds(), light.towards());
+        Vec3 focus = clouds.foot(levelClouds.current().focus(), now.seconds(), light.towards());
         shade.bind();
         program.use(now, clouds, light, new ShaftProgram.Eye(eye, focus.minus(eye)));
         triangle.draw();
         gl.state().endLayer(limits);
         frame.surface().bind();
-        shared.shafts().setView(view);
+        tables.setView(view);
     }
 }

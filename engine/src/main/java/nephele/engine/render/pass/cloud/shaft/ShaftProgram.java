@@ -14,7 +14,7 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.pass.cloud.BoxUniforms;
-import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code shaft.frag} with its numbers. */
 final class ShaftProgram {
@@ -31,7 +31,6 @@ final class ShaftProgram {
 
     private record Places(BoxUniforms boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {
         static Places of(Uniforms uniforms, int boxes) {
-            uniforms.block("Frame", FrameUniforms.BINDING);
             uniforms.sampler("shade", TextureUnit.SHAFT_SHADE);
             return new Places(BoxUniforms.of(uniforms, boxes), uniforms.vector3("slant"), uniforms.vector2("planet"));
         }

@@ -3,7 +3,7 @@ package nephele.engine.render.pass.cloud.skybox;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.reach.EyeReach;
+import nephele.engine.model.BoundingSphere;
 
 /** The point from which a cloud is baked. */
 final class BakePoint {
@@ -16,13 +16,9 @@ final class BakePoint {
      * Returns the middle of where eyes can be if all of them are on this side of the cloud, otherwise the first camera or
      * the player's start.
      */
-    static Vec3 of(Level level, EyeReach reach, Aabb cloud) {
-        if (!reach.isAnywhere()) {
-            Vec3 middle = reach.bounds().centre();
-            Aabb point = Aabb.around(middle, Vec3.ZERO);
-            if (reach.farthestMetres(middle) < EyeReach.metresBetween(point, cloud)) {
-                return middle;
-            }
+    static Vec3 of(Level level, BoundingSphere eyes, Aabb cloud) {
+        if (eyes != null && eyes.radius() < cloud.nearest(eyes.centre())) {
+            return eyes.centre();
         }
         if (!level.cameras().isEmpty()) {
             return level.cameras().get(0).position();

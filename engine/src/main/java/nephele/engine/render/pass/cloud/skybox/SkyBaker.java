@@ -1,11 +1,12 @@
 package nephele.engine.render.pass.cloud.skybox;
 
+import nephele.engine.render.frame.RenderResources;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -21,7 +22,8 @@ final class SkyBaker {
     private static final double NEAREST_METRES = 1;
 
     private final GlContext gl;
-    private final SharedResources shared;
+    private final RenderResources resources;
+    private final RendererClouds clouds;
     private final PlacedCloud still;
     private final CloudDrawing drawing;
     private final Vec3 bakePoint;
@@ -34,7 +36,8 @@ final class SkyBaker {
     /** @param still the cloud at the time that is baked, which {@code drawing} draws */
     SkyBaker(LoadContext load, PlacedCloud still, CloudDrawing drawing, Vec3 bakePoint) {
         gl = load.gl();
-        shared = load.shared();
+        resources = load.resources();
+        clouds = load.get(RendererClouds.RESOURCE);
         this.still = still;
         this.drawing = drawing;
         this.bakePoint = bakePoint;
@@ -45,7 +48,7 @@ final class SkyBaker {
     void begin(SkyPicture begun, Environment environment, CloudInterval now) {
         still.follow(now);
         drawing.follow(environment, now);
-        focus = shared.clouds().focus();
+        focus = clouds.current().focus();
         picture = begun;
         drawn = 0;
         picture.begin(BakedFaces.of(bakePoint, still.bounds(), texelsOfFace), moment(environment, now.seconds()));
@@ -98,13 +101,13 @@ final class SkyBaker {
         gl.state().beginLayer(1, limits);
         for (int i = 0; i < most && !isDone(); i++) {
             View face = picture.faces().view(drawn);
-            shared.frameUniforms().upload(face, 1);
+            resources.uniforms().upload(face, 1);
             picture.target(drawn).clearTransparent();
             gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
             drawing.draw(CloudCanvas.baked(face, focus));
             drawn++;
         }
         gl.state().endLayer(limits);
-        shared.frameUniforms().upload(view, shared.surroundings().exposure());
+        resources.resume(view);
     }
 }

@@ -1,12 +1,12 @@
 package nephele.engine.render.pass.cloud.skybox;
 
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.pass.cloud.CloudCanvas;
@@ -32,7 +32,7 @@ final class SkyboxCloud implements CloudDrawing {
     private static final double MOST_SUN_RADIANS = Math.toRadians(2);
     private static final double MOST_PRESENCE = 1.0 / 16;
 
-    private final SharedResources shared;
+    private final RendererClouds clouds;
     private final PlacedCloud placed;
     private final SkyBaker baker;
     private final PerPixels<SkyboxProgram> programs;
@@ -58,7 +58,7 @@ final class SkyboxCloud implements CloudDrawing {
             SkyBaker baker,
             PerPixels<SkyboxProgram> programs,
             FullScreenTriangle triangle) {
-        shared = load.shared();
+        clouds = load.get(RendererClouds.RESOURCE);
         this.placed = placed;
         this.baker = baker;
         this.programs = programs;
@@ -83,9 +83,9 @@ final class SkyboxCloud implements CloudDrawing {
             return;
         }
         boolean isJump = handled == null || Math.abs(now.seconds() - handled.seconds()) > JUMP_SECONDS;
-        boolean isCut = shared.cuts() != cuts;
+        boolean isCut = clouds.cuts() != cuts;
         handled = now;
-        cuts = shared.cuts();
+        cuts = clouds.cuts();
         if (shown.faces() == null || isJump && change() > 0 || isCut && change() >= 1) {
             baker.begin(shown, environment, now);
             baker.draw(Integer.MAX_VALUE, view);

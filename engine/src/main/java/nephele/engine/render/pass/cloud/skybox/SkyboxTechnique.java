@@ -37,7 +37,7 @@ public final class SkyboxTechnique implements CloudTechniqueDrawer {
         PlacedCloud still = cloud.again();
         Vec3 bakePoint = BakePoint.of(
                 load.scene().level(),
-                load.shared().eyeReach(load.scene()),
+                load.drawn().eyes(),
                 cloud.source().bounds());
         var baker = new SkyBaker(load, still, baking.of(still), bakePoint);
         return new SkyboxCloud(load, cloud, baker, programs, triangle);

@@ -17,7 +17,7 @@ uniform vec3 slant; // xy: how far the light goes along x and z per metre of hei
 uniform vec2 planet; // of spanInside
 
 const int STEPS = 6; // from one distance to the next
-const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722); // = LinearPicture.LUMINANCE
+const vec3 LUMINANCE = java(level.appearance.LuminanceHistogram.LUMINANCE);
 
 float metresTo(int distance) {
     float root = float(distance) / SHAFT_DISTANCES;

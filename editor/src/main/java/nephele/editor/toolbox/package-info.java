@@ -1,2 +1,0 @@
-/** The list of all tools. */
-package nephele.editor.toolbox;

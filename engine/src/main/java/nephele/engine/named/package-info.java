@@ -1,2 +1,0 @@
-/** Resolves names given by a user: levels, their recorded walks, and viewpoints. Files precede the jar. */
-package nephele.engine.named;

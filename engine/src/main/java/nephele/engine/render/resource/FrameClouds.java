@@ -1,0 +1,113 @@
+package nephele.engine.render.resource;
+
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
+import java.util.List;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.CloudTimeline;
+import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
+import nephele.engine.cloud.drawn.ShaftClouds;
+import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.octave.ProceduralNoise;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
+
+/** The clouds of a level at the time of the frame. */
+public final class FrameClouds implements GlObject {
+    /** {@code null} without clouds. */
+    private final CloudTimeline timeline;
+
+    private Environment followed;
+    private CloudInterval now;
+    private Vec3 focus = Vec3.ZERO;
+
+    /** What the clouds of a level follow from: edits of anything else leave them as they are. */
+    private record Source(
+            Same assets,
+            Environment causes,
+            Aabb region,
+            int lightDivisor,
+            ProceduralNoise noise,
+            List<CloudTechnique> techniques) {
+        static Source of(Scene scene, Quality quality, List<CloudTechnique> techniques) {
+            return new Source(
+                    new Same(scene.assets()),
+                    CloudTimeline.causes(scene.level().environment()),
+                    CloudShadeRegion.of(scene.statics()),
+                    quality.cloudLightCell(),
+                    quality.proceduralNoise(),
+                    techniques);
+        }
+    }
+
+    /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
+    static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
+        Quality quality = context.quality();
+        var sampling = new Sampling(
+                quality.cloudLightCell(),
+                quality.proceduralNoise(),
+                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        return context.share(
+                FrameClouds.class,
+                Source.of(context.scene(), quality, techniques),
+                () -> new FrameClouds(
+                        context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+    }
+
+    private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
+        timeline = loaded.clouds().isEmpty()
+                ? null
+                : new CloudTimeline(
+                        scene.level().environment(), loaded, CloudShadeRegion.of(scene.statics()), sampling);
+    }
+
+    /** Takes the clouds of a frame, sampled finely around its eye. */
+    public void follow(FrameState frameState, Vec3 eye) {
+        if (sources().isEmpty()) {
+            return;
+        }
+        Environment environment = frameState.environment();
+        boolean isSame =
+                now != null && environment == followed && frameState.seconds() == now.seconds() && eye.equals(focus);
+        if (!isSame) {
+            followed = environment;
+            focus = eye;
+            now = timeline.at(environment, frameState.seconds(), eye);
+        }
+    }
+
+    /** Returns the clouds that have any extinction. */
+    public List<CloudSource> sources() {
+        return timeline == null ? List.of() : timeline.sources();
+    }
+
+    /** Returns the clouds that cast shadows into the air; {@code null} if none does. */
+    public ShaftClouds shafts() {
+        return timeline == null ? null : timeline.shafts();
+    }
+
+    /** Returns the clouds of the frame; {@code null} before the first frame, and without clouds. */
+    public CloudInterval now() {
+        return now;
+    }
+
+    /** Returns the place around which layers are sampled finely. */
+    public Vec3 focus() {
+        return focus;
+    }
+
+    @Override
+    public void close() {
+        if (timeline != null) {
+            timeline.close();
+        }
+    }
+}

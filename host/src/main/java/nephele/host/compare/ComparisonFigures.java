@@ -1,0 +1,11 @@
+package nephele.host.compare;
+
+/**
+ * What two techniques cost and how far their pictures are apart.
+ *
+ * @param leftMillis median wall time of the last frames until OpenGL has finished, for the left technique;
+ *     the first one is not counted, and 0 is told before the second
+ * @param rightMillis likewise for the right one
+ * @param difference of {@link TechniquePair#tried} from {@link TechniquePair#reference}; {@code null} before the first
+ */
+public record ComparisonFigures(double leftMillis, double rightMillis, PictureDifference difference) {}

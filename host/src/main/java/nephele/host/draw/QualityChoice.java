@@ -1,0 +1,123 @@
+package nephele.host.draw;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.RenderSettings.Deepest;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.QualityField;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
+import nephele.host.terminal.CommandFailure;
+
+/**
+ * A quality preset with the changes made by {@code --set}.
+ *
+ * @param preset low, medium, high, ultra or auto
+ * @param settings values by name, not checked yet
+ */
+public record QualityChoice(String preset, Map<String, String> settings) {
+    /** Every setting that {@code --set} can change. */
+    public static final List<QualityField> FIELDS = Stream.concat(
+                    Quality.FIELDS.stream(), RenderSettings.FIELDS.stream())
+            .toList();
+
+    private static final String DEBUG = "debug";
+
+    /** Throws a usage {@link CommandFailure} unless the preset and all settings are known and in range. */
+    public void check() {
+        if (showsIds() && !settings.get(DEBUG).equals("ids")) {
+            throw CommandFailure.usage("--set debug is ids, not `" + settings.get(DEBUG) + "`");
+        }
+        settings(Output.DIRECT, true);
+    }
+
+    private Quality preset(boolean software) {
+        var quality =
+                switch (preset.toLowerCase(Locale.ROOT)) {
+                    case "low" -> Quality.LOW;
+                    case "medium" -> Quality.MEDIUM;
+                    case "high" -> Quality.HIGH;
+                    case "ultra" -> Quality.ULTRA;
+                    case "auto" -> QualityFront.of(software).first().quality();
+                    default ->
+                        throw CommandFailure.usage(
+                                "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
+                };
+        return software ? quality : quality.onHardware();
+    }
+
+    /** Returns true if the quality follows the frame rate. */
+    public boolean isAuto() {
+        return preset.equalsIgnoreCase("auto");
+    }
+
+    /**
+     * Returns all render settings. Ids are drawn without multisampling, decoration or reuse of other frames.
+     *
+     * @param software true for a software renderer: auto begins with low instead of ultra, and presets have fewer samples
+     * @throws CommandFailure for an unknown preset or setting
+     */
+    public RenderSettings settings(Output output, boolean software) {
+        return settings(output, preset(software));
+    }
+
+    /** Returns all render settings, from a quality in place of the preset. */
+    public RenderSettings settings(Output output, Quality quality) {
+        var all = RenderSettings.of(output, quality);
+        for (var setting : settings.entrySet()) {
+            if (!setting.getKey().equals(DEBUG)) {
+                all = changed(all, setting.getKey(), setting.getValue());
+            }
+        }
+        return showsIds()
+                ? all.with(all.quality()
+                                .with("samples", 1)
+                                .with("edgeFilter", EdgeFilter.NONE)
+                                .with("pictureResolution", 1))
+                        .with(Decoration.OFF)
+                        .with(Deepest.MARK)
+                : all;
+    }
+
+    /** Returns the level to draw: the author's, or its variant for debugging. */
+    public Level shown(Level level) {
+        return showsIds() ? IdLevel.of(level) : level;
+    }
+
+    /** Returns the level to draw with its derived data. */
+    public PlacedLevel shown(OpenedLevel opened) {
+        return showsIds()
+                ? AssetProblems.named(opened, () -> opened.placed().edited(shown(opened.level())))
+                : opened.placed();
+    }
+
+    /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */
+    public Output output(Level level) {
+        return showsIds() ? Output.PLAIN : Outputs.defaultFor(level);
+    }
+
+    /** Returns true if each surface is drawn in a unique flat colour. */
+    public boolean showsIds() {
+        return settings.containsKey(DEBUG);
+    }
+
+    private static RenderSettings changed(RenderSettings all, String name, String value) {
+        var field = FIELDS.stream().filter(known -> known.name().equals(name)).findFirst();
+        if (field.isEmpty()) {
+            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + QualityField.names(FIELDS));
+        }
+        var parsed = field.get().parsed(value);
+        if (parsed.isEmpty()) {
+            throw CommandFailure.usage("--set " + name + " is " + field.get().allowed() + ", not `" + value + "`");
+        }
+        return all.with(field.get(), parsed.get());
+    }
+}

@@ -1,0 +1,47 @@
+package nephele.lab.generate;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import nephele.engine.model.Mesh;
+
+/**
+ * A kind of plant or rock. Its mesh stands at the origin; its root or foot reaches a little below, so that it also
+ * stands on uneven ground.
+ *
+ * @param family {@code tree} for what grows, {@code rock} otherwise
+ * @param word its name in commands and file names
+ * @param heightMetres from the ground to the top
+ * @param grower adds the shape in any scale
+ */
+public record PlantKind(Family family, String word, double heightMetres, Grower grower) {
+    /** A group of kinds. */
+    public enum Family {
+        TREE,
+        ROCK;
+
+        /** Returns the family of a command's word. */
+        public static Optional<Family> named(String word) {
+            return Stream.of(values())
+                    .filter(family -> family.word().equals(word))
+                    .findFirst();
+        }
+
+        /** Returns the word of commands. */
+        public String word() {
+            return this == TREE ? "tree" : "rock";
+        }
+    }
+
+    /** Adds a shape to a mesh. */
+    @FunctionalInterface
+    interface Grower {
+        void grow(PlantMesh mesh, PlantDice dice);
+    }
+
+    /** Returns the mesh of a seed: the same seed always gives the same mesh. */
+    public Mesh grown(long seed) {
+        PlantMesh mesh = new PlantMesh();
+        grower.grow(mesh, new PlantDice(seed));
+        return mesh.mesh(heightMetres);
+    }
+}

@@ -1,0 +1,89 @@
+package nephele.lab.technique;
+
+import nephele.engine.choice.LevelRenderer;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Hash64;
+import nephele.engine.render.Capture;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.BakedSky;
+import nephele.host.draw.Outputs;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.lab.trade.CodeHash;
+import nephele.lab.trade.EmbeddedPicture;
+
+/** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
+final class PagePictures implements HandoutPage.Source, AutoCloseable {
+    /** Frames after which what reuses earlier ones has settled. */
+    private static final int FRAMES = 4;
+
+    private final Path folder;
+    private final int width;
+    private final int height;
+    private final PrintStream tell;
+    private GlContext gl;
+
+    PagePictures(Path folder, int width, int height, PrintStream tell) {
+        this.folder = folder;
+        this.width = width;
+        this.height = height;
+        this.tell = tell;
+    }
+
+    @Override
+    public Optional<String> address(PictureCommand command) throws IOException {
+        String key = command.words() + " " + width + "x" + height + " " + CodeHash.key();
+        Path file = folder.resolve("page-" + Long.toHexString(Hash64.of(key)) + ".png");
+        if (!Files.exists(file)) {
+            OpenedLevel opened;
+            try {
+                opened = new LevelName(command.level()).open();
+            } catch (LevelFormatException missing) {
+                tell.println("page without a picture: " + missing.getMessage());
+                return Optional.empty();
+            }
+            tell.println("picture: " + command.words());
+            draw(command, opened, file);
+        }
+        return Optional.of(EmbeddedPicture.address(file));
+    }
+
+    private void draw(PictureCommand command, OpenedLevel opened, Path file) throws IOException {
+        if (gl == null) {
+            gl = GlContext.offscreen();
+        }
+        Level level = command.shown(opened.level());
+        PlacedLevel placed = PlacedLevel.of(level, opened.assets());
+        var settings = command.quality()
+                .settings(Outputs.defaultFor(level), gl.limits().software());
+        try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, width, height);
+                var renderer = LevelRenderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
+            FrameState state = FrameState.atStart(level);
+            state.seconds(command.seconds());
+            for (int frame = 0; frame < FRAMES; frame++) {
+                renderer.draw(command.view(opened, (double) width / height), state, target);
+            }
+            gl.requireNoError("page");
+            Capture.png(target, file);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (gl != null) {
+            gl.close();
+        }
+    }
+}

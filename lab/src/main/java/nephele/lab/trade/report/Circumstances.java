@@ -1,9 +1,0 @@
-package nephele.lab.trade.report;
-
-/**
- * The circumstances under which a report was made, in words.
- *
- * @param picture size, rays of the oracle, camera
- */
-public record Circumstances(
-        String level, String levelFile, String picture, String machine, String graphics, String commit, String date) {}

@@ -1,2 +1,0 @@
-/** Runs the registered subjects and saves their measurements. */
-package nephele.lab.trade.run;

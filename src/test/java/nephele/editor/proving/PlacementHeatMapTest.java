@@ -1,0 +1,153 @@
+package nephele.editor.proving;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import nephele.editor.pane.MarkColour;
+import nephele.engine.level.Level;
+import nephele.engine.level.RoomLevel;
+import nephele.engine.level.layout.FacePieces;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.portal.placement.ShotRay;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+
+/** The heat map says what a shot straight at each of its cells does. */
+@Execution(ExecutionMode.CONCURRENT)
+class PlacementHeatMapTest {
+    private static final HeatSettings COARSE = new HeatSettings(0.5, 0.3, 40_000);
+
+    /** A hall with a fixed pair, a pillar that takes no portals, and a small portalable block. */
+    private static Level hall() {
+        return RoomLevel.hall()
+                .gun()
+                .pair(new Vec3(0, 1.05, -8), new Vec3(0, 0, 1), new Vec3(-8, 1.05, 0), new Vec3(1, 0, 0))
+                .box(3, 0, -8, 4, 3, -7, false)
+                .box(-5, 0, 3, -4, 1, 4)
+                .level();
+    }
+
+    private static PlacedLevel placed(Level level) {
+        return PlacedLevel.of(level, NoFiles.AT_ALL);
+    }
+
+    private static List<HeatCell> cells(PlacementHeatMap map) {
+        List<HeatCell> cells = new ArrayList<>();
+        assertTrue(map.compute(() -> false, cells::addAll));
+        return cells;
+    }
+
+    @Test
+    void cellsAgreeWithShotsFromFarther() {
+        PlacedLevel placed = placed(hall());
+        List<HeatCell> cells = cells(new PlacementHeatMap(placed, COARSE));
+        Placement placement = new Placement(
+                PlacementSurfaces.of(placed.statics()), Gun.of(placed.level().portalGun()));
+        List<Portal> fixed = placed.level().portals().stream().map(Portal::of).toList();
+        Random random = new Random(1);
+        for (int i = 0; i < 400; i++) {
+            HeatCell cell = cells.get(random.nextInt(cells.size()));
+            Vec3 a = cell.mark().corners().get(0);
+            Vec3 normal = Vec3.of(cell.mark()
+                    .corners()
+                    .get(1)
+                    .minus(a)
+                    .cross(cell.mark().corners().get(2).minus(a))
+                    .toVector()
+                    .normalize());
+            boolean isLevel = Math.abs(normal.y()) > 0.99;
+            Basis view = isLevel
+                    ? Basis.ofYawPitch(0.3, -normal.y() * Math.PI / 2)
+                    : Basis.lookAt(normal, Vec3.ZERO, new Vec3(0, 1, 0), Basis.WORLD);
+            Vec3 eye = cell.aim().addScaled(0.05, normal);
+            PlacementResult shot = placement.place("p", new ShotRay(eye, view), fixed, MovingSurfaces.NONE);
+            if (shot instanceof PlacementResult.Fits fits) {
+                assertEquals(fits.slideMetres(), cell.metres(), 1e-5, cell.toString());
+                assertTrue(cell.colour() != MarkColour.REFUSED, cell.toString());
+            } else {
+                assertEquals(
+                        ((PlacementResult.Refused) shot).reason().name(),
+                        cell.text().name(),
+                        cell.toString());
+            }
+        }
+    }
+
+    @Test
+    void everyResultOccursWhereItShould() {
+        List<HeatCell> cells = cells(new PlacementHeatMap(placed(hall()), COARSE));
+        Set<HeatText> texts = EnumSet.noneOf(HeatText.class);
+        cells.forEach(cell -> texts.add(cell.text()));
+        assertEquals(
+                EnumSet.of(
+                        HeatText.FITS,
+                        HeatText.SLIDES,
+                        HeatText.NOT_PORTALABLE,
+                        HeatText.OVERLAPS_OTHER,
+                        HeatText.TOO_SMALL,
+                        HeatText.EDGE),
+                texts);
+        HeatCell middle = nearest(cells, new Vec3(8, 3, 0));
+        assertEquals(HeatText.FITS, middle.text());
+        assertEquals(HeatText.SLIDES, nearest(cells, new Vec3(8, 0.75, 0)).text());
+        assertEquals(HeatText.EDGE, nearest(cells, new Vec3(8, 0.2, 0)).text());
+        assertEquals(HeatText.TOO_SMALL, nearest(cells, new Vec3(-4.4, 1, 3.4)).text());
+    }
+
+    private static HeatCell nearest(List<HeatCell> cells, Vec3 place) {
+        return cells.stream()
+                .min((a, b) -> Double.compare(
+                        a.aim().minus(place).length(), b.aim().minus(place).length()))
+                .orElseThrow();
+    }
+
+    @Test
+    void cellsCoverTheirSurfacesOnce() {
+        Level level = new RoomLevel().box(0.1, 0, 0.3, 2.2, 3, 1.7).gun().level();
+        double area = cells(new PlacementHeatMap(placed(level), COARSE)).stream()
+                .mapToDouble(cell -> FacePieces.areaSquareMetres(cell.mark().corners()))
+                .sum();
+        assertEquals(2 * (2.1 * 3 + 2.1 * 1.4 + 3 * 1.4), area, 1e-9);
+    }
+
+    @Test
+    void aLargeLevelGetsCoarserCells() {
+        Level level = new RoomLevel().box(-500, -1, -500, 500, 0, 500).gun().level();
+        PlacementHeatMap map = new PlacementHeatMap(placed(level), new HeatSettings(0.25, 0, 2000));
+        assertTrue(map.spacingMetres() > 0.25);
+        int cells = cells(map).size();
+        assertTrue(cells <= 2000 && cells > 400, "" + cells);
+    }
+
+    @Test
+    void cancellingStopsIt() {
+        PlacementHeatMap map = new PlacementHeatMap(placed(hall()), COARSE);
+        List<HeatCell> cells = new ArrayList<>();
+        int[] asked = {0};
+        assertFalse(map.compute(() -> ++asked[0] > 700, cells::addAll));
+        assertEquals(500, cells.size(), "whole parts only");
+    }
+
+    @Test
+    void reasonsAreInThreeLanguages() {
+        HeatCell cell = nearest(cells(new PlacementHeatMap(placed(hall()), COARSE)), new Vec3(8, 0.75, 0));
+        assertEquals("A portal slides 0.30 m to fit", cell.reason().english());
+        assertEquals("Um portal desliza 0,30 m para caber", cell.reason().brazilian());
+    }
+}

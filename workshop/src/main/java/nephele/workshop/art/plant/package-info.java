@@ -1,2 +1,0 @@
-/** The files of plants and rocks that ship. */
-package nephele.workshop.art.plant;

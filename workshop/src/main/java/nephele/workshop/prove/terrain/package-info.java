@@ -1,2 +1,0 @@
-/** Proofs about terrains. */
-package nephele.workshop.prove.terrain;
