@@ -84,6 +84,8 @@ class CampaignSwingTest {
         var command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx512m",
+                "-XX:TieredStopAtLevel=1", // it lives for seconds
+                "-XX:+UseSerialGC",
                 "-Djoml.nounsafe=true",
                 "-cp",
                 classPath()));
