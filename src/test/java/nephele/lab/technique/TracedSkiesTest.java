@@ -82,7 +82,7 @@ final class TracedSkiesTest {
     }
 
     private static TableCase node(String form, double opticalDepth, double angularDegrees) {
-        return TableCases.at(angularDegrees, 45, opticalDepth).stream()
+        return TableCase.at(angularDegrees, 45, opticalDepth).stream()
                 .filter(at -> at.form().equals(form))
                 .findFirst()
                 .orElseThrow();

@@ -1,5 +1,10 @@
 package nephele.app.play;
 
+import java.util.Optional;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.render.gl.shader.GlException;
 import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.settings.Phrase;
 import nephele.host.draw.Preparation;
@@ -43,5 +48,16 @@ final class Loading {
     /** Returns the prepared level, or throws its problems. */
     Preparation.Prepared prepared() {
         return preparation.get();
+    }
+
+    /** Returns one line for failures after which the game continues; empty for a bug. */
+    static Optional<String> problemLine(RuntimeException failure) {
+        boolean goesOn = failure instanceof LevelFormatException
+                || failure instanceof AssetException
+                || failure instanceof GlUnavailableException
+                || failure instanceof GlException;
+        return goesOn
+                ? Optional.of(failure.getMessage().lines().findFirst().orElse("the level can't be loaded"))
+                : Optional.empty();
     }
 }

@@ -92,7 +92,7 @@ public final class SkyboxTrace {
                     return new ResumableTrace.Part(
                             folder.resolve(BakedSkybox.file(name, i) + ".part"),
                             new PartHeader(
-                                    settings.tiles(), Shard.WHOLE, TracedFacts.of(opened, 0, pinhole, settings, "sky")),
+                                    settings.tiles(), Shard.WHOLE, TracedPictures.facts(opened, 0, pinhole, settings, "sky")),
                             pinhole);
                 })
                 .toList();

@@ -1,5 +1,6 @@
 package nephele.lab.technique;
 
+import nephele.lab.bench.CalibrationDrawing;
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
@@ -16,8 +17,14 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 
-/** A sky drawn by a technique. */
+/** A sky drawn by a technique: its picture, and the time that it takes. */
 public final class DrawnSky implements AutoCloseable {
+    /** CPU time of a round: its clock advances in steps of 10 ms. */
+    private static final double ROUND_NANOS = 0.4e9;
+    private static final int ROUNDS = 2;
+    private static final int MOST_FRAMES = 40;
+    private static final int CALIBRATION_FRAMES = 200;
+
     /** Pixels of a timed picture along each side for one of the traced. */
     static final int TIMED = 16;
 
@@ -78,5 +85,43 @@ public final class DrawnSky implements AutoCloseable {
     public void close() {
         renderer.close();
         target.close();
+    }
+
+    /**
+     * Returns the CPU time that the clouds of a sky add to a frame, in quads of {@code bench --calibrate}: the least of some
+     * rounds.
+     *
+     * @param placed the sky's level with the techniques that are timed
+     */
+    public static double cloudCost(GlContext gl, SeenSky sky, PlacedLevel placed, Stopwatch watch) {
+        PlacedLevel clear = PlacedLevel.of(
+                sky.level()
+                        .with(
+                                sky.level().environment().withoutClouds(),
+                                sky.level().lights()),
+                sky.assets());
+        double least = Double.POSITIVE_INFINITY;
+        try (var with = timed(gl, sky, placed);
+                var without = timed(gl, sky, clear);
+                var quad =
+                        new CalibrationDrawing(gl, TIMED * SeenSky.WIDTH, TIMED * SeenSky.HEIGHT)) {
+            double once = Math.max(1, with.nanosAFrame(1, watch));
+            int frames = (int) Math.max(1, Math.min(MOST_FRAMES, Math.ceil(ROUND_NANOS / once)));
+            for (int round = 0; round < ROUNDS; round++) {
+                double clouds = with.nanosAFrame(frames, watch);
+                double none = without.nanosAFrame(frames, watch);
+                least = Math.min(least, Math.max(0, clouds - none) / quadNanos(gl, quad, watch));
+            }
+        }
+        return least;
+    }
+
+    private static double quadNanos(GlContext gl, CalibrationDrawing quad, Stopwatch watch) {
+        long before = watch.processCpuNanos();
+        for (int frame = 0; frame < CALIBRATION_FRAMES; frame++) {
+            quad.draw(frame);
+        }
+        gl.finish();
+        return (double) (watch.processCpuNanos() - before) / CALIBRATION_FRAMES;
     }
 }

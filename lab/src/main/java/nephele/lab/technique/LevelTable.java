@@ -134,7 +134,7 @@ public final class LevelTable {
                 SeenSky sky = skies.get(i);
                 var placed = sky.drawnBy(technique);
                 error = Math.max(error, traced.get(i).errorPercent(DrawnSky.picture(gl, sky, placed)));
-                cost += CloudCost.of(gl, sky, placed, watch) / skies.size();
+                cost += DrawnSky.cloudCost(gl, sky, placed, watch) / skies.size();
             }
             rows.add(row(cloud, technique, at, error, cost));
         }

@@ -19,7 +19,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 
 /**
  * A sky with clouds, seen from a place.
@@ -57,7 +57,7 @@ public record SeenSky(Level level, AssetSource assets, View view) {
         var settings = new TraceSettings(WIDTH, HEIGHT, samples, seed, threads);
         var traced = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
         return new LinearPicture(
-                WIDTH, HEIGHT, ReferencePicture.trace(traced, PinholeViews.of(view), settings, done -> {}));
+                WIDTH, HEIGHT, ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, done -> {}));
     }
 
     /** Returns for each pixel whether the ray through its middle has an optical depth above 0.01. */

@@ -21,8 +21,6 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 import nephele.host.terminal.PrintedProgress;
-import nephele.lab.bake.LevelHash;
-import nephele.lab.bake.PinholeViews;
 import nephele.lab.bake.TracedPictures;
 
 /**
@@ -127,9 +125,9 @@ public final class TradeSite implements AutoCloseable {
     public LinearPicture oracle() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        var eye = PinholeViews.of(seen.view());
-        return new TracedPictures(folder, CodeHash.key())
-                .picture(LevelHash.key(opened), eye, settings, () -> trace(eye, settings));
+        var eye = TracedPictures.pinhole(seen.view());
+        return new TracedPictures(folder, Provenance.codeHash())
+                .picture(TracedPictures.levelHash(opened), eye, settings, () -> trace(eye, settings));
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {

@@ -110,7 +110,7 @@ enum Compared {
 
     /** @param radiance of the judged shot if its output is HDR; otherwise {@code null} */
     LinearPicture read(float[] radiance, RenderTarget picture) {
-        return DisplayedLight.of(picture.readBytes(), picture.width(), picture.height(), 1);
+        return Footage.displayedLight(picture.readBytes(), picture.width(), picture.height(), 1);
     }
 
     /** @param drawn draws the usual picture's radiance, on request */

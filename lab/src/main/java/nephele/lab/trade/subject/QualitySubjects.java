@@ -1,13 +1,29 @@
 package nephele.lab.trade.subject;
 
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sun;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** The presets of quality, and the fields that change every pixel of a picture. */
+/** The presets of quality, the settings that change every pixel of a picture, and shadows. */
 public final class QualitySubjects {
+    private static final String SHADOW_FIELD = "shadowTexels";
+    public static final Trade SHADOW = PictureSubjects.of(
+            "shadow",
+            PictureSubjects.text(SHADOW_FIELD, "the oracle: every shadow is a ray"),
+            List.of(SHADOW_FIELD),
+            PictureSubjects.usual(SHADOW_FIELD),
+            Stream.concat(
+                            Stream.of(new PictureSetting(
+                                    new Setting("off", "no shadows at all"),
+                                    shot -> shot.with(unshadowed(shot.level())))),
+                            PictureSetting.all(SHADOW_FIELD, 256, 512, 1024, 2048, 4096, 8192).stream())
+                    .toList());
+
     private static final String LIT_LEVEL = "levels/01-courtyard.json";
     private static final String ORACLE = "the oracle: rays through the level, many a pixel";
     private static final String SEEN = "the oracle's picture as it is displayed";
@@ -81,5 +97,32 @@ public final class QualitySubjects {
             case "edge_adaptive" -> "graphics cards";
             default -> "";
         };
+    }
+
+    /** Quality field {@code shadowTexels}, and shadows switched off. */
+    private static Level unshadowed(Level level) {
+        var light = level.environment();
+        Sun sun = light.sun() == null
+                ? null
+                : new Sun(light.sun().directionTowardsSun(), light.sun().irradiance(), false);
+        var environment = light.with(sun);
+        return level.with(
+                environment,
+                level.lights().stream().map(QualitySubjects::unshadowed).toList());
+    }
+
+    private static Light unshadowed(Light light) {
+        if (light instanceof Light.Spot spot) {
+            return new Light.Spot(
+                    spot.id(),
+                    spot.position(),
+                    spot.direction(),
+                    spot.radiantIntensity(),
+                    spot.rangeMetres(),
+                    spot.innerConeDegrees(),
+                    spot.outerConeDegrees(),
+                    false);
+        }
+        return new Light.Point(light.id(), light.position(), light.radiantIntensity(), light.rangeMetres(), false);
     }
 }

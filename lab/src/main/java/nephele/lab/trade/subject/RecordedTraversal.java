@@ -93,7 +93,7 @@ final class RecordedTraversal {
     ViewPose near() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             ViewPose pose = pose(tick, 0);
-            if (SourceTeleport.isDue(portals.portal(0), pose.eye())) {
+            if (ViewPose.isDue(portals.portal(0), pose.eye())) {
                 return pose;
             }
         }

@@ -18,7 +18,7 @@ public final class Surface {
 
     /** A texel. */
     public static final class Texel {
-        public PaintColour colour = ArtPalette.CONCRETE;
+        public PaintColour colour = PaintColour.CONCRETE;
         /** Height in metres. */
         public double height;
         /** Factor on the material's roughness, 0–1. */

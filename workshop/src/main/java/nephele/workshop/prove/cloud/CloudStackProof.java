@@ -20,7 +20,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -61,7 +61,7 @@ public final class CloudStackProof implements Proof {
                 View view = View.ofCamera(camera, 0, (double) WIDTH / HEIGHT);
                 var settings = new TraceSettings(
                         WIDTH, HEIGHT, SAMPLES, 1, Runtime.getRuntime().availableProcessors());
-                float[] exact = ReferencePicture.trace(traced, PinholeViews.of(view), settings, share -> {});
+                float[] exact = ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, share -> {});
                 double error = HdrFlip.of(new LinearPicture(WIDTH, HEIGHT, exact), drawn(gl, opened, view))
                         .mean();
                 result = result.and(judged(camera.id(), error));

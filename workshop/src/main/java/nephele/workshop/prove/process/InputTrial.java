@@ -1,6 +1,5 @@
 package nephele.workshop.prove.process;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import java.util.regex.Pattern;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.choice.CloudExplanation;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
@@ -24,11 +24,11 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.Simulation;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;

@@ -74,7 +74,7 @@ public final class SaveKillProof implements Proof {
 
     /** @param told everything that a killed process wrote */
     static boolean isWithinASave(String told) {
-        return told.endsWith(String.valueOf(SavingChild.BEGUN));
+        return told.endsWith(String.valueOf(SavedFile.BEGUN));
     }
 
     private static boolean isUnfinished(Path file) throws IOException {
@@ -94,7 +94,7 @@ public final class SaveKillProof implements Proof {
     /** Starts a process that saves exactly as the program does. */
     private KillableProcess start(Path file) throws IOException {
         kind.save(file, 0);
-        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavingChild.class, kind.name(), file.toString());
+        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavedFile.class, kind.name(), file.toString());
     }
 
     /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
@@ -104,10 +104,10 @@ public final class SaveKillProof implements Proof {
         long begun = 0;
         long nanos = 0;
         for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves >= 0; saves--) {
-            awaitNext(child, SavingChild.BEGUN, told);
+            awaitNext(child, SavedFile.BEGUN, told);
             begun = System.nanoTime();
             if (saves > 0) {
-                awaitNext(child, SavingChild.ENDED, told);
+                awaitNext(child, SavedFile.ENDED, told);
                 nanos = System.nanoTime() - begun;
             }
         }

@@ -6,21 +6,34 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.play.GameMemory;
 
-/** The command line of the game that waits for the editor: the same Java and the same classes as this process. */
-final class WaitingGameLine {
+/** Command lines of further processes for the editor, of the same Java and the same classes as this one. */
+final class OwnCommandLine {
     /** The main class, by name, because it uses this package. */
     private static final String MAIN_CLASS = "nephele.app.Main";
 
     private static final int FIRST_WITH_UNSAFE_WARNINGS = 23;
 
-    private WaitingGameLine() {}
+    /** The subjects whose figures are those of the level's pictures. */
+    private static final List<String> REPORT_SUBJECTS = List.of(
+            "quality",
+            "pictureResolution",
+            "edgeFilter",
+            "shadowFilter",
+            "lightShadows",
+            "portalTechnique",
+            "viewBudget",
+            "portalResolution",
+            "samples",
+            "anisotropy");
+
+    private OwnCommandLine() {}
 
     /**
-     * Returns the program and its arguments.
+     * Returns the command line of the game that waits for the editor.
      *
      * @param level the file of the open level, with which the game warms itself; {@code null} for none
      */
-    static List<String> words(Path level) {
+    static List<String> waitingGame(Path level) {
         String classPath = System.getProperty("java.class.path");
         var words = new ArrayList<String>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
@@ -46,5 +59,22 @@ final class WaitingGameLine {
         return archive.toFile().length() > 0 && Files.isReadable(archive)
                 ? List.of("-XX:SharedArchiveFile=" + archive, "-Xlog:cds=off", "-Xlog:cds+dynamic=off")
                 : List.of();
+    }
+
+    /** Returns the command line of the report that the editor asks for. */
+    static List<String> tradeReport(Path level, Path out) {
+        List<String> words = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                MAIN_CLASS,
+                "trade",
+                "--quick",
+                "--level",
+                level.toString(),
+                "--out",
+                out.toString()));
+        words.addAll(REPORT_SUBJECTS);
+        return words;
     }
 }

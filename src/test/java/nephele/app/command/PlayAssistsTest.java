@@ -9,18 +9,18 @@ import nephele.engine.sim.state.Assist;
 import nephele.host.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 
-final class AssistNamesTest {
+final class PlayAssistsTest {
     @Test
     void whoNamesNoneGetsTheDefault() {
-        assertEquals(Assist.USUAL, AssistNames.parse(null));
-        assertEquals(List.of(), AssistNames.parse(List.of("none")));
-        assertEquals(List.of(Assist.SPEED_CAP), AssistNames.parse(List.of("speed-cap")));
+        assertEquals(Assist.USUAL, PlayCommand.assists(null));
+        assertEquals(List.of(), PlayCommand.assists(List.of("none")));
+        assertEquals(List.of(Assist.SPEED_CAP), PlayCommand.assists(List.of("speed-cap")));
     }
 
     @Test
     void anUnknownNameIsToldWithThoseThereAre() {
-        var failure = assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("funel")));
+        var failure = assertThrows(CommandFailure.class, () -> PlayCommand.assists(List.of("funel")));
         assertTrue(failure.getMessage().contains("funnel, floor-exit-speed, speed-cap, body-return, "));
-        assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("none", "funnel")));
+        assertThrows(CommandFailure.class, () -> PlayCommand.assists(List.of("none", "funnel")));
     }
 }
