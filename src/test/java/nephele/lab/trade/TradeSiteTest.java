@@ -37,7 +37,7 @@ class TradeSiteTest {
                 extent,
                 folder,
                 new PrintStream(OutputStream.nullOutputStream()))) {
-            return site.oracle().rgb();
+            return site.reference().rgb();
         }
     }
 

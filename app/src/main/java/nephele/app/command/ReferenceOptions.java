@@ -9,8 +9,6 @@ import java.util.function.Consumer;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.host.named.AssetProblems;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
@@ -22,6 +20,8 @@ import nephele.engine.reference.tile.TiledPicture;
 import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.ResumableTrace;
@@ -194,8 +194,8 @@ public final class ReferenceOptions {
     }
 
     private Path partFile(Path out) {
-        String share = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
-        return out.resolveSibling(out.getFileName() + share + ".part");
+        String fraction = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
+        return out.resolveSibling(out.getFileName() + fraction + ".part");
     }
 
     /** Reads {@code i/n}. */

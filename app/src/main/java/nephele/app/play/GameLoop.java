@@ -407,12 +407,12 @@ public final class GameLoop implements AutoCloseable {
             loading = null;
             begin();
         } catch (RuntimeException problem) {
-            var told = Loading.problemLine(problem);
-            if (startedFrom == null || told.isEmpty()) {
+            var reported = Loading.problemLine(problem);
+            if (startedFrom == null || reported.isEmpty()) {
                 throw problem;
             }
             loading = null;
-            message.say(Phrase.NOT_LOADED, told.get());
+            message.say(Phrase.NOT_LOADED, reported.get());
             menu.reopen();
             stages.change(startedFrom);
         }

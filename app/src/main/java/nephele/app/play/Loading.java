@@ -1,14 +1,14 @@
 package nephele.app.play;
 
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import nephele.app.settings.Phrase;
 import nephele.engine.asset.AssetException;
+import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.render.gl.GlUnavailableException;
 import nephele.engine.render.gl.shader.GlException;
-import java.util.concurrent.atomic.AtomicInteger;
-import nephele.app.settings.Phrase;
 import nephele.host.draw.Preparation;
-import nephele.engine.level.Language;
 
 /** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */
 final class Loading {
@@ -21,7 +21,7 @@ final class Loading {
         preparation = Preparation.begin(
                 request.level(),
                 request.chosenQuality(),
-                share -> bakedPercent.accumulateAndGet((int) (100 * share), Math::max));
+                fraction -> bakedPercent.accumulateAndGet((int) (100 * fraction), Math::max));
     }
 
     static Loading begin(PlayRequest request) {

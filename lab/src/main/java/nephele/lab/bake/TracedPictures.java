@@ -1,18 +1,5 @@
 package nephele.lab.bake;
 
-import nephele.engine.math.Basis;
-import nephele.engine.scene.View;
-import java.util.Map;
-import nephele.engine.reference.ReferencePicture;
-import java.util.List;
-import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
-import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetId;
-import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Level;
-import nephele.engine.level.json.LevelJson;
-import nephele.host.named.OpenedLevel;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
@@ -20,15 +7,28 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetId;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Hash64;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.render.Capture;
+import nephele.engine.scene.View;
+import nephele.host.named.OpenedLevel;
 
 /**
- * A cache of the oracle's pictures, in a folder, in the format of {@link Capture#pfm}. A picture is traced again only
+ * A cache of reference pictures, in a folder, in the format of {@link Capture#pfm}. A picture is traced again only
  * after a change of something that it depends on.
  *
  * @param code a hash of the code that traces
@@ -124,7 +124,7 @@ public record TracedPictures(Path folder, String code) {
                 "tracer", Integer.toString(ReferencePicture.VERSION));
     }
 
-    /** Converts a view of the engine to the oracle's pinhole camera. */
+    /** Converts a view of the engine to the reference tracer's pinhole camera. */
     public static Pinhole pinhole(View view) {
         var projection = view.projection();
         return new Pinhole(

@@ -99,9 +99,9 @@ final class Rocks {
         double driftX = 0;
         double driftZ = 0;
         for (int layer = 0; layer < LAYERS; layer++) {
-            double share = (double) layer / (LAYERS - 1);
+            double fraction = (double) layer / (LAYERS - 1);
             double thick = dice.between(0.1, 0.42);
-            double wide = 1.35 * (1 - 0.45 * share * share * share) * dice.between(0.76, 1.04);
+            double wide = 1.35 * (1 - 0.45 * fraction * fraction * fraction) * dice.between(0.76, 1.04);
             driftX += dice.between(-0.04, 0.13);
             driftZ += dice.around(0.12);
             Slab slab = new Slab(new Vector3d(driftX, y, driftZ), wide, thick, dice.around(0.12));
@@ -113,7 +113,7 @@ final class Rocks {
     /** One stratum, from its foot's middle. */
     private record Slab(Vector3d foot, double wide, double thick, double tone) {
         void build(double[] outline, PlantMesh mesh, PlantDice dice) {
-            double[] share = {0, 0.78, 1};
+            double[] fraction = {0, 0.78, 1};
             double[] inset = {0.94, 1, 0.9};
             Vector3d[][] rings = new Vector3d[3][SIDES];
             for (int side = 0; side < SIDES; side++) {
@@ -124,7 +124,7 @@ final class Rocks {
                     double x = away * StrictMath.cos(turn);
                     double z = -0.78 * away * StrictMath.sin(turn);
                     // All strata dip the same way.
-                    rings[ring][side] = new Vector3d(x, thick * share[ring] + 0.17 * x + 0.07 * z, z).add(foot);
+                    rings[ring][side] = new Vector3d(x, thick * fraction[ring] + 0.17 * x + 0.07 * z, z).add(foot);
                 }
             }
             Vector3d top = middle(rings[2]);

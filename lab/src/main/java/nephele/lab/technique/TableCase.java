@@ -1,10 +1,6 @@
 package nephele.lab.technique;
 
 import java.util.ArrayList;
-import nephele.engine.level.Weather;
-import nephele.engine.level.appearance.WeatherClouds;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.choice.CloudColumns;
@@ -20,9 +16,13 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
 
 /**
@@ -97,16 +97,16 @@ public record TableCase(
     }
 
     /** Returns the cloud alone, at the distance at which it has its extent. */
-    public SeenSky sky() {
+    public SkyView sky() {
         Cloud other = otherSeed(cloud);
         Cloud placed = with(other, extent());
         double depth = CloudColumns.meanDepth(
                 LoadedClouds.of(environment(placed), assets).flat(0));
         Cloud scaled = placed.withExtinction(placed.extinctionPerMetre() * opticalDepth / depth);
-        double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
+        double aspect = (double) SkyView.WIDTH / SkyView.HEIGHT;
         Vec3 eye = new Vec3(0, EYE_METRES, 0);
         View view = Viewpoints.between(eye, eye.plus(ahead()), fovDegrees(), aspect);
-        return SeenSky.alone("case", environment(scaled), assets, view);
+        return SkyView.alone("case", environment(scaled), assets, view);
     }
 
     private static Cloud otherSeed(Cloud cloud) {

@@ -73,7 +73,7 @@ public final class TableMaker {
     }
 
     private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
-        SeenSky sky = at.sky();
+        SkyView sky = at.sky();
         TracedSky exact = traced.of(sky, samples(at));
         for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));

@@ -1,11 +1,7 @@
 package nephele.lab.trade.subject;
 
-import nephele.lab.trade.CostMetric;
-import nephele.lab.trade.ErrorMetric;
-import nephele.lab.trade.Setting;
-import nephele.lab.trade.Trade;
-import java.nio.ByteBuffer;
 import java.awt.image.BufferedImage;
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.measure.ErrorMap;
@@ -18,8 +14,12 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.host.draw.IdLevel;
 import nephele.host.terminal.CommandFailure;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 
 /**
@@ -28,11 +28,13 @@ import nephele.lab.trade.TradeSite;
  */
 public final class EdgeExperiment implements Experiment {
     private static final List<String> FIGURES = List.of("shimmer", "RMSE at edges", "FLIP, 99th percentile of pixels");
-    private static final String REFERENCE_TEXT = "the engine's own picture of 64 samples a pixel: eight times the pixels along"
-            + " each side, averaged in linear light. Shimmer is the RMS change of the error from frame to frame while"
-            + " the view turns by 0.3 pixels a frame, over " + Footage.PATH_FRAMES + " frames of at most "
-            + Footage.PATH_WIDTH + "×" + Footage.PATH_HEIGHT + " pixels. RMSE at edges counts pixels at most one pixel"
-            + " from the edge of a surface. Both are in linear light, 1 is white; the advice regards FLIP alone";
+    private static final String REFERENCE_TEXT =
+            "the engine's own picture of 64 samples a pixel: eight times the pixels along each side, averaged in"
+                + " linear light. Shimmer is the RMS change of the error from frame to frame while the view turns by"
+                + " 0.3 pixels a frame, over " + Footage.PATH_FRAMES + " frames of at most "
+                    + Footage.PATH_WIDTH + "×" + Footage.PATH_HEIGHT
+                    + " pixels. RMSE at edges counts pixels at most one pixel from the edge of a surface. Both are in"
+                    + " linear light, 1 is white; the advice regards FLIP alone";
     public static final Trade SAMPLES = trade("samples", PictureSetting.all("samples", 1, 2, 4, 8));
     public static final Trade FILTER = trade(
             "edgeFilter",
@@ -57,7 +59,7 @@ public final class EdgeExperiment implements Experiment {
     private EdgeExperiment(TradeSite site, List<PictureSetting> settings) {
         this.site = site;
         requireRoom(site.extent(), site.gl().limits().maxTextureSize());
-        pictures = new PictureExperiment(site, settings, Compared.DISPLAY);
+        pictures = new PictureExperiment(site, settings, ComparedValues.DISPLAY);
         still = Footage.still(site);
         path = Footage.path(site);
     }
@@ -117,7 +119,7 @@ public final class EdgeExperiment implements Experiment {
     }
 
     private BufferedImage shown(LinearPicture picture) {
-        return Compared.DISPLAY.shown(picture, site.level().environment());
+        return ComparedValues.DISPLAY.shown(picture, site.level().environment());
     }
 
     @Override

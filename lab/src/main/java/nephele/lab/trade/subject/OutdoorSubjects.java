@@ -1,22 +1,22 @@
 package nephele.lab.trade.subject;
 
-import nephele.lab.trade.CostMetric;
-import nephele.lab.trade.ErrorMetric;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
 /** How terrain, billboards and models that may be impostors are drawn, judged in their samples. */
 public final class OutdoorSubjects {
-    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+    private static final String REFERENCE = "the oracle: rays through the level, many a pixel";
     private static final String FOREST = "levels/samples/impostors.json";
     public static final Trade IMPOSTORS = PictureSubjects.setting(
                     "impostorPixels",
-                    ORACLE,
+                    REFERENCE,
                     Stream.concat(
                                     Stream.of(PictureSetting.of("impostorPixels", 0, "meshes alone")),
                                     PictureSetting.all("impostorPixels", 32, 64, 96, 128).stream())
@@ -39,7 +39,9 @@ public final class OutdoorSubjects {
                             + " no parallax. A picture that is wrong and moves counts in both; the advice regards"
                             + " HDR-FLIP alone"),
             List.of(),
-            Stream.of(PlantExperiment.Technique.values()).map(PlantExperiment.Technique::setting).toList(),
+            Stream.of(PlantExperiment.Technique.values())
+                    .map(PlantExperiment.Technique::setting)
+                    .toList(),
             PlantExperiment.Technique.MIXTURE.ordinal(),
             ErrorMetric.PICTURE,
             PlantExperiment.FIGURES,
@@ -53,7 +55,7 @@ public final class OutdoorSubjects {
             "Those of the sample that are upright and turned to the eye, turned in other ways or crossed, which takes"
                     + " twice the pictures. The formula of the source faces away from eyes at smaller z, so it errs"
                     + " nothing in this view. Which way is nearest to a tree is what treeKind says.",
-            ORACLE + ", each of which meets the sample's own billboards, turned to it");
+            REFERENCE + ", each of which meets the sample's own billboards, turned to it");
     public static final Trade SPRITE_FACING = PictureSubjects.of(
                     "spriteFacing",
                     SPRITE_FACING_TEXT,
@@ -64,21 +66,23 @@ public final class OutdoorSubjects {
                             .toList())
             .in(BILLBOARDS, "spriteFacing", SPRITE_FACING_TEXT);
     public static final Trade SPRITE_COVERAGE = PictureSubjects.setting(
-                    "spriteCoverage", ORACLE, PictureSetting.all("spriteCoverage", "kept", "mean"))
+                    "spriteCoverage", REFERENCE, PictureSetting.all("spriteCoverage", "kept", "mean"))
             .in(BILLBOARDS);
 
     private static final String TERRAIN = "levels/samples/terrain.json";
 
     public static final Trade TERRAIN_DETAIL = PictureSubjects.setting(
-                    "terrainDetail", ORACLE, PictureSetting.all("terrainDetail", "full", "lod"))
+                    "terrainDetail", REFERENCE, PictureSetting.all("terrainDetail", "full", "lod"))
             .in(TERRAIN);
 
     public static final Trade TERRAIN_ERROR = PictureSubjects.setting(
-                    "terrainErrorPixels", ORACLE, PictureSetting.all("terrainErrorPixels", "0.5", "1", "2", "4", "8"))
+                    "terrainErrorPixels",
+                    REFERENCE,
+                    PictureSetting.all("terrainErrorPixels", "0.5", "1", "2", "4", "8"))
             .in(TERRAIN);
 
     public static final Trade TERRAIN_LAYERS = PictureSubjects.setting(
-                    "terrainLayers", ORACLE, PictureSetting.all("terrainLayers", "mixed", "baked"))
+                    "terrainLayers", REFERENCE, PictureSetting.all("terrainLayers", "mixed", "baked"))
             .in(TERRAIN);
 
     private OutdoorSubjects() {}
@@ -94,6 +98,4 @@ public final class OutdoorSubjects {
                 .map(group -> group.facing() == Facing.CYLINDRICAL ? group.turned(facing) : group)
                 .toList());
     }
-
-
 }

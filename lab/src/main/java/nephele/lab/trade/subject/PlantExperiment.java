@@ -1,19 +1,19 @@
 package nephele.lab.trade.subject;
 
-import nephele.engine.level.Billboards.Facing;
-import nephele.lab.trade.Setting;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import nephele.engine.level.Billboards.Facing;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.measure.Shimmer;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
+import nephele.lab.trade.Setting;
 import nephele.lab.trade.TradeSite;
 
 /**
- * Techniques that draw plants. A still picture is compared with the oracle's; frames along two paths with those of meshes at 64
+ * Techniques that draw plants. A still picture is compared with the reference picture's; frames along two paths with those of meshes at 64
  * samples a pixel, displayed light of eight times the pixels along each side, averaged.
  */
 final class PlantExperiment implements Experiment {
@@ -31,7 +31,6 @@ final class PlantExperiment implements Experiment {
         IMPOSTORS("impostors", "64 pictures, at every distance"),
         MIXTURE("mixture", "all presets: impostors below 64 pixels, meshes above"),
         MESHES("meshes", "at every distance");
-
 
         private final Setting setting;
 
@@ -74,7 +73,11 @@ final class PlantExperiment implements Experiment {
         PlantSprites sprites = PlantSprites.of(planted.placed());
         site = planted.with(sprites.assets());
         pictures = new PictureExperiment(
-                site, Stream.of(Technique.values()).map(technique -> technique.of(sprites)).toList(), Compared.RADIANCE);
+                site,
+                Stream.of(Technique.values())
+                        .map(technique -> technique.of(sprites))
+                        .toList(),
+                ComparedValues.RADIANCE);
         turning = Footage.path(site);
         moving = Footage.run(site);
     }

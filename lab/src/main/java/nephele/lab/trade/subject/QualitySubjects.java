@@ -1,10 +1,10 @@
 package nephele.lab.trade.subject;
 
+import java.util.List;
+import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sun;
-import java.util.List;
-import java.util.stream.Stream;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
@@ -25,7 +25,7 @@ public final class QualitySubjects {
                     .toList());
 
     private static final String LIT_LEVEL = "levels/01-courtyard.json";
-    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+    private static final String REFERENCE = "the oracle: rays through the level, many a pixel";
     private static final String SEEN = "the oracle's picture as it is displayed";
 
     public static final Trade PRESETS = PictureSubjects.of(
@@ -40,13 +40,13 @@ public final class QualitySubjects {
             Stream.of("low", "medium", "high", "ultra")
                     .map(preset -> new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset)))
                     .toList(),
-            Compared.SEEN);
+            ComparedValues.SEEN);
 
     public static final Trade RESOLUTION = PictureSubjects.setting(
             "pictureResolution",
             SEEN,
             PictureSetting.all("pictureResolution", "0.4", "0.5", "0.6", "0.7", "0.85", "1"),
-            Compared.SEEN);
+            ComparedValues.SEEN);
 
     private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(
                     Stream.of("0.3", "0.4", "0.5", "0.67").flatMap(size -> Stream.of(
@@ -73,20 +73,20 @@ public final class QualitySubjects {
             site -> new UpscaleExperiment(site, SIZES_AND_FILTERS));
 
     public static final Trade NORMAL_MAPS =
-            PictureSubjects.setting("normalMaps", ORACLE, PictureSetting.all("normalMaps", "off", "on"));
+            PictureSubjects.setting("normalMaps", REFERENCE, PictureSetting.all("normalMaps", "off", "on"));
 
     public static final Trade BRDF =
-            PictureSubjects.setting("brdf", ORACLE, PictureSetting.all("brdf", "lambert", "ggx"));
+            PictureSubjects.setting("brdf", REFERENCE, PictureSetting.all("brdf", "lambert", "ggx"));
 
-    public static final Trade SHADOW_FILTER =
-            PictureSubjects.setting("shadowFilter", ORACLE, PictureSetting.all("shadowFilter", "nearest", "bilinear"));
+    public static final Trade SHADOW_FILTER = PictureSubjects.setting(
+            "shadowFilter", REFERENCE, PictureSetting.all("shadowFilter", "nearest", "bilinear"));
 
     public static final Trade LIGHT_PARTS = PictureSubjects.setting(
-                    "lightParts", ORACLE, PictureSetting.all("lightParts", "ambient", "diffuse", "specular", "all"))
+                    "lightParts", REFERENCE, PictureSetting.all("lightParts", "ambient", "diffuse", "specular", "all"))
             .in(LIT_LEVEL);
 
     public static final Trade LIGHT_SHADOWS = PictureSubjects.setting(
-                    "lightShadows", ORACLE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
+                    "lightShadows", REFERENCE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
             .in(LIT_LEVEL);
 
     private QualitySubjects() {}

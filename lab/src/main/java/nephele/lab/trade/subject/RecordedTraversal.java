@@ -126,8 +126,8 @@ final class RecordedTraversal {
         return new ViewPose[] {pose(tick, low), pose(tick, high)};
     }
 
-    private ViewPose pose(int tick, double share) {
-        return ViewPose.of(PlayerPose.between(states.get(tick), states.get(tick + 1), share));
+    private ViewPose pose(int tick, double fraction) {
+        return ViewPose.of(PlayerPose.between(states.get(tick), states.get(tick + 1), fraction));
     }
 
     private static double apart(ViewPose a, ViewPose b) {

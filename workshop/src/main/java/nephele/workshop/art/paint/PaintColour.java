@@ -26,11 +26,11 @@ public record PaintColour(double red, double green, double blue) {
         return new PaintColour((hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0);
     }
 
-    public PaintColour mix(PaintColour other, double share) {
+    public PaintColour mix(PaintColour other, double fraction) {
         return new PaintColour(
-                red + (other.red - red) * share,
-                green + (other.green - green) * share,
-                blue + (other.blue - blue) * share);
+                red + (other.red - red) * fraction,
+                green + (other.green - green) * fraction,
+                blue + (other.blue - blue) * fraction);
     }
 
     public PaintColour times(double factor) {
@@ -44,6 +44,4 @@ public record PaintColour(double red, double green, double blue) {
     static int code(double component) {
         return (int) Math.max(0, Math.min(255, Math.floor(component * 255 + 0.5)));
     }
-
-
 }

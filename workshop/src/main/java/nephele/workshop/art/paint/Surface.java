@@ -24,8 +24,8 @@ public final class Surface {
         /** Factor on the material's roughness, 0–1. */
         public double roughness = 1;
 
-        public void blend(PaintColour over, double share) {
-            colour = colour.mix(over, share);
+        public void blend(PaintColour over, double fraction) {
+            colour = colour.mix(over, fraction);
         }
 
         public void shade(double factor) {

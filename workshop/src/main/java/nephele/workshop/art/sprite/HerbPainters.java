@@ -1,7 +1,7 @@
 package nephele.workshop.art.sprite;
 
-import nephele.workshop.art.paint.PaintColour;
 import java.awt.image.BufferedImage;
+import nephele.workshop.art.paint.PaintColour;
 
 /** Painters of low plants: an oleander in bloom, lavender, and a tuft of grass. */
 final class HerbPainters {
@@ -23,7 +23,8 @@ final class HerbPainters {
             {0.48, 0.2, 0.14},
             {0.02, 0.66, 0.2}
         };
-        TreePainters.crown(canvas, balls, PaintColour.of(0x1b3a1f), PaintColour.of(0x84ab52), new double[] {0.075, 0.018}, 0.85);
+        TreePainters.crown(
+                canvas, balls, PaintColour.of(0x1b3a1f), PaintColour.of(0x84ab52), new double[] {0.075, 0.018}, 0.85);
         for (int i = 0; i < 46; i++) {
             blossom(canvas, canvas.between(-0.5, 0.5), canvas.between(0.3, 0.8));
         }
@@ -53,11 +54,11 @@ final class HerbPainters {
         PaintColour deep = PaintColour.of(0x33521f);
         PaintColour dry = PaintColour.of(0xc4b76a);
         for (int i = 0; i < 150; i++) {
-            double share = i / 150.0;
+            double fraction = i / 150.0;
             double root = canvas.between(-0.16, 0.16);
             double lean = canvas.between(-0.55, 0.55) + root;
-            double tall = canvas.between(0.45, 0.97) * (1.05 - 0.45 * Math.abs(lean)) * (1 - 0.35 * share);
-            PaintColour tint = deep.mix(dry, 0.15 + 0.5 * share * canvas.random() + 0.2 * canvas.random());
+            double tall = canvas.between(0.45, 0.97) * (1.05 - 0.45 * Math.abs(lean)) * (1 - 0.35 * fraction);
+            PaintColour tint = deep.mix(dry, 0.15 + 0.5 * fraction * canvas.random() + 0.2 * canvas.random());
             blade(canvas, root, lean, tall, tint);
         }
         return canvas.picture();

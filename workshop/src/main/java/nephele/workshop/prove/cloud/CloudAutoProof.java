@@ -1,15 +1,5 @@
 package nephele.workshop.prove.cloud;
 
-import nephele.engine.level.Sun;
-import nephele.engine.level.appearance.WeatherClouds;
-import nephele.engine.math.Aabb;
-import nephele.engine.math.Vec3;
-import nephele.engine.scene.View;
-import nephele.engine.sim.reach.EyeReach;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
-import nephele.host.named.Viewpoints;
-import nephele.lab.technique.TableCase;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -23,11 +13,21 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.View;
+import nephele.engine.sim.reach.EyeReach;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 import nephele.lab.technique.DrawnSky;
-import nephele.lab.technique.SeenSky;
+import nephele.lab.technique.SkyView;
+import nephele.lab.technique.TableCase;
 import nephele.lab.technique.TableMaker;
 import nephele.lab.technique.TracedSkies;
 import nephele.lab.technique.TracedSky;
@@ -107,7 +107,7 @@ public final class CloudAutoProof implements Proof {
     }
 
     private ProofResult compared(GlContext gl, Case one) {
-        SeenSky sky = one.sky();
+        SkyView sky = one.sky();
         TracedSky exact = traced.of(sky, samples);
         Environment environment = sky.level().environment();
         var columns = CloudColumns.of(environment, sky.assets());
@@ -156,7 +156,7 @@ public final class CloudAutoProof implements Proof {
         return all;
     }
 
-    private static PlacedLevel drawn(SeenSky sky, ChosenTechniques chosen) {
+    private static PlacedLevel drawn(SkyView sky, ChosenTechniques chosen) {
         List<Cloud> clouds = new ArrayList<>();
         for (int i = 0; i < chosen.clouds().size(); i++) {
             clouds.add(chosen.clouds().get(i).with(chosen.techniques().get(i)));
@@ -233,7 +233,7 @@ public final class CloudAutoProof implements Proof {
      * @param sky all of its clouds with technique auto
      * @param tolerance allowed for each of them
      */
-    record Case(String name, SeenSky sky, EyeReach reach) {}
+    record Case(String name, SkyView sky, EyeReach reach) {}
 
     private static Case caseOf(int unit, Cloud.Tolerance tolerance) {
         String name = SKIES.get(unit / (SUNS.length * PLACES));
@@ -250,7 +250,7 @@ public final class CloudAutoProof implements Proof {
         var around = Aabb.around(eye, new Vec3(2 * STRIDE_METRES, 2, 2 * STRIDE_METRES));
         return new Case(
                 name + ", sun at " + (int) sun + " degrees, place " + (place + 1),
-                SeenSky.alone(name, written, opened.assets(), view),
+                SkyView.alone(name, written, opened.assets(), view),
                 new EyeReach(List.of(new EyeReach.Part(around, EyeReach.Means.WALKING))));
     }
 
@@ -263,7 +263,7 @@ public final class CloudAutoProof implements Proof {
 
     /** Returns the view of a layer from below, farther away and from a hill, of a finite cloud from three distances. */
     private static View autoView(Cloud first, int place) {
-        double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
+        double aspect = (double) SkyView.WIDTH / SkyView.HEIGHT;
         if (first.extent() instanceof Cloud.Extent.Volume volume) {
             Vec3 middle = volume.centre();
             double away = new double[] {1, 0.6, 2.2}[place];

@@ -1,7 +1,10 @@
 package nephele.workshop.prove.cloud;
 
 import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.LongStream;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.cloud.field.CloudMedium;
@@ -10,6 +13,7 @@ import nephele.engine.cloud.field.PuffsField;
 import nephele.engine.level.Cloud;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
+import nephele.engine.math.Hash64;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.RandomMean;
@@ -18,14 +22,10 @@ import nephele.engine.reference.volume.DeltaTracking;
 import nephele.engine.reference.volume.OutsideLight;
 import nephele.engine.reference.volume.RatioTracking;
 import nephele.engine.reference.volume.VolumeTracer;
-import org.joml.Vector3d;
-import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.LongStream;
-import nephele.engine.math.Hash64;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
+import org.joml.Vector3d;
 
 /**
  * Compares random walks with the laws of light in clouds that have closed forms. Slabs are 100 m thick; one of three has a density
@@ -164,7 +164,7 @@ public final class CloudLawsProof implements Proof {
         for (double depth : new double[] {0.01, 0.1, 1, 10, 1e4}) {
             for (double g : new double[] {0, 0.6}) {
                 for (double[] pair : cosines) {
-                    var once = new OnceScattered(
+                    var once = new SlabSingleScattering(
                             CloudSlabsProof.field(laws.size(), depth), new HenyeyGreenstein(g), pair[0], pair[1]);
                     String name =
                             "scattered once, depth " + depth + ", g " + g + ", from " + pair[1] + " to " + pair[0];

@@ -9,7 +9,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.lab.technique.DrawnSky;
-import nephele.lab.technique.SeenSky;
+import nephele.lab.technique.SkyView;
 import nephele.lab.technique.TableCase;
 import nephele.lab.technique.TracedSkies;
 import nephele.lab.technique.TracedSky;
@@ -78,7 +78,7 @@ public final class CloudRadianceProof implements Proof {
     }
 
     private ProofResult compared(GlContext gl, Drawn drawn) {
-        SeenSky sky = drawn.at().sky();
+        SkyView sky = drawn.at().sky();
         TracedSky exact = traced.of(sky, samples);
         double bias = exact.biasPercent(DrawnSky.picture(gl, sky, sky.drawnBy(drawn.technique()), drawn.quality()));
         List<String> failures = new ArrayList<>();

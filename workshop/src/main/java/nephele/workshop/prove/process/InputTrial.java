@@ -108,11 +108,11 @@ final class InputTrial {
         } catch (Fault fault) {
             return new Ended(outcome, Optional.of(fault.getMessage()));
         } catch (Exception | StackOverflowError | OutOfMemoryError crash) {
-            return new Ended(outcome, Optional.of(told(crash)));
+            return new Ended(outcome, Optional.of(reported(crash)));
         }
     }
 
-    private static String told(Throwable crash) {
+    private static String reported(Throwable crash) {
         StackTraceElement[] trace = crash.getStackTrace();
         return crash + (trace.length == 0 ? "" : " at " + trace[0]);
     }
@@ -124,7 +124,7 @@ final class InputTrial {
             level = LevelJson.read(file.toString(), input.utf8());
         } catch (LevelFormatException refusal) {
             for (Problem problem : refusal.problems()) {
-                told(problem);
+                reported(problem);
                 boolean isThere = input.numbers().keySet().stream()
                         .anyMatch(place -> place.path().startsWith(problem.path()));
                 if (!isThere) {
@@ -143,12 +143,12 @@ final class InputTrial {
             throw new Fault("is refused without a place: " + wrong.getMessage());
         }
         for (Problem problem : problems) {
-            told(problem);
+            reported(problem);
         }
         return problems.stream().anyMatch(Problem::isError) ? null : level;
     }
 
-    private static void told(Problem problem) throws Fault {
+    private static void reported(Problem problem) throws Fault {
         String line = problem.line("level.json");
         if (problem.path().equals("$")
                 || problem.path().isEmpty()

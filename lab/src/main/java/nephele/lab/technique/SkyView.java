@@ -26,7 +26,7 @@ import nephele.lab.bake.TracedPictures;
  *
  * @param level without surfaces in front of its clouds
  */
-public record SeenSky(Level level, AssetSource assets, View view) {
+public record SkyView(Level level, AssetSource assets, View view) {
     /** Size of its pictures, pixels. */
     public static final int WIDTH = 40;
 
@@ -39,10 +39,10 @@ public record SeenSky(Level level, AssetSource assets, View view) {
     private static final double FAR = 200_000;
 
     /** Returns a sky alone, in a level whose camera is where it is seen from: skyboxes are baked from there. */
-    public static SeenSky alone(String name, Environment environment, AssetSource assets, View view) {
+    public static SkyView alone(String name, Environment environment, AssetSource assets, View view) {
         Vec3 ahead = view.eye().minus(view.back());
         var camera = new Camera("eye", view.eye(), ahead, view.up(), 0, 0, NEAR, FAR, List.of());
-        return new SeenSky(Level.of(name, "", environment, List.of(camera)), assets, view);
+        return new SkyView(Level.of(name, "", environment, List.of(camera)), assets, view);
     }
 
     /** Returns the level with all its clouds drawn by a technique. */

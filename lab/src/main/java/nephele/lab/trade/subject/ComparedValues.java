@@ -16,9 +16,9 @@ import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.TradeSite;
 
 /** The values of a picture that are judged, and their reference. */
-enum Compared {
+enum ComparedValues {
     /**
-     * Radiance before exposure and tone curve, against the oracle, which draws no rims: the setting's own error at
+     * Radiance before exposure and tone curve, against the reference picture, which draws no rims: the setting's own error at
      * every exposure.
      */
     RADIANCE(ErrorMetric.PICTURE) {
@@ -34,7 +34,7 @@ enum Compared {
 
         @Override
         LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
-            return site.oracle();
+            return site.reference();
         }
 
         @Override
@@ -47,7 +47,7 @@ enum Compared {
             return ToneMappedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
-    /** The light that the display emits, against the oracle's tone-mapped radiance: the picture that a player sees. */
+    /** The light that the display emits, against the reference picture's tone-mapped radiance: the picture that a player sees. */
     SEEN(ErrorMetric.DISPLAYED) {
         @Override
         Shot judged(Shot shot) {
@@ -56,7 +56,7 @@ enum Compared {
 
         @Override
         LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
-            return toneMapped(site.oracle(), site.level().environment());
+            return toneMapped(site.reference(), site.level().environment());
         }
     },
     /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
@@ -74,7 +74,7 @@ enum Compared {
 
     private final ErrorMetric error;
 
-    Compared(ErrorMetric error) {
+    ComparedValues(ErrorMetric error) {
         this.error = error;
     }
 

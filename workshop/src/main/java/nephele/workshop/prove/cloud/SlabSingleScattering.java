@@ -16,7 +16,8 @@ import nephele.engine.reference.volume.RatioTracking;
  * @param mu cosine of the scattered light, negative below the slab
  * @param mu0 cosine of the beam
  */
-record OnceScattered(ExtinctionField slab, PhaseFunction phase, double mu, double mu0) implements CloudLaw.Estimate {
+record SlabSingleScattering(ExtinctionField slab, PhaseFunction phase, double mu, double mu0)
+        implements CloudLaw.Estimate {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
     /** Returns the radiance by the irradiance on a plane perpendicular to the beam, at albedo 1. */
