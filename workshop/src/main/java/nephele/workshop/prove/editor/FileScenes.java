@@ -16,7 +16,8 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.Filing;
+import nephele.editor.session.FileServices;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.dialog.ExplanationPanel;
@@ -39,7 +40,7 @@ final class FileScenes {
     private static EditorSession sessionIn(Path folder, DocumentFile.Opened opened, PicturedEditor editor) {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
-        session.filing(Filing.of(EditorFiles.of(null, folder)));
+        session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
         session.background().runOn(new WaitingLoop(() -> {}));
         return session;
     }
@@ -76,14 +77,13 @@ final class FileScenes {
         }
     }
 
-    private static JComponent backups(PicturedEditor editor, Path folder)
-            throws IOException, nephele.editor.session.FileRefusal {
+    private static JComponent backups(PicturedEditor editor, Path folder) throws IOException, EditorRefusal {
         Path file = folder.resolve("room.json");
         EditorSession session = sessionIn(folder, DocumentFile.untitled(), editor);
-        session.filing().saver().saveAs(file, editor.session().document().level());
+        session.fileServices().saver().saveAs(file, editor.session().document().level());
         EditorSession opened =
                 sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
-        opened.filing().saver().saveAs(file, DocumentFile.untitled().level());
+        opened.fileServices().saver().saveAs(file, DocumentFile.untitled().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),
                 editor.look().language(),
