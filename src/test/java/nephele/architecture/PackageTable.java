@@ -44,6 +44,7 @@ final class PackageTable {
         USES.put("scene", List.of("portal", "model", "asset"));
         USES.put("collision", List.of("portal", "model"));
         USES.put("sim", List.of("collision", "portal", "model"));
+        USES.put("rule", List.of("sim"));
         USES.put("cloud", List.of("level", "asset"));
         USES.put("choice", List.of("sim", "render"));
         USES.put("particle", List.of("collision"));
@@ -58,13 +59,13 @@ final class PackageTable {
         USES.put("render", with("render.pass", HEADLESS));
         USES.put("host.terminal", List.of());
         USES.put("host.userfile", List.of("asset"));
-        USES.put("host.named", List.of("host.terminal", "scene", "sim"));
+        USES.put("host.named", List.of("host.terminal", "scene", "rule"));
         USES.put("host.playthrough", List.of("host.named"));
         USES.put("host.compare", List.of("choice", "measure"));
         USES.put("host.draw", List.of("choice", "host.named"));
         USES.put("scenes.xml", List.of("level", "model"));
         USES.put("scenes.fixed", with("scenes.xml", with("render.gl", HEADLESS)));
-        USES.put("scenes.file", List.of("scenes.fixed", "host.terminal"));
+        USES.put("scenes.file", List.of("scenes.fixed", "host.terminal", "rule"));
         USES.put("scenes.view", List.of("scenes.file", "render"));
     }
 

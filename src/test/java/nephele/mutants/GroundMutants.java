@@ -89,7 +89,7 @@ final class GroundMutants {
             new Mutant(
                     PLANT,
                     "views of an impostor are mirrored",
-                    ENGINE + "scene/impostor/HemiOctahedron.java",
+                    ENGINE + "scene/impostor/AtlasView.java",
                     "return (direction.x() - direction.z()) / sum(direction);",
                     "return (direction.z() - direction.x()) / sum(direction);",
                     "HemiOctahedronTest"),

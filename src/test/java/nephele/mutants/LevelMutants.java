@@ -32,14 +32,14 @@ final class LevelMutants {
             new Mutant(
                     LEVEL,
                     "a capsule without a straight part is refused",
-                    ENGINE + "level/rule/BodyRules.java",
+                    ENGINE + "rule/BodyRules.java",
                     "capsule.heightMetres() < 2 * capsule.radiusMetres()",
                     "capsule.heightMetres() <= 2 * capsule.radiusMetres()",
                     "LevelBoundsTest"),
             new Mutant(
                     LEVEL,
                     "models may share an id",
-                    ENGINE + "level/rule/IdRules.java",
+                    ENGINE + "rule/IdRules.java",
                     "unique(\"models\", level.models(), ModelPlacement::id, report);",
                     "",
                     "LevelBoundsTest"),

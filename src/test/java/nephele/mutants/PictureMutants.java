@@ -33,9 +33,9 @@ final class PictureMutants {
             new Mutant(
                     CULLING,
                     "a leaf drops the item after a hidden one",
-                    ENGINE + "math/bvh/FrustumTraversal.java",
-                    "runStart = slot + 1;",
-                    "runStart = slot + 2;",
+                    ENGINE + "math/bvh/SpatialIndex.java",
+                    "from = slot + 1;",
+                    "from = slot + 2;",
                     "SpatialIndexTest"),
             new Mutant(
                     CULLING,

@@ -12,8 +12,8 @@ final class PlacementMutants {
                     PLACEMENT,
                     "a ceiling counts as a wall",
                     ENGINE + "portal/placement/PortalUpright.java",
-                    "share(Math.abs(normal.y()))",
-                    "share(normal.y())",
+                    "steepness = Math.abs(normal.y())",
+                    "steepness = normal.y()",
                     "PortalUprightTest"),
             new Mutant(
                     PLACEMENT,
@@ -39,10 +39,10 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "an aperture leans the other way than its portal",
-                    ENGINE + "portal/placement/ReflectedAperture.java",
+                    ENGINE + "portal/placement/ConvexPolygon.java",
                     "aperture.cornerY(i) * upY - aperture.cornerX(i) * upX",
                     "aperture.cornerY(i) * upY + aperture.cornerX(i) * upX",
-                    "ReflectedApertureTest"),
+                    "ConvexPolygonTest"),
             new Mutant(
                     PLACEMENT,
                     "a point before an edge's first corner is as near as one beside the edge",

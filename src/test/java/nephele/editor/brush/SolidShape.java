@@ -16,12 +16,11 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 
 /** Queries of tests on the shapes of solids. */
 final class SolidShape {
@@ -92,7 +91,7 @@ final class SolidShape {
         }
         Level with = level.level();
         with = with.with(with.materials(), named);
-        List<Problem> problems = LevelRules.check(LevelRules.STRUCTURE, with, NoFiles.AT_ALL).stream()
+        List<Problem> problems = LevelRules.checkRecords(with).stream()
                 .filter(problem -> problem.path().startsWith("solids"))
                 .toList();
         assertEquals(List.of(), problems);

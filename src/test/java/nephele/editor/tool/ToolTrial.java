@@ -22,9 +22,8 @@ import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 
 /** A tool in use on a level, aimed at points of the world. */
 public final class ToolTrial {
@@ -114,7 +113,7 @@ public final class ToolTrial {
 
     /** Asserts that an edit was made in one step, breaks no rule of the structure and survives the file. */
     public void assertOneSoundStep(Level before) {
-        assertEquals(List.of(), LevelRules.check(LevelRules.STRUCTURE, level(), NoFiles.AT_ALL));
+        assertEquals(List.of(), LevelRules.checkRecords(level()));
         assertEquals(level(), read(level()));
         document.undo();
         assertSame(before, level());

@@ -4,16 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.CloudExplanation;
 import nephele.engine.level.Level;
-import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.sim.reach.CloudReachRules;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 
 /** The error of a skybox of a cloud, how it is told, and where it is warned of. */
@@ -75,10 +72,8 @@ class SkyboxParallaxTest {
     }
 
     private static List<String> warnings(String centre) {
-        List<Problem> problems = new ArrayList<>();
-        Level level = under(centre);
-        CloudReachRules.FAR.check(level, StaticShapes.of(level), problems::add);
-        return problems.stream()
+        return LevelRules.check(under(centre), TestAssets.NONE).stream()
+                .filter(problem -> problem.path().endsWith(".technique"))
                 .map(problem -> problem.path() + ": " + problem.message().substring(0, 28))
                 .toList();
     }

@@ -121,7 +121,7 @@ class HeightFieldWorldTest {
         assertEquals(1, cast.collider());
 
         ItemList cut = new ItemList();
-        cut.item(1);
+        cut.accept(1);
         CollisionWorld open = world.replacing(cut, List.of());
         assertFalse(cast.cast(open, new Ray(0.25, 9, 0.75, 0, -1, 0), 100));
         assertTrue(cast.cast(open, new Ray(0.75, 9, 0.25, 0, -1, 0), 100));

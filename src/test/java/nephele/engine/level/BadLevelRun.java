@@ -12,7 +12,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.SamplePictures;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 
 /** The answers of {@code check} to each bad level; also run as a process of its own, to limit its memory. */
 final class BadLevelRun {
@@ -65,7 +65,7 @@ final class BadLevelRun {
         Files.write(file, content);
         List<Problem> problems;
         try {
-            problems = LevelRules.check(LevelFile.read(file), LevelAssets.beside(file));
+            problems = LevelRules.checkRecordsAndFiles(LevelFile.read(file), LevelAssets.beside(file));
         } catch (LevelFormatException told) {
             problems = told.problems();
         }

@@ -2,15 +2,13 @@ package nephele.engine.level;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.json.LevelJsonTest;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,7 +33,7 @@ class LevelBoundsTest {
 
     private static List<String> errors(String members) {
         Level level = LevelJsonTest.sections(members);
-        return LevelRules.check(LevelRules.STRUCTURE, level, LevelAssets.beside(Path.of("x.json"))).stream()
+        return LevelRules.checkRecords(level).stream()
                 .filter(Problem::isError)
                 .map(problem -> problem.line("x"))
                 .toList();

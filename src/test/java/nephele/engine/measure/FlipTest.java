@@ -23,7 +23,7 @@ class FlipTest {
         double[] figures = figures(pair);
         var reference = Pfm.resource(pair + "-reference.pfm");
         var test = Pfm.resource(pair + "-test.pfm");
-        var exposures = ExposureRange.of(reference);
+        var exposures = HdrFlip.ExposureRange.of(reference);
         assertEquals(figures[0], exposures.startStops(), TOLERANCE);
         assertEquals(figures[1], exposures.stopStops(), TOLERANCE);
         assertEquals((int) figures[2], exposures.count());
@@ -67,7 +67,7 @@ class FlipTest {
     @Test
     void blackAndEvenReferencesHaveExposures() {
         for (float radiance : new float[] {0, 1e-30f, 1, 60_000}) {
-            var exposures = ExposureRange.of(even(4, 4, radiance));
+            var exposures = HdrFlip.ExposureRange.of(even(4, 4, radiance));
             assertEquals(2, exposures.count());
             assertTrue(Double.isFinite(exposures.startStops()) && exposures.startStops() <= exposures.stopStops());
             assertEquals(

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
-import nephele.engine.model.file.FloatText;
 import nephele.engine.model.file.MeshText;
 import nephele.engine.model.file.ModelFiles;
 import nephele.engine.model.shape.TorusShape;
@@ -25,7 +24,7 @@ class MeshLocaleTest {
         Locale.setDefault(Locale.forLanguageTag(tag));
         try {
             assertEquals(text, new String(MeshText.of(mesh), StandardCharsets.US_ASCII));
-            assertEquals("-0.33333334", FloatText.of(-1 / 3f));
+            assertEquals("-0.33333334", MeshText.number(-1 / 3f));
             assertArrayEquals(
                     mesh.positions(),
                     ModelFiles.read("a.3d", MeshText.of(mesh), name -> null).positions());

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
-import nephele.engine.level.appearance.LightFalloff;
-import nephele.engine.level.appearance.NormalMap;
+import nephele.engine.level.appearance.FaceTexture;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
@@ -90,8 +90,8 @@ class LightTwinsGlTest {
         float[] gpu = TwinProgram.run("light-falloff.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
             Vector3d expected = new Vector3d(
-                    LightFalloff.windowedInverseSquare(in[8 * i], in[8 * i + 1]),
-                    LightFalloff.cone(in[8 * i + 4], in[8 * i + 5], in[8 * i + 6]),
+                    PunctualLight.windowedInverseSquare(in[8 * i], in[8 * i + 1]),
+                    PunctualLight.cone(in[8 * i + 4], in[8 * i + 5], in[8 * i + 6]),
                     0);
             assertClose(expected, gpu, i, 1e-3, 1e-5);
         }
@@ -173,7 +173,7 @@ class LightTwinsGlTest {
         }
         float[] gpu = TwinProgram.run("normal-map.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
-            Vector3d expected = NormalMap.mapped(
+            Vector3d expected = FaceTexture.mappedNormal(
                     vector(in, 16 * i), vector(in, 16 * i + 4), vector(in, 16 * i + 8), vector(in, 16 * i + 12));
             assertClose(expected, gpu, i, 1e-3, 1e-4);
         }

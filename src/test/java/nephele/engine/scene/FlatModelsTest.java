@@ -11,7 +11,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.model.MeshTexts;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,7 +31,7 @@ class FlatModelsTest {
         Files.writeString(folder.resolve("zero.gltf"), MeshTexts.ZERO_GLTF);
         AssetSource assets = LevelAssets.beside(folder.resolve("flat.json"));
         Level level = LevelJson.read("flat.json", level(file, step == null ? "" : step));
-        var problems = LevelRules.check(level, assets);
+        var problems = LevelRules.checkRecordsAndFiles(level, assets);
         assertEquals(1, problems.size(), problems::toString);
         String line = problems.get(0).line("flat.json");
         assertTrue(

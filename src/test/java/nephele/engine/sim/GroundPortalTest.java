@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
@@ -172,35 +172,6 @@ class GroundPortalTest {
             }
         }
         assertTrue(fits > 10 && refused > 10, fits + " " + refused);
-    }
-
-    private static double ramp(double x, double z, double degrees) {
-        return bumps(x, z) - Math.tan(Math.toRadians(degrees)) * Math.max(-6, Math.min(6, z));
-    }
-
-    /** An edit elsewhere keeps portals on slopes, where their up direction depended on the view; one of the slope closes them. */
-    @ParameterizedTest
-    @ValueSource(doubles = {0, 10, 20, 28})
-    void anEditKeepsAPortalOnASlope(double degrees) {
-        GroundCourse course = new GroundCourse((x, z) -> ramp(x, z, degrees), new Vec3(0, 0.3, 0));
-        course.hold(PlayerInput.NONE, 0.3).turn(25, -30).press(Action.FIRE_FIRST);
-        assertEquals(1, course.state.world().portals().size(), course.events::toString);
-        Simulation same = new GroundCourse((x, z) -> ramp(x, z, degrees), Vec3.ZERO).simulation;
-        assertEquals(
-                course.state.world().portals().portal(0),
-                course.simulation
-                        .continuedIn(same, course.state)
-                        .world()
-                        .portals()
-                        .portal(0));
-        Simulation steeper = new GroundCourse((x, z) -> ramp(x, z, degrees + 1), Vec3.ZERO).simulation;
-        assertEquals(
-                0,
-                course.simulation
-                        .continuedIn(steeper, course.state)
-                        .world()
-                        .portals()
-                        .size());
     }
 
     @Test

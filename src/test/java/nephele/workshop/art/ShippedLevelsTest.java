@@ -17,7 +17,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.WorldRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.sim.replay.Replay;
 import nephele.host.named.LevelCatalogue;
 import org.joml.Vector3d;
@@ -50,7 +50,7 @@ class ShippedLevelsTest {
         LevelFile.Opened opened = LevelFile.load(file);
         Level level = opened.level();
         assertEquals(LevelJson.write(level), Files.readString(file), file + " is not in canonical form");
-        assertEquals(List.of(), WorldRules.check(opened.level(), opened.assets()));
+        assertEquals(List.of(), LevelRules.check(opened.level(), opened.assets()));
         assertFalse(level.description().isBlank(), file + " has no description");
         assertEquals("main", level.cameras().get(0).id());
     }

@@ -18,7 +18,7 @@ import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.PackageContent;
-import nephele.engine.sim.WorldRules;
+import nephele.engine.rule.LevelRules;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Parameters;
@@ -83,7 +83,7 @@ final class CheckCommand implements Command {
 
     private static List<Problem> problems(Level level, AssetSource assets) {
         try {
-            return WorldRules.check(level, assets);
+            return LevelRules.check(level, assets);
         } catch (AssetException wrong) {
             // Files that are good one by one, but do not fit into memory together.
             String place = AssetPlaces.of(level).getOrDefault(wrong.assetId(), wrong.assetId());

@@ -46,18 +46,10 @@ public sealed interface Mark {
         for (int from = 0; from < 8; from++) {
             for (int axis = 1; axis < 8; axis *= 2) {
                 if ((from & axis) == 0) {
-                    lines.add(new Mark.Line(corner(box, from), corner(box, from | axis), colour, visibility));
+                    lines.add(new Mark.Line(box.corner(from), box.corner(from | axis), colour, visibility));
                 }
             }
         }
         return lines;
-    }
-
-    /** Returns a corner by bits: 1 for greater x, 2 for greater y, 4 for greater z. */
-    private static Vec3 corner(Aabb box, int bits) {
-        return new Vec3(
-                (bits & 1) == 0 ? box.minX() : box.maxX(),
-                (bits & 2) == 0 ? box.minY() : box.maxY(),
-                (bits & 4) == 0 ? box.minZ() : box.maxZ());
     }
 }

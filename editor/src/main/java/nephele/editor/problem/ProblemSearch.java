@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
@@ -17,15 +18,13 @@ import nephele.engine.level.PlayerStart;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.json.WordFormats;
-import nephele.engine.level.layout.LayoutRules;
 import nephele.engine.level.layout.Leak;
+import nephele.engine.level.placed.LevelRule;
+import nephele.engine.level.placed.LevelRule.Stage;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.level.rule.LevelRule;
-import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.WorldRules;
+import nephele.engine.rule.LevelRules;
 
 /**
  * Finds the problems of a level after each of its edits. What follows from unchanged records is kept from the search
@@ -33,8 +32,6 @@ import nephele.engine.sim.WorldRules;
  * time, any thread.
  */
 public final class ProblemSearch {
-    private static final List<LevelRule> OF_FILES =
-            LevelRules.ALL.subList(LevelRules.STRUCTURE.size(), LevelRules.ALL.size());
     private static final Vec3 BESIDE_START = new Vec3(0, 0, -4);
 
     private final AssetSource assets;
@@ -59,64 +56,44 @@ public final class ProblemSearch {
      * @return empty if cancelled
      */
     public Optional<List<LevelProblem>> find(Level level, BooleanSupplier isCancelled) {
-        Cancellable rules = new Cancellable(isCancelled, new ArrayList<>());
-        boolean isDone = rules.structure(level, assets) && filesChecked(level, rules);
-        if (!isDone) {
+        BooleanSupplier isOver = () -> isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
+        try {
+            List<Problem> found = apply(LevelRules.of(Stage.RECORDS), level, null, isOver);
+            found.addAll(ofFiles(level, isOver));
+            StaticShapes statics = derived(level);
+            if (statics != null) {
+                boolean isSound = found.stream().noneMatch(Problem::isError);
+                var rules = isSound ? LevelRules.of(Stage.LAYOUT, Stage.WORLD) : LevelRules.of(Stage.LAYOUT);
+                found.addAll(apply(rules, level, statics, isOver));
+            }
+            return isOver.getAsBoolean() ? Optional.empty() : Optional.of(shown(level, statics, found));
+        } catch (CancellationException cancelled) {
             return Optional.empty();
         }
-        StaticShapes statics = derived(level);
-        boolean isSound = rules.found().stream().noneMatch(Problem::isError);
-        if (statics != null && !rules.placed(isSound ? WorldRules.PLACED : LayoutRules.ALL, level, statics)) {
-            return Optional.empty();
-        }
-        return rules.isOver() ? Optional.empty() : Optional.of(shown(level, statics, rules.found()));
     }
 
-    private record Cancellable(BooleanSupplier isCancelled, List<Problem> found) {
-        boolean isOver() {
-            return isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
-        }
-
-        boolean structure(Level level, AssetSource assets) {
-            for (LevelRule rule : LevelRules.STRUCTURE) {
-                if (isOver()) {
-                    return false;
-                }
-                rule.check(level, assets, found::add);
+    private List<Problem> apply(List<LevelRule> rules, Level level, StaticShapes statics, BooleanSupplier isOver) {
+        List<Problem> problems = new ArrayList<>();
+        for (LevelRule rule : rules) {
+            if (isOver.getAsBoolean()) {
+                throw new CancellationException();
             }
-            return true;
+            rule.check().apply(level, assets, statics, problems::add);
         }
-
-        boolean placed(List<PlacedRule> rules, Level level, StaticShapes statics) {
-            for (PlacedRule rule : rules) {
-                if (isOver()) {
-                    return false;
-                }
-                rule.check(level, statics, found::add);
-            }
-            return true;
-        }
+        return problems;
     }
 
     /** Reads files only if a record that names one has changed, or what their models are compared with. */
-    private boolean filesChecked(Level level, Cancellable rules) {
+    private List<Problem> ofFiles(Level level, BooleanSupplier isOver) {
         List<Object> named = new ArrayList<>(List.of(level.materials(), level.environment(), level.models()));
         if (!level.models().isEmpty()) {
             named.addAll(List.of(level.solids(), level.portals(), Optional.ofNullable(level.player())));
         }
         if (!named.equals(namedFiles)) {
-            List<Problem> problems = new ArrayList<>();
-            for (LevelRule rule : OF_FILES) {
-                if (rules.isOver()) {
-                    return false;
-                }
-                rule.check(level, assets, problems::add);
-            }
-            ofFiles = List.copyOf(problems);
+            ofFiles = List.copyOf(apply(LevelRules.of(Stage.FILES), level, null, isOver));
             namedFiles = named;
         }
-        rules.found().addAll(ofFiles);
-        return true;
+        return ofFiles;
     }
 
     /** Returns the level's shapes; {@code null} if a record keeps them from being derived. */

@@ -17,7 +17,6 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Aabb;
-import nephele.engine.sim.reach.CloudReachRules;
 import nephele.engine.sim.reach.EyeReach;
 
 /** The lines of {@code explain} about clouds: how each is drawn, and why, and which ones a weather adds. */
@@ -56,7 +55,7 @@ public final class CloudExplanation {
             return "";
         }
         EyeReach reach = EyeReach.of(placed.level(), placed.statics());
-        Aabb bounds = CloudReachRules.bounds(cloud.extent());
+        Aabb bounds = EyeReach.bounds(cloud.extent());
         EyeReach.Part nearest = reach.nearest(bounds);
         if (nearest == null) {
             return "; without a player the eye can be anywhere";

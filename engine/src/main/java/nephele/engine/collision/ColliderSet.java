@@ -1,12 +1,12 @@
 package nephele.engine.collision;
 
 import java.util.List;
+import java.util.function.IntConsumer;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemRayTest;
-import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.math.heightfield.HeightField;
@@ -29,15 +29,15 @@ sealed interface ColliderSet {
     boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit);
 
     /** Visits all colliders with boxes that overlap or touch a box. */
-    void overlapping(Aabb box, ItemVisitor found);
+    void overlapping(Aabb box, IntConsumer found);
 
     /**
      * Does the same for a box of six numbers of an array from {@code at} on: three least, three greatest coordinates.
      */
-    void overlapping(double[] box, int at, ItemVisitor found);
+    void overlapping(double[] box, int at, IntConsumer found);
 
     /** Visits all colliders with boxes that a box may touch while it moves by {@code motion}. */
-    void swept(Aabb box, Vec3 motion, ItemVisitor found);
+    void swept(Aabb box, Vec3 motion, IntConsumer found);
 
     /** Colliders stored one by one, in a spatial index. */
     final class Listed implements ColliderSet {
@@ -90,17 +90,17 @@ sealed interface ColliderSet {
         }
 
         @Override
-        public void overlapping(Aabb box, ItemVisitor found) {
+        public void overlapping(Aabb box, IntConsumer found) {
             index.overlapping(box, found);
         }
 
         @Override
-        public void overlapping(double[] box, int at, ItemVisitor found) {
+        public void overlapping(double[] box, int at, IntConsumer found) {
             index.overlapping(box, at, found);
         }
 
         @Override
-        public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+        public void swept(Aabb box, Vec3 motion, IntConsumer found) {
             index.swept(box, motion, found);
         }
     }
@@ -149,7 +149,7 @@ sealed interface ColliderSet {
         }
 
         @Override
-        public void overlapping(Aabb box, ItemVisitor found) {
+        public void overlapping(Aabb box, IntConsumer found) {
             if (!box.isEmpty()) {
                 Aabb reached = box.grown(Collider.TRIANGLE_DEPTH_METRES);
                 field.passing(reached::overlaps, found);
@@ -157,12 +157,12 @@ sealed interface ColliderSet {
         }
 
         @Override
-        public void overlapping(double[] box, int at, ItemVisitor found) {
+        public void overlapping(double[] box, int at, IntConsumer found) {
             overlapping(new Aabb(box[at], box[at + 1], box[at + 2], box[at + 3], box[at + 4], box[at + 5]), found);
         }
 
         @Override
-        public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+        public void swept(Aabb box, Vec3 motion, IntConsumer found) {
             if (!box.isEmpty()) {
                 field.swept(box.grown(Collider.TRIANGLE_DEPTH_METRES), motion, found);
             }

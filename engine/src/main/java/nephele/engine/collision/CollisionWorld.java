@@ -2,6 +2,7 @@ package nephele.engine.collision;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntConsumer;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
@@ -10,7 +11,6 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.ItemRayTest;
-import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.heightfield.HeightField;
 import org.joml.Vector3dc;
@@ -198,7 +198,7 @@ public final class CollisionWorld {
         found.sort();
     }
 
-    private void collect(Aabb box, ItemVisitor found) {
+    private void collect(Aabb box, IntConsumer found) {
         if (base != null) {
             base.collect(box, present(found));
         }
@@ -214,7 +214,7 @@ public final class CollisionWorld {
         found.sort();
     }
 
-    private void collect(double[] box, int at, ItemVisitor found) {
+    private void collect(double[] box, int at, IntConsumer found) {
         if (base != null) {
             base.collect(box, at, present(found));
         }
@@ -239,23 +239,23 @@ public final class CollisionWorld {
         found.sort();
     }
 
-    private void collectSwept(Aabb box, Vec3 motion, ItemVisitor found) {
+    private void collectSwept(Aabb box, Vec3 motion, IntConsumer found) {
         if (base != null) {
             base.collectSwept(box, motion, present(found));
         }
         own.swept(box, motion, own(found));
     }
 
-    private ItemVisitor present(ItemVisitor found) {
+    private IntConsumer present(IntConsumer found) {
         return item -> {
             if (!isAbsent(item)) {
-                found.item(item);
+                found.accept(item);
             }
         };
     }
 
-    private ItemVisitor own(ItemVisitor found) {
+    private IntConsumer own(IntConsumer found) {
         int offset = shared();
-        return offset == 0 ? found : item -> found.item(item + offset);
+        return offset == 0 ? found : item -> found.accept(item + offset);
     }
 }

@@ -104,7 +104,7 @@ public final class Depenetration {
         for (int i = 0; i < near.size(); i++) {
             separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
             if (separation.metres() < 0) {
-                overlapped.item(near.get(i));
+                overlapped.accept(near.get(i));
             }
         }
     }

@@ -9,7 +9,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Portals;
-import nephele.engine.portal.ground.GroundStep;
+import nephele.engine.portal.ground.GroundSeat;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -90,7 +90,7 @@ public final class PortalWorld {
         return statics;
     }
 
-    /** Returns how far the ground around a portal lies below it; {@link GroundStep#NO_GROUND} for one on a wall. */
+    /** Returns how far the ground around a portal lies below it; {@link GroundSeat#NO_GROUND} for one on a wall. */
     public double groundStepMetres(int portal) {
         return cutter.groundStepMetres(portal);
     }

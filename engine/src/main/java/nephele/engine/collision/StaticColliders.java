@@ -13,7 +13,7 @@ import nephele.engine.math.IdentityDiff;
  * Sorts static shapes by their kind of collider: convex, a sheet for each triangle, or ground. Colliders of shapes that
  * are already in a world are reused.
  */
-final class StaticColliders implements StaticShape.Cases {
+final class StaticColliders {
     private final List<Collider> convex = new ArrayList<>();
     private final List<Collider> sheets = new ArrayList<>();
     private final List<StaticShape.HeightGrid> ground = new ArrayList<>();
@@ -32,7 +32,7 @@ final class StaticColliders implements StaticShape.Cases {
         placeOfSolid = IdentityDiff.previousIndices(before.solids(), shapes.solids());
         placeOfModel = IdentityDiff.previousIndices(triangles(before), triangles(shapes));
         itemOfModel = itemOfModel(before);
-        shapes.all().forEach(shape -> shape.select(this));
+        shapes.forEach(this::addHull, this::addMesh, ground::add);
     }
 
     private static List<WorldTriangles> triangles(StaticShapes shapes) {
@@ -61,16 +61,14 @@ final class StaticColliders implements StaticShape.Cases {
         return new StaticColliders(shapes, before, world);
     }
 
-    @Override
-    public void convexHull(StaticShape.ConvexHull hull) {
+    private void addHull(StaticShape.ConvexHull hull) {
         int index = hull.index();
         // A solid with a changed surface is another brush of the same shape, at the same place.
         int place = placeOfSolid[index] == IdentityDiff.NEW && index < solidsBefore ? index : placeOfSolid[index];
         convex.add(place == IdentityDiff.NEW ? collider(hull.brush()) : same(place, hull.brush()));
     }
 
-    @Override
-    public void triangleMesh(StaticShape.TriangleMesh mesh) {
+    private void addMesh(StaticShape.TriangleMesh mesh) {
         PlacedModel model = mesh.model();
         int place = placeOfModel[model.index()];
         if (model.solid() != null) {
@@ -82,11 +80,6 @@ final class StaticColliders implements StaticShape.Cases {
                 sheets.add(world.collider(itemOfModel[place] + i));
             }
         }
-    }
-
-    @Override
-    public void heightGrid(StaticShape.HeightGrid grid) {
-        ground.add(grid);
     }
 
     private static Collider collider(Brush brush) {

@@ -60,7 +60,6 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return x >= minX && x <= maxX && y >= minY && y <= maxY && z >= minZ && z <= maxZ;
     }
 
-    /** Returns true if the boxes overlap or touch; false if one is empty. */
     /** Returns the distance of the nearest point of the box; 0 within it. */
     public double nearest(Vec3 place) {
         return nearest(place.x(), place.y(), place.z());
@@ -74,6 +73,11 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
+    /** Returns a corner by the bits of its index, 0 to 7: 1 for the greater x, 2 for the greater y, 4 for the greater z. */
+    public Vec3 corner(int index) {
+        return new Vec3((index & 1) == 0 ? minX : maxX, (index & 2) == 0 ? minY : maxY, (index & 4) == 0 ? minZ : maxZ);
+    }
+
     /** Returns the distance of the farthest corner. */
     public double farthest(double x, double y, double z) {
         double dx = Math.max(maxX - x, x - minX);
@@ -82,6 +86,7 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
+    /** Returns true if the boxes overlap or touch; false if one is empty. */
     public boolean overlaps(Aabb b) {
         return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;
     }

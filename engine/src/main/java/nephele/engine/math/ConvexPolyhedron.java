@@ -40,10 +40,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     public static ConvexPolyhedron box(Aabb b) {
         Vec3[] c = new Vec3[8];
         for (int i = 0; i < 8; i++) {
-            c[i] = new Vec3(
-                    (i & 1) == 0 ? b.minX() : b.maxX(),
-                    (i & 2) == 0 ? b.minY() : b.maxY(),
-                    (i & 4) == 0 ? b.minZ() : b.maxZ());
+            c[i] = b.corner(i);
         }
         List<Face> faces = List.of(
                 boxFace(0, c, new Plane(1, 0, 0, b.maxX())),

@@ -1,5 +1,8 @@
 package nephele.engine.measure;
 
+import java.util.Arrays;
+import java.util.function.DoubleUnaryOperator;
+
 /**
  * The difference that an observer sees when flipping between two pictures: Andersson, Nilsson, Akenine-Möller,
  * Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating Images", 2020. Symmetric except for
@@ -18,8 +21,29 @@ public final class Flip {
     private static final double COLOUR_TARGET = 0.95;
     private static final double FEATURE_EXPONENT = 0.5;
 
-    private static final ContrastFilter CONTRAST = new ContrastFilter(PIXELS_PER_DEGREE);
-    private static final FeatureFilter FEATURES = new FeatureFilter(PIXELS_PER_DEGREE);
+    private static final Gaussian ACHROMATIC = new Gaussian(1, 0.0047);
+    private static final Gaussian RED_GREEN = new Gaussian(1, 0.0053);
+    private static final Gaussian[] BLUE_YELLOW = {new Gaussian(34.1, 0.04), new Gaussian(13.5, 0.025)};
+
+    /** Pixels by which the widest Gaussian reaches. */
+    private static final int CONTRAST_RADIUS = BLUE_YELLOW[0].radius();
+
+    private static final Kernel ACHROMATIC_KERNEL = ACHROMATIC.kernel();
+    private static final Kernel RED_GREEN_KERNEL = RED_GREEN.kernel();
+    private static final Kernel[] BLUE_YELLOW_KERNELS = {BLUE_YELLOW[0].kernel(), BLUE_YELLOW[1].kernel()};
+    private static final float FIRST_BLUE_YELLOW_WEIGHT =
+            (float) (BLUE_YELLOW[0].volume() / (BLUE_YELLOW[0].volume() + BLUE_YELLOW[1].volume()));
+
+    /** The width of an edge detector of human vision. */
+    private static final double FEATURE_DEGREES = 0.082;
+
+    private static final double FEATURE_DEVIATION = 0.5 * FEATURE_DEGREES * PIXELS_PER_DEGREE;
+    private static final int FEATURE_RADIUS = (int) Math.ceil(3 * FEATURE_DEVIATION);
+    private static final Kernel SMOOTH = Kernel.of(FEATURE_RADIUS, x -> gaussian(x / FEATURE_DEVIATION));
+    private static final Kernel FIRST_DERIVATIVE = Kernel.of(FEATURE_RADIUS, x -> -x * gaussian(x / FEATURE_DEVIATION));
+    private static final Kernel SECOND_DERIVATIVE = Kernel.of(
+            FEATURE_RADIUS,
+            x -> (x * x / (FEATURE_DEVIATION * FEATURE_DEVIATION) - 1) * gaussian(x / FEATURE_DEVIATION));
     private static final double GREATEST_COLOUR_DIFFERENCE = greatestColourDifference();
 
     private Flip() {}
@@ -35,16 +59,20 @@ public final class Flip {
         reference.requireSameSize(test);
         var exact = OpponentPicture.of(reference);
         var tried = OpponentPicture.of(test);
-        var exactFeatures = FEATURES.of(exact);
-        var triedFeatures = FEATURES.of(tried);
-        CONTRAST.apply(exact);
-        CONTRAST.apply(tried);
+        float[] luminance = lightness(exact);
+        float[] triedLuminance = lightness(tried);
+        float[] edges = magnitudes(luminance, exact.width(), FIRST_DERIVATIVE);
+        float[] triedEdges = magnitudes(triedLuminance, exact.width(), FIRST_DERIVATIVE);
+        float[] points = magnitudes(luminance, exact.width(), SECOND_DERIVATIVE);
+        float[] triedPoints = magnitudes(triedLuminance, exact.width(), SECOND_DERIVATIVE);
+        filterContrast(exact);
+        filterContrast(tried);
         float[] exactLab = exact.huntLab();
         float[] triedLab = tried.huntLab();
         float[] error = new float[reference.pixels()];
         for (int i = 0; i < error.length; i++) {
             double colour = colourError(exactLab, triedLab, 3 * i);
-            double feature = featureError(exactFeatures, triedFeatures, i);
+            double feature = featureError(edges[i] - triedEdges[i], points[i] - triedPoints[i]);
             error[i] = (float) Math.pow(colour, 1 - feature);
         }
         return new ErrorMap(reference.width(), reference.height(), error);
@@ -61,10 +89,55 @@ public final class Flip {
                 : COLOUR_TARGET + (difference - knee) / (GREATEST_COLOUR_DIFFERENCE - knee) * (1 - COLOUR_TARGET);
     }
 
-    private static double featureError(FeatureFilter.Features exact, FeatureFilter.Features tried, int pixel) {
-        double edges = Math.abs(exact.edges()[pixel] - tried.edges()[pixel]);
-        double points = Math.abs(exact.points()[pixel] - tried.points()[pixel]);
-        return Math.pow(Math.max(edges, points) / Math.sqrt(2), FEATURE_EXPONENT);
+    private static double featureError(float edges, float points) {
+        return Math.pow(Math.max((double) Math.abs(edges), Math.abs(points)) / Math.sqrt(2), FEATURE_EXPONENT);
+    }
+
+    /**
+     * Filters the three opponent channels in place by the contrast sensitivity of an observer, sums of Gaussians (Andersson
+     * et al. 2020, section 4.1.1, after Johnson and Fairchild 2003).
+     */
+    private static void filterContrast(OpponentPicture picture) {
+        float[] rows = new float[picture.y().length];
+        ACHROMATIC_KERNEL.inPlace(picture.y(), picture.width(), rows);
+        RED_GREEN_KERNEL.inPlace(picture.cx(), picture.width(), rows);
+        float[] narrow = picture.cz().clone();
+        BLUE_YELLOW_KERNELS[0].inPlace(picture.cz(), picture.width(), rows);
+        BLUE_YELLOW_KERNELS[1].inPlace(narrow, picture.width(), rows);
+        float[] cz = picture.cz();
+        for (int i = 0; i < cz.length; i++) {
+            cz[i] = FIRST_BLUE_YELLOW_WEIGHT * cz[i] + (1 - FIRST_BLUE_YELLOW_WEIGHT) * narrow[i];
+        }
+    }
+
+    private static double gaussian(double x) {
+        return Math.exp(-x * x / 2);
+    }
+
+    private static float[] lightness(OpponentPicture picture) {
+        float[] lightness = picture.y().clone();
+        for (int i = 0; i < lightness.length; i++) {
+            lightness[i] = (lightness[i] + 16) / 116;
+        }
+        return lightness;
+    }
+
+    /**
+     * Returns the strength of edges or points at each pixel, 0–1: the magnitude of the first or second derivative of a
+     * Gaussian (Andersson et al. 2020, section 4.2).
+     */
+    private static float[] magnitudes(float[] lightness, int width, Kernel derivative) {
+        float[] rows = new float[lightness.length];
+        float[] across = new float[lightness.length];
+        float[] along = new float[lightness.length];
+        derivative.alongRows(lightness, width, rows);
+        SMOOTH.alongColumns(rows, width, along);
+        SMOOTH.alongRows(lightness, width, rows);
+        derivative.alongColumns(rows, width, across);
+        for (int i = 0; i < along.length; i++) {
+            along[i] = (float) Math.sqrt(along[i] * along[i] + across[i] * across[i]);
+        }
+        return along;
     }
 
     /** Returns the compressed distance of green and blue, the most different colours of a display. */
@@ -83,5 +156,99 @@ public final class Flip {
                 Colorimetry.relativeZ(red, green, blue),
                 lab);
         return lab;
+    }
+
+    /** A Gaussian a·√(π/b)·exp(−π²x²/b), x in degrees of visual angle. */
+    private record Gaussian(double a, double b) {
+        double weight(double pixels) {
+            double degrees = pixels / PIXELS_PER_DEGREE;
+            return Math.exp(-Math.PI * Math.PI * degrees * degrees / b);
+        }
+
+        int radius() {
+            return (int) Math.ceil(3 * Math.sqrt(b / (2 * Math.PI * Math.PI)) * PIXELS_PER_DEGREE);
+        }
+
+        Kernel kernel() {
+            return Kernel.of(Math.min(CONTRAST_RADIUS, 2 * radius()), this::weight);
+        }
+
+        /** Returns the sum of the unnormalised weights of the two-dimensional filter. */
+        double volume() {
+            double sum = 0;
+            for (int pixel = -CONTRAST_RADIUS; pixel <= CONTRAST_RADIUS; pixel++) {
+                sum += weight(pixel);
+            }
+            return a * Math.sqrt(Math.PI / b) * sum * sum;
+        }
+    }
+
+    /**
+     * The weights of a separable filter in one dimension, centred. Positive and negative weights are normalised separately.
+     *
+     * @param weights an odd number
+     */
+    private record Kernel(float[] weights) {
+        static Kernel of(int radius, DoubleUnaryOperator weight) {
+            double[] raw = new double[2 * radius + 1];
+            double positive = 0;
+            double negative = 0;
+            for (int i = 0; i < raw.length; i++) {
+                raw[i] = weight.applyAsDouble(i - radius);
+                positive += Math.max(raw[i], 0);
+                negative -= Math.min(raw[i], 0);
+            }
+            float[] weights = new float[raw.length];
+            for (int i = 0; i < raw.length; i++) {
+                weights[i] = (float) (raw[i] > 0 ? raw[i] / positive : raw[i] < 0 ? raw[i] / negative : 0);
+            }
+            return new Kernel(weights);
+        }
+
+        int radius() {
+            return weights.length / 2;
+        }
+
+        /** Filters each row of {@code from}; beyond the border the border's value is repeated. */
+        void alongRows(float[] from, int width, float[] to) {
+            int radius = radius();
+            float[] padded = new float[width + 2 * radius];
+            float[] sum = new float[width];
+            for (int row = 0; row < from.length; row += width) {
+                Arrays.fill(padded, 0, radius, from[row]);
+                System.arraycopy(from, row, padded, radius, width);
+                Arrays.fill(padded, radius + width, padded.length, from[row + width - 1]);
+                Arrays.fill(sum, 0);
+                for (int k = 0; k < weights.length; k++) {
+                    addScaled(padded, k, weights[k], sum, 0, width);
+                }
+                System.arraycopy(sum, 0, to, row, width);
+            }
+        }
+
+        /** Filters each column as {@link #alongRows}; {@code to} must not be {@code from}. */
+        void alongColumns(float[] from, int width, float[] to) {
+            int radius = radius();
+            int height = from.length / width;
+            Arrays.fill(to, 0);
+            for (int row = 0; row < height; row++) {
+                for (int k = 0; k < weights.length; k++) {
+                    int source = Math.min(Math.max(row + k - radius, 0), height - 1);
+                    addScaled(from, source * width, weights[k], to, row * width, width);
+                }
+            }
+        }
+
+        /** Filters rows and columns. */
+        void inPlace(float[] channel, int width, float[] rows) {
+            alongRows(channel, width, rows);
+            alongColumns(rows, width, channel);
+        }
+
+        private static void addScaled(float[] from, int fromStart, float weight, float[] to, int toStart, int count) {
+            for (int i = 0; i < count; i++) {
+                to[toStart + i] += weight * from[fromStart + i];
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@ package nephele.engine.reference;
 import java.util.Optional;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
-import nephele.engine.level.appearance.NormalMap;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.terrain.GroundProjections;
 import nephele.engine.level.terrain.LayerPaint;
@@ -138,7 +138,7 @@ final class GroundShape implements TracedShape {
                 skin.normals().read(s, t, rgba);
                 Vector3d across = along(right.toVector());
                 Vector3d up = along(top.toVector());
-                mapped = NormalMap.mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), smooth, across, up);
+                mapped = FaceTexture.mappedNormal(new Vector3d(rgba[0], rgba[1], rgba[2]), smooth, across, up);
                 rough *= rgba[3];
             }
             roughness += weight * rough;

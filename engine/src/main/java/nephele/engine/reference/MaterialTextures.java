@@ -9,7 +9,7 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.ColourDecoding;
-import nephele.engine.level.appearance.NormalMap;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -96,7 +96,8 @@ final class MaterialTextures {
         Vector3dc normal = bare.normal();
         if (skin.normals() != null) {
             skin.normals().read(spot.s(), spot.t(), rgba);
-            normal = NormalMap.mapped(new Vector3d(rgba[0], rgba[1], rgba[2]), bare.normal(), spot.across(), spot.up());
+            normal = FaceTexture.mappedNormal(
+                    new Vector3d(rgba[0], rgba[1], rgba[2]), bare.normal(), spot.across(), spot.up());
         }
         Brdf gloss = material.lambert() ? null : gloss(material, colour, rgba[3], normal.dot(bare.toEye()));
         return new SurfacePoint(

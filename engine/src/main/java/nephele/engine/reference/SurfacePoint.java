@@ -1,7 +1,6 @@
 package nephele.engine.reference;
 
 import nephele.engine.level.appearance.Brdf;
-import nephele.engine.level.appearance.Terminator;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -59,9 +58,7 @@ record SurfacePoint(
         Vector3d reflected = gloss == null
                 ? new Vector3d(albedo).mul(Math.max(normal.dot(toLight), 0) / Math.PI)
                 : gloss.reflected(normal, toEye, toLight);
-        return smoothNormal == faceNormal
-                ? reflected
-                : reflected.mul(Terminator.share(smoothNormal, faceNormal, toLight));
+        return smoothNormal == faceNormal ? reflected : reflected.mul(terminator(smoothNormal, faceNormal, toLight));
     }
 
     /** Returns the radiance towards the eye under ambient light, irradiance / π at the normal and mirror direction. */
@@ -75,5 +72,21 @@ record SurfacePoint(
     /** Returns the direction into which a mirror with this normal would reflect the eye ray. */
     Vector3d mirrorDirection() {
         return new Vector3d(normal).mul(2 * normal.dot(toEye)).sub(toEye);
+    }
+
+    /**
+     * Returns the fraction of light that arrives at a triangle that faces the light; 1 if the triangle is as flat as the
+     * curved surface that it approximates. A flat triangle faces away at once where the surface would do so gradually, so
+     * light would end along the triangles' edges; instead it fades (Chiang, Li and Burley 2019, "Taming the Shadow
+     * Terminator").
+     *
+     * @param smoothNormal unit normal of the curved surface
+     * @param faceNormal unit normal of the triangle
+     * @param toLight unit
+     */
+    private static double terminator(Vector3dc smoothNormal, Vector3dc faceNormal, Vector3dc toLight) {
+        double onCurve = smoothNormal.dot(toLight) * faceNormal.dot(smoothNormal);
+        double g = onCurve > 0 ? Math.min(faceNormal.dot(toLight) / onCurve, 1) : 1;
+        return g * (1 + g - g * g);
     }
 }

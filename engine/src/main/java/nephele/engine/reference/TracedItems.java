@@ -39,17 +39,22 @@ final class TracedItems {
             int bodies,
             TracedBillboards billboards,
             List<TriangleMeshShape.Planted> plants) {
-        TracedStatics traced = new TracedStatics(statics);
-        List<TracedShape> all = new ArrayList<>(traced.solids());
+        List<TracedShape> all = new ArrayList<>();
+        List<TracedShape> tracedModels = new ArrayList<>();
+        List<TracedShape> tracedGrounds = new ArrayList<>();
+        statics.forEach(
+                hull -> all.add(new TracedSolid(hull.brush().shape())),
+                mesh -> tracedModels.add(new TriangleMeshShape(mesh.model())),
+                grid -> tracedGrounds.add(new GroundShape(grid)));
+        solids = all.size();
+        int models = tracedModels.size();
+        int grounds = tracedGrounds.size();
         all.addAll(pieces);
-        all.addAll(traced.models());
-        all.addAll(traced.grounds());
+        all.addAll(tracedModels);
+        all.addAll(tracedGrounds);
         all.addAll(billboards.shapes());
         all.addAll(plants);
         items = all.toArray(TracedShape[]::new);
-        solids = traced.solids().size();
-        int models = traced.models().size();
-        int grounds = traced.grounds().size();
         surfaces = Stream.of(
                         IntStream.range(0, solids),
                         pieces.stream().mapToInt(piece -> solids + piece.body()),
@@ -114,9 +119,15 @@ final class TracedItems {
 
     /** Returns an item other than {@code except} that the ray intersects up to the parameter {@code limit}, or −1. */
     int blocker(Ray ray, double limit, int except) {
-        Blocker found = new Blocker(except);
-        index.anyHit(ray, limit, found);
-        return found.item;
+        int[] found = {-1};
+        index.anyHit(ray, limit, (r, item, most) -> {
+            if (item == except || !isBlockedBy(item, r, most)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            found[0] = item;
+            return 0;
+        });
+        return found[0];
     }
 
     /** Returns all items that rays of the shaft may intersect. */
@@ -159,23 +170,5 @@ final class TracedItems {
     /** Returns true if the ray intersects one item up to the parameter {@code limit}. */
     boolean isBlockedBy(int item, Ray ray, double limit) {
         return items[item].intersects(ray, limit);
-    }
-
-    private final class Blocker implements nephele.engine.math.bvh.ItemRayTest {
-        private final int except;
-        private int item = -1;
-
-        Blocker(int except) {
-            this.except = except;
-        }
-
-        @Override
-        public double hit(Ray ray, int candidate, double limit) {
-            if (candidate == except || !isBlockedBy(candidate, ray, limit)) {
-                return Double.POSITIVE_INFINITY;
-            }
-            item = candidate;
-            return 0;
-        }
     }
 }

@@ -42,7 +42,7 @@ public final class TracedLevel {
         this.portals = portals;
         rays = new TracedItems(
                 statics,
-                BodyPieces.of(level, portals),
+                BodyPiece.of(level, portals),
                 level.bodies().size(),
                 TracedBillboards.of(placed, decoding, seconds),
                 TriangleMeshShape.Planted.of(placed));

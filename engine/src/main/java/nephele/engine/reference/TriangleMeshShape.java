@@ -5,13 +5,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.PlacedModel;
-import nephele.engine.level.placed.TriangleTangents;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayTriangleIntersection;
 import nephele.engine.math.Vec3;
@@ -146,11 +147,7 @@ final class TriangleMeshShape implements TracedShape {
             Aabb box = kind.bounds();
             List<Vec3> corners = new ArrayList<>();
             for (int i = 0; i < 8; i++) {
-                Vec3 corner = new Vec3(
-                        (i & 1) == 0 ? box.minX() : box.maxX(),
-                        (i & 2) == 0 ? box.minY() : box.maxY(),
-                        (i & 4) == 0 ? box.minZ() : box.maxZ());
-                corners.add(plant.foot().addScaled(plant.scale(), turned(corner)));
+                corners.add(plant.foot().addScaled(plant.scale(), turned(box.corner(i))));
             }
             bounds = Aabb.of(corners);
         }
@@ -231,6 +228,49 @@ final class TriangleMeshShape implements TracedShape {
         public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
             End end = new End(inKind(path.ray()), path.end(), path.item(), inKind(place.x(), place.y(), place.z()));
             return kind.at(end, this::turned, place, toEye, looks);
+        }
+    }
+
+    /**
+     * The directions in which the texture coordinates of a triangle of a mesh grow. The shader computes them from
+     * differences between neighbouring pixels, which are equal on a flat triangle.
+     *
+     * @param right the direction of growing s, any length; zero if s does not grow
+     * @param down the direction of growing t
+     */
+    private record TriangleTangents(Vec3 right, Vec3 down) {
+        public static TriangleTangents of(WorldTriangles mesh, int triangle) {
+            Vec3 n = mesh.faceNormal(triangle);
+            Vec3 a = mesh.corner(triangle, 0);
+            Vec3 ab = mesh.corner(triangle, 1).minus(a);
+            Vec3 ac = mesh.corner(triangle, 2).minus(a);
+            Vec3 alongAb = ac.cross(n);
+            Vec3 alongAc = n.cross(ab);
+            double area = n.dot(ab.cross(ac));
+            double s = mesh.s(triangle, 0);
+            double t = mesh.t(triangle, 0);
+            return new TriangleTangents(
+                    Directions.combined(
+                            alongAb, (mesh.s(triangle, 1) - s) / area, alongAc, (mesh.s(triangle, 2) - s) / area),
+                    Directions.combined(
+                            alongAb, (mesh.t(triangle, 1) - t) / area, alongAc, (mesh.t(triangle, 2) - t) / area));
+        }
+
+        /** Returns the unit direction in which s grows on a surface with this normal. */
+        public Vec3 across(Vec3 normal) {
+            Vec3 along = along(right, normal);
+            return along == null ? FaceTexture.across(normal) : along;
+        }
+
+        /** Returns the unit direction in which t falls on a surface with this normal. */
+        public Vec3 up(Vec3 normal) {
+            Vec3 along = along(down.negated(), normal);
+            return along == null ? normal.cross(across(normal)) : along;
+        }
+
+        private static Vec3 along(Vec3 direction, Vec3 normal) {
+            double off = direction.dot(normal);
+            return Directions.unit(direction.addScaled(-off, normal));
         }
     }
 }

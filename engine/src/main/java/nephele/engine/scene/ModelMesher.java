@@ -21,7 +21,7 @@ final class ModelMesher {
     private final short[] skyVisibility;
     private final int[] firstValue;
     private final MeshCopy copy;
-    private final MeshSpans spans;
+    private final MeshCopy.MeshSpans spans;
 
     /**
      * Makes a mesher for all models of a level.
@@ -40,7 +40,7 @@ final class ModelMesher {
         this.batches = batches;
         this.skyVisibility = skyVisibility;
         this.copy = copy;
-        spans = MeshSpans.of(models.size());
+        spans = MeshCopy.MeshSpans.of(models.size());
         firstValue = new int[models.size()];
         int corners = 0;
         int values = 0;
@@ -86,7 +86,7 @@ final class ModelMesher {
         }
     }
 
-    MeshSpans spans() {
+    MeshCopy.MeshSpans spans() {
         return spans;
     }
 

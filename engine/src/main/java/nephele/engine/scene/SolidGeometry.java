@@ -47,8 +47,8 @@ public final class SolidGeometry {
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
     private final FaceFragments fragments;
 
-    private final MeshSpans solidSpans;
-    private final MeshSpans modelSpans;
+    private final MeshCopy.MeshSpans solidSpans;
+    private final MeshCopy.MeshSpans modelSpans;
     private final Triangles solids;
     private final Triangles models;
     private final List<SolidBatch> batches;
@@ -103,8 +103,14 @@ public final class SolidGeometry {
                 skyOfModels,
                 modelBatches,
                 isAtOldPlace && hasOldModels ? before.knownModels(materials) : null);
-        for (int slot = 0; slot < index.size(); slot++) {
-            shapes.get(index.itemAt(slot)).select(new StaticMesher(solidMesher, modelMesher, slot));
+        for (int i = 0; i < index.size(); i++) {
+            int slot = i;
+            // Another pass draws height grids.
+            shapes.get(index.itemAt(slot))
+                    .select(
+                            hull -> solidMesher.add(hull.index(), slot),
+                            mesh -> modelMesher.add(mesh.model().index(), slot),
+                            grid -> {});
             solidBatches.endSlot(slot);
             modelBatches.endSlot(slot);
         }
@@ -144,24 +150,6 @@ public final class SolidGeometry {
 
     private static StaticShapes drawn(StaticShapes statics, SkyVisibility sky) {
         return sky == null ? statics : statics.split(SkyVisibility.MODEL_EDGE_METRES);
-    }
-
-    /** Adds each shape to the mesh of its kind. */
-    private record StaticMesher(SolidMesher solids, ModelMesher models, int slot) implements StaticShape.Cases {
-        @Override
-        public void convexHull(StaticShape.ConvexHull hull) {
-            solids.add(hull.index(), slot);
-        }
-
-        @Override
-        public void triangleMesh(StaticShape.TriangleMesh mesh) {
-            models.add(mesh.model().index(), slot);
-        }
-
-        @Override
-        public void heightGrid(StaticShape.HeightGrid grid) {
-            // Height grids are not drawn yet.
-        }
     }
 
     /**

@@ -20,7 +20,7 @@ final class SolidMesher {
     private final SceneMaterials materials;
     private final LightMapLookup light;
     private final BatchBuilder batches;
-    private final MeshSpans spans;
+    private final MeshCopy.MeshSpans spans;
     private final Before before;
     /** For each solid its number in the mesh that is copied, {@link IdentityDiff#NEW} if it has to be meshed. */
     private final int[] known;
@@ -53,7 +53,7 @@ final class SolidMesher {
         }
         int bytes = SolidGeometry.VERTEX_BYTES + (light == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
         vertices = new VertexBytes(corners(), bytes);
-        spans = MeshSpans.of(brushes.size());
+        spans = MeshCopy.MeshSpans.of(brushes.size());
     }
 
     /**
@@ -138,7 +138,7 @@ final class SolidMesher {
                 : SolidBatch.Form.SOLID;
     }
 
-    MeshSpans spans() {
+    MeshCopy.MeshSpans spans() {
         return spans;
     }
 

@@ -65,7 +65,6 @@ public final class Simulation {
     private final Vector3d centre = new Vector3d();
     private final Vector3d velocity = new Vector3d();
     private final PlayerActions hands;
-    private final EditContinuation continuation;
     private final Assists assists;
     private final int actionsOfHands;
     private final boolean returnsPlayer;
@@ -100,7 +99,6 @@ public final class Simulation {
         rigidStep = level.bodies().size() == 0 ? null : new RigidStep(level.bodies(), GRAVITY);
         assists = new Assists(settings);
         hands = new PlayerActions(level, worlds, settings);
-        continuation = new EditContinuation(level, worlds);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.HAND_ACTIONS;
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
@@ -125,17 +123,6 @@ public final class Simulation {
     /** Returns the state at tick 0 with the player elsewhere. */
     public SimState startFrom(PlayerStart elsewhere) {
         return start.withPlayer(standing(elsewhere));
-    }
-
-    /**
-     * Returns a state of this simulation as the game continues in an edited level. Shot portals close if their surface
-     * is gone or no longer accepts portals; occupants of these move to their centre's side.
-     *
-     * @return {@code null} if an occupant finds no room: the edit has to wait
-     * @throws IllegalArgumentException if the edited level has a different number of bodies
-     */
-    public SimState continuedIn(Simulation edited, SimState state) {
-        return edited.continuation.of(state, worlds.of(state.world().portals()));
     }
 
     /** Returns what a shot would do in a state, for the portal preview; {@code null} in a level without a gun. */

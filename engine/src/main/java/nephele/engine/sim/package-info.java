@@ -1,6 +1,6 @@
 /**
  * The simulation of player, bodies and portal gun: {@link nephele.engine.sim.Simulation#step} maps a state and an input
  * to the next state. It uses fixed ticks, double precision and no clock. Every state has a 64-bit hash, equal on every
- * machine, so replays repeat exactly. {@link nephele.engine.sim.WorldRules} checks a level completely before use.
+ * machine, so replays repeat exactly.
  */
 package nephele.engine.sim;

@@ -4,7 +4,7 @@ import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 
 /** Reports an asset failure during level building in the form of {@code check}: level file, JSON path, reason. */
 public final class AssetProblems {
@@ -20,7 +20,7 @@ public final class AssetProblems {
         try {
             return work.get();
         } catch (AssetException failure) {
-            var errors = LevelRules.check(opened.level(), opened.assets()).stream()
+            var errors = LevelRules.checkRecordsAndFiles(opened.level(), opened.assets()).stream()
                     .filter(Problem::isError)
                     .toList();
             if (errors.isEmpty()) {

@@ -13,7 +13,7 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.sim.WorldRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.sim.replay.Replay;
 import nephele.host.terminal.CommandFailure;
 
@@ -62,7 +62,7 @@ public record LevelName(String typed) {
     }
 
     private static OpenedLevel checked(OpenedLevel opened) {
-        var errors = WorldRules.errorsBeforeUse(
+        var errors = LevelRules.errorsBeforeUse(
                 opened.level(), opened.assets(), () -> opened.placed().statics());
         if (!errors.isEmpty()) {
             throw new LevelFormatException(opened.file(), errors);

@@ -10,7 +10,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 
 /**
  * What a list tells of a level.
@@ -31,7 +31,7 @@ public record LevelSummary(
     public static LevelSummary checked(LevelName level) {
         return of(() -> {
             OpenedLevel opened = level.open();
-            List<Problem> problems = new ArrayList<>(LevelRules.check(opened.level(), opened.assets()));
+            List<Problem> problems = new ArrayList<>(LevelRules.checkRecordsAndFiles(opened.level(), opened.assets()));
             problems.removeIf(problem -> !problem.isError());
             if (!problems.isEmpty()) {
                 throw new LevelFormatException(opened.file(), problems);

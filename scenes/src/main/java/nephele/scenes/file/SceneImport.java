@@ -20,7 +20,7 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelSaveException;
 import nephele.engine.level.placed.PlacedModels;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
@@ -125,7 +125,7 @@ public final class SceneImport {
         if (draft.level().models().isEmpty()) {
             throw CommandFailure.input(name.typed() + ":" + scene.root().line() + ": none of its models can be placed");
         }
-        List<Problem> errors = LevelRules.check(draft.level(), LevelAssets.beside(target)).stream()
+        List<Problem> errors = LevelRules.checkRecordsAndFiles(draft.level(), LevelAssets.beside(target)).stream()
                 .filter(Problem::isError)
                 .toList();
         if (!errors.isEmpty()) {

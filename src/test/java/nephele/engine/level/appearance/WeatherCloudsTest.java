@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.Environment;
@@ -20,7 +18,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.level.Weather;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,10 +54,9 @@ class WeatherCloudsTest {
             assertEquals(
                     environment.clouds(),
                     LevelJsonTest.read(LevelJson.write(level)).environment().clouds());
-            List<Problem> problems =
-                    LevelRules.check(LevelRules.STRUCTURE, level, LevelAssets.beside(Path.of("x"))).stream()
-                            .filter(problem -> problem.path().startsWith("environment"))
-                            .toList();
+            List<Problem> problems = LevelRules.checkRecords(level).stream()
+                    .filter(problem -> problem.path().startsWith("environment"))
+                    .toList();
             assertEquals(List.of(), problems);
         }
     }

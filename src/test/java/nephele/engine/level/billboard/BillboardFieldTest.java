@@ -37,7 +37,7 @@ class BillboardFieldTest {
                         BoxFace.PLUS_X,
                         Map.of()))
                 .level();
-        return new SurfaceGround(StaticShapes.of(level));
+        return new FieldGrounds.SurfaceGround(StaticShapes.of(level));
     }
 
     private static Billboards.Field field(int count, double maxSlope, Billboards.HeightLimits heights) {

@@ -19,7 +19,7 @@ class FieldGroundsTest {
     @Test
     void billboardsOfATerrainStandOnItsTriangles() {
         var field = new Billboards.Field("roof", 1, 40, 0.8, null, 90, null);
-        List<Vec3> feet = BillboardField.plant(field, new TerrainGround(ROOF), null);
+        List<Vec3> feet = BillboardField.plant(field, new FieldGrounds.TerrainGround(ROOF), null);
         assertEquals(40, feet.size());
         for (Vec3 foot : feet) {
             assertEquals(HeightFieldSurface.y(ROOF, foot.x(), foot.z()), foot.y(), 1e-9);
@@ -28,7 +28,7 @@ class FieldGroundsTest {
 
     @Test
     void besideTheTerrainAndOnItsSlopesIsNoGround() {
-        var ground = new TerrainGround(ROOF);
+        var ground = new FieldGrounds.TerrainGround(ROOF);
         assertNull(ground.at(-2.1, 5));
         assertEquals(Math.cos(Math.PI / 6), ground.at(3.3, 9.2).normal().y(), 1e-6);
         var flat = new Billboards.Field("roof", 1, 40, 0.8, null, 20, null);

@@ -22,7 +22,7 @@ class ImpostorCostTest {
     private static List<Problem> problems(int kinds, int ofEach) {
         Level level = level(kinds, ofEach);
         List<Problem> found = new ArrayList<>();
-        ImpostorCost.FEW.check(level, StaticShapes.of(level, TestAssets.NONE), found::add);
+        ImpostorCost.FEW.check().apply(level, null, StaticShapes.of(level, TestAssets.NONE), found::add);
         return found;
     }
 

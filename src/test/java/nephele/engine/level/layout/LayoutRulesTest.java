@@ -10,7 +10,9 @@ import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.placed.LevelRule.Stage;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -52,7 +54,8 @@ class LayoutRulesTest {
     private static List<Problem> problems(String solids, String sections) {
         Level level = level(solids, sections);
         List<Problem> problems = new ArrayList<>();
-        LayoutRules.ALL.forEach(rule -> rule.check(level, StaticShapes.of(level), problems::add));
+        StaticShapes statics = StaticShapes.of(level);
+        LevelRules.of(Stage.LAYOUT).forEach(rule -> rule.check().apply(level, null, statics, problems::add));
         assertTrue(problems.stream().noneMatch(Problem::isError));
         return problems;
     }

@@ -12,7 +12,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Chance;
 import nephele.engine.math.Vec3;
-import nephele.engine.model.bound.TriangleDistance;
+import nephele.engine.model.bound.Bound;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -121,7 +121,7 @@ class ModelBoundsTest {
                     nearest = Math.min(nearest, on.minus(place).length());
                 }
             }
-            double distance = TriangleDistance.of(triangle, place);
+            double distance = Bound.distance(triangle, place);
             assertTrue(distance <= nearest + 1e-12 && distance > nearest - 0.03, distance + " " + nearest);
         }
     }

@@ -24,7 +24,7 @@ import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Problem;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
@@ -202,7 +202,7 @@ class PlacedModelsTest {
     }
 
     private static List<Problem> problems(Map<String, byte[]> files, String models) {
-        return LevelRules.check(read(", \"models\": [" + models + "]"), new NoFiles(files)).stream()
+        return LevelRules.checkRecordsAndFiles(read(", \"models\": [" + models + "]"), new NoFiles(files)).stream()
                 .filter(Problem::isError)
                 .toList();
     }
@@ -278,7 +278,7 @@ class PlacedModelsTest {
     }
 
     private static List<String> told(String sections) {
-        return LevelRules.check(read(", " + sections), NoFiles.AT_ALL).stream()
+        return LevelRules.checkRecordsAndFiles(read(", " + sections), NoFiles.AT_ALL).stream()
                 .map(problem -> problem.path() + (problem.isError() ? "!" : ""))
                 .toList();
     }

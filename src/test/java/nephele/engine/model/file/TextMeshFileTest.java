@@ -78,14 +78,14 @@ class TextMeshFileTest {
         for (int i = 0; i < 1_000_000; i++) {
             float value = Float.intBitsToFloat(random.nextInt());
             if (Float.isFinite(value)) {
-                String text = FloatText.of(value);
+                String text = MeshText.number(value);
                 assertEquals(Float.floatToRawIntBits(value), Float.floatToRawIntBits(Float.parseFloat(text)), text);
             }
         }
-        assertEquals("-0", FloatText.of(-0f));
-        assertEquals("0.1", FloatText.of(0.1f));
-        assertEquals("0.33333334", FloatText.of(1 / 3f));
-        assertEquals("1000000", FloatText.of(1e6f).replace("1E+6", "1000000"));
+        assertEquals("-0", MeshText.number(-0f));
+        assertEquals("0.1", MeshText.number(0.1f));
+        assertEquals("0.33333334", MeshText.number(1 / 3f));
+        assertEquals("1000000", MeshText.number(1e6f).replace("1E+6", "1000000"));
     }
 
     /** All variants in which course projects write one triangle give the same mesh. */

@@ -4,7 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.level.PortalShape;
+import nephele.engine.portal.Aperture;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class ConvexPolygonTest {
     private static final double[] CORNERS = {0, 0, 3, 0, 4, 1, 2, 3, 0.5, 2};
@@ -40,5 +44,38 @@ class ConvexPolygonTest {
             least = Math.min(least, Math.hypot(x - CORNERS[i] - share * dx, y - CORNERS[i + 1] - share * dy));
         }
         return least;
+    }
+
+    /** Each corner is right · x + up · y in the plane, reflected; right is a quarter turn clockwise of up. */
+    @ParameterizedTest
+    @EnumSource(PortalShape.class)
+    void aReflectedAperturesCornersAreTurnedAndReflected(PortalShape shape) {
+        Aperture aperture = Aperture.of(shape, 1.2, 2.1);
+        for (double angle = -3; angle < 3.2; angle += 0.37) {
+            double upX = -Math.sin(angle);
+            double upY = Math.cos(angle);
+            var turned = ConvexPolygon.reflected(aperture, upX, upY);
+            assertEquals(aperture.corners(), turned.corners());
+            double farX = 0;
+            double farY = 0;
+            for (int i = 0; i < aperture.corners(); i++) {
+                double x = aperture.cornerX(i) * Math.cos(angle) - aperture.cornerY(i) * Math.sin(angle);
+                double y = aperture.cornerX(i) * Math.sin(angle) + aperture.cornerY(i) * Math.cos(angle);
+                farX = Math.max(farX, Math.abs(x));
+                farY = Math.max(farY, Math.abs(y));
+                assertTrue(hasCorner(turned, -x, -y), shape + " turned by " + angle + ", corner " + i);
+            }
+            assertEquals(farX, Math.max(turned.bounds().maxX(), -turned.bounds().minX()), 1e-12);
+            assertEquals(farY, Math.max(turned.bounds().maxY(), -turned.bounds().minY()), 1e-12);
+        }
+    }
+
+    private static boolean hasCorner(ConvexPolygon turned, double x, double y) {
+        for (int i = 0; i < turned.corners(); i++) {
+            if (Math.hypot(turned.x(i) - x, turned.y(i) - y) < 1e-12) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -14,7 +14,7 @@ class OutlineTest {
     }
 
     private static List<ConvexPolygon> outline(ConvexPolygon... polygons) {
-        return OutlineSimplification.of(Outline.of(new PolygonIndex(List.of(polygons))));
+        return Outline.of(new PolygonIndex(List.of(polygons)));
     }
 
     private static double length(List<ConvexPolygon> segments) {

@@ -25,7 +25,7 @@ class RoomRulesTest {
                 + sections + "}";
         Level level = LevelJson.read("test.json", json.getBytes(StandardCharsets.UTF_8));
         List<Problem> problems = new ArrayList<>();
-        RoomRules.LARGE_ENOUGH.check(level, StaticShapes.of(level), problems::add);
+        RoomRules.LARGE_ENOUGH.check().apply(level, null, StaticShapes.of(level), problems::add);
         return problems.stream().map(Problem::path).toList();
     }
 

@@ -13,6 +13,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /** Boxes around a wall in the plane z = 0 that faces +z, and shots at it along −z. */
 final class Walls {
@@ -48,7 +49,7 @@ final class Walls {
     }
 
     Walls sheet(Vec3... corners) {
-        sheets.add(new SurfacePolygon(List.of(corners), false));
+        sheets.add(SurfacePolygon.of(List.of(corners), false));
         return this;
     }
 
@@ -73,7 +74,7 @@ final class Walls {
     }
 
     Walls triangle(double... xy) {
-        sheets.add(new SurfacePolygon(List.of(at(xy, 0), at(xy, 1), at(xy, 2)), true));
+        sheets.add(SurfacePolygon.of(List.of(at(xy, 0), at(xy, 1), at(xy, 2)), true));
         return this;
     }
 

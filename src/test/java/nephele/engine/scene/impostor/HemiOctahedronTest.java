@@ -31,24 +31,24 @@ class HemiOctahedronTest {
     @Test
     void aDirectionIsThatOfItsPoint() {
         for (Vec3 d : directions()) {
-            double u = HemiOctahedron.u(d);
-            double v = HemiOctahedron.v(d);
+            double u = AtlasView.u(d);
+            double v = AtlasView.v(d);
             assertTrue(Math.abs(u) <= 1 + 1e-12 && Math.abs(v) <= 1 + 1e-12, () -> d + ": " + u + ", " + v);
-            assertTrue(HemiOctahedron.direction(u, v).minus(d).length() < 1e-9, d.toString());
+            assertTrue(AtlasView.direction(u, v).minus(d).length() < 1e-9, d.toString());
         }
     }
 
     @Test
     void theBorderIsTheHorizon() {
         for (int i = 0; i <= 20; i++) {
-            assertEquals(0, HemiOctahedron.direction(-1 + i / 10.0, 1).y(), 1e-12);
-            assertEquals(0, HemiOctahedron.direction(-1, -1 + i / 10.0).y(), 1e-12);
+            assertEquals(0, AtlasView.direction(-1 + i / 10.0, 1).y(), 1e-12);
+            assertEquals(0, AtlasView.direction(-1, -1 + i / 10.0).y(), 1e-12);
         }
-        assertEquals(1, HemiOctahedron.direction(0, 0).y(), 1e-12);
+        assertEquals(1, AtlasView.direction(0, 0).y(), 1e-12);
         Vec3 below = direction(1, -0.6);
         Vec3 level = direction(1, 0);
-        assertEquals(HemiOctahedron.u(level), HemiOctahedron.u(below), 1e-12);
-        assertEquals(HemiOctahedron.v(level), HemiOctahedron.v(below), 1e-12);
+        assertEquals(AtlasView.u(level), AtlasView.u(below), 1e-12);
+        assertEquals(AtlasView.v(level), AtlasView.v(below), 1e-12);
     }
 
     /** Returns the weight of each view. */

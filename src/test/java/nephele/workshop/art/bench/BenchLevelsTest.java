@@ -13,7 +13,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Solid;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.level.rule.LevelRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
@@ -116,7 +116,7 @@ class BenchLevelsTest {
     void sixtyFourPortalsAreInSight() {
         Level level = BenchLevels.all().get("portals-64.json");
         assertEquals(64, level.portals().size());
-        assertEquals(List.of(), LevelRules.check(LevelRules.STRUCTURE, level, null));
+        assertEquals(List.of(), LevelRules.checkRecords(level));
         Portals portals = Portals.of(level);
         for (Camera.Waypoint place : level.cameras().get(0).path()) {
             Basis view = Basis.lookAt(place.position(), place.target(), new Vec3(0, 1, 0), Basis.WORLD);

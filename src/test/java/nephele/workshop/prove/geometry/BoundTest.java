@@ -11,7 +11,6 @@ import nephele.engine.model.bound.Bound;
 import nephele.engine.model.bound.BoundedModel;
 import nephele.engine.model.bound.OrientedBox;
 import nephele.engine.model.bound.Pose;
-import nephele.engine.model.bound.TrianglePair;
 import nephele.engine.model.shape.BoxShape;
 import nephele.engine.model.shape.SphereShape;
 import nephele.workshop.prove.proof.Proof;
@@ -60,8 +59,8 @@ class BoundTest {
     void trianglesTouchWhereASegmentDoes(
             double x1, double y1, double z1, double x2, double y2, double z2, boolean touch) {
         Vec3[] thin = {new Vec3(x1, y1, z1), new Vec3(x2, y2, z2), new Vec3(x2, y2, z2 + 1e-7)};
-        assertEquals(touch, TrianglePair.touch(FLAT, thin));
-        assertEquals(touch, TrianglePair.touch(thin, FLAT));
+        assertEquals(touch, Bound.haveCommonPoint(FLAT, thin));
+        assertEquals(touch, Bound.haveCommonPoint(thin, FLAT));
     }
 
     @Test

@@ -135,17 +135,10 @@ final class SessionMarks {
         for (int corner = 0; corner < 8; corner++) {
             for (int axis = 1; axis < 8; axis <<= 1) {
                 if ((corner & axis) == 0) {
-                    made.add(line(corner(box, corner), corner(box, corner | axis)));
+                    made.add(line(box.corner(corner), box.corner(corner | axis)));
                 }
             }
         }
-    }
-
-    private static Vec3 corner(Aabb box, int corner) {
-        return new Vec3(
-                (corner & 1) == 0 ? box.minX() : box.maxX(),
-                (corner & 2) == 0 ? box.minY() : box.maxY(),
-                (corner & 4) == 0 ? box.minZ() : box.maxZ());
     }
 
     private static void addFace(FaceRef ref, Level level, LevelShapes shapes, List<Mark> made) {

@@ -25,8 +25,8 @@ final class SweepAndPrune {
             for (int j = i + 1; j < poses.count && from[j] <= until; j++) {
                 int b = order[j];
                 if (poses.overlap(a, b)) {
-                    pairs.item(Math.min(a, b));
-                    pairs.item(Math.max(a, b));
+                    pairs.accept(Math.min(a, b));
+                    pairs.accept(Math.max(a, b));
                 }
             }
         }

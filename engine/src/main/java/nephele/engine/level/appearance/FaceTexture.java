@@ -5,6 +5,8 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.TexturePlacement;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * The mapping of a texture on a face: s grows to the right and t downwards as seen with world up upwards (for floors
@@ -15,6 +17,9 @@ import nephele.engine.math.Vec3;
  * @param up unit direction in which t falls
  */
 public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
+    /** Least outward component of a mapped normal; a smaller one could bend the normal below the face. */
+    public static final double MIN_OUTWARD = 0.1;
+
     /** Sine of elevation of the normal above which a face is a floor or ceiling. */
     private static final double HORIZONTAL = 0.999;
 
@@ -103,5 +108,17 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
 
     public double t(Vec3 p) {
         return t.at(-p.dot(up));
+    }
+
+    /**
+     * Returns the normal that a normal map gives a face, the twin of {@code normal-map.glsl}.
+     *
+     * @param texel red, green, blue of the map, 0–1
+     * @param across direction in which the texture's u grows on the face, {@code up} that of its v
+     */
+    public static Vector3d mappedNormal(Vector3dc texel, Vector3dc faceNormal, Vector3dc across, Vector3dc up) {
+        Vector3d n = new Vector3d(faceNormal).mul(Math.max(texel.z() * 2 - 1, MIN_OUTWARD));
+        n.fma(texel.x() * 2 - 1, across).fma(texel.y() * 2 - 1, up);
+        return n.mul(1 / Math.sqrt(Math.max(n.lengthSquared(), 1e-8)));
     }
 }

@@ -2,6 +2,7 @@ package nephele.engine.level.appearance;
 
 import java.util.Optional;
 import nephele.engine.level.Light;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -20,6 +21,9 @@ public record PunctualLight(
         double coneScale,
         double coneOffset,
         Light source) {
+    /** Squared distance below which the irradiance grows no further: a centimetre. */
+    public static final double MIN_SQUARE_METRES = 1e-4;
+
     private static final double MIN_RANGE_METRES = 1e-3;
     private static final double MAX_RANGE_METRES = 1e9;
     private static final double MAX_WATTS_PER_STERADIAN = 1e12;
@@ -87,8 +91,60 @@ public record PunctualLight(
         Vector3d fromLight = p.toVector().sub(position.toVector());
         double d2 = fromLight.lengthSquared();
         double cosine = fromLight.dot(axis.toVector()) / Math.sqrt(Math.max(d2, 1e-12));
-        double falloff = LightFalloff.windowedInverseSquare(d2, inverseSquareRange())
-                * LightFalloff.cone(cosine, coneScale, coneOffset);
+        double falloff = windowedInverseSquare(d2, inverseSquareRange()) * cone(cosine, coneScale, coneOffset);
         return radiantIntensity.toVector().mul(falloff);
+    }
+
+    /** Returns false only if the light cannot light anything in a box; conservative. */
+    public boolean touches(Aabb box) {
+        Vec3 p = position;
+        double dx = outside(p.x(), box.minX(), box.maxX());
+        double dy = outside(p.y(), box.minY(), box.maxY());
+        double dz = outside(p.z(), box.minZ(), box.maxZ());
+        return dx * dx + dy * dy + dz * dz <= rangeMetres * rangeMetres && (!isSpot() || coneMeets(box));
+    }
+
+    private static double outside(double x, double min, double max) {
+        return Math.max(0, Math.max(min - x, x - max));
+    }
+
+    /**
+     * Tests the box's bounding sphere against the cone: the angle to its centre, less the angle that its radius spans.
+     */
+    private boolean coneMeets(Aabb box) {
+        Vec3 c = box.centre();
+        double x = box.maxX() - box.minX();
+        double y = box.maxY() - box.minY();
+        double z = box.maxZ() - box.minZ();
+        double radius = Math.sqrt(x * x + y * y + z * z) / 2;
+        Vector3d towards = c.toVector().sub(position.toVector());
+        double distance = towards.length();
+        if (distance <= radius) {
+            return true;
+        }
+        double cosine = Math.min(Math.max(towards.dot(axis.toVector()) / distance, -1), 1);
+        double outer = StrictMath.acos(Math.min(Math.max(cosOuter(), -1), 1));
+        return StrictMath.acos(cosine) - StrictMath.asin(radius / distance) <= outer + 1e-6;
+    }
+
+    /**
+     * Returns the falloff with distance, the twin of {@code light-falloff.glsl}: the inverse square under a window that is zero at the range (Karis 2013, "Real Shading in Unreal Engine
+     * 4", section "Lighting model").
+     *
+     * @return 1/m²
+     */
+    public static double windowedInverseSquare(double squareDistance, double inverseSquareRange) {
+        double q = squareDistance * inverseSquareRange;
+        double window = Math.min(Math.max(1 - q * q, 0), 1);
+        return window * window / Math.max(squareDistance, MIN_SQUARE_METRES);
+    }
+
+    /**
+     * Returns the falloff towards the edge of a cone, likewise: 1 inside the inner cone, 0 outside the outer one, and the square of a linear ramp of the cosine between
+     * them.
+     */
+    public static double cone(double cosineFromAxis, double scale, double offset) {
+        double t = Math.min(Math.max(cosineFromAxis * scale + offset, 0), 1);
+        return t * t;
     }
 }

@@ -3,6 +3,7 @@ package nephele.engine.level.appearance;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;
@@ -52,7 +53,7 @@ public record SkyboxPictures(int side, List<Picture> pictures) {
         for (String file : files) {
             Picture picture = pictureOf.apply(file).toRgba8();
             int side = pictures.isEmpty() ? picture.width() : pictures.get(0).width();
-            SkyboxSizes.requireFace(file, picture.width(), picture.height(), side);
+            requireFace(file, picture.width(), picture.height(), side);
             pictures.add(picture);
         }
         return pictures;
@@ -60,7 +61,7 @@ public record SkyboxPictures(int side, List<Picture> pictures) {
 
     private static List<Picture> cells(String file, Function<String, Picture> pictureOf) {
         Picture whole = pictureOf.apply(file).toRgba8();
-        int side = SkyboxSizes.crossSide(file, whole.width(), whole.height());
+        int side = crossSide(file, whole.width(), whole.height());
         List<Picture> pictures = new ArrayList<>();
         for (int[] cell : CROSS_CELLS) {
             pictures.add(cut(whole, cell[0] * side, cell[1] * side, side));
@@ -103,5 +104,31 @@ public record SkyboxPictures(int side, List<Picture> pictures) {
             }
         }
         return new Picture(side, side, BYTES, 8, samples);
+    }
+
+    /**
+     * Requires a square face.
+     *
+     * @param side side of the first face
+     */
+    public static void requireFace(String file, int width, int height, int side) {
+        if (width != side || height != side) {
+            throw new AssetException(
+                    file,
+                    "is " + width + " x " + height + " pixels",
+                    "the six faces of a skybox must be squares of one size, here " + side);
+        }
+    }
+
+    /** Returns the side of each face in a cross of four columns and three rows. */
+    public static int crossSide(String file, int width, int height) {
+        int side = width / 4;
+        if (side == 0 || width != 4 * side || height != 3 * side) {
+            throw new AssetException(
+                    file,
+                    "is " + width + " x " + height + " pixels",
+                    "a skybox cross has four columns and three rows of squares");
+        }
+        return side;
     }
 }

@@ -89,10 +89,7 @@ public record PlantedBillboards(List<Group> groups) {
 
     private static void addCorners(Aabb box, List<Vec3> corners) {
         for (int i = 0; i < 8 && !box.isEmpty(); i++) {
-            corners.add(new Vec3(
-                    (i & 1) == 0 ? box.minX() : box.maxX(),
-                    (i & 2) == 0 ? box.minY() : box.maxY(),
-                    (i & 4) == 0 ? box.minZ() : box.maxZ()));
+            corners.add(box.corner(i));
         }
     }
 

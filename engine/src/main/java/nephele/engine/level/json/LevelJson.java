@@ -18,7 +18,7 @@ public final class LevelJson {
 
     /**
      * Reads strictly: unknown or duplicate keys, wrong types and numbers out of range are errors. Rules that need more
-     * than one value are in {@link nephele.engine.level.rule.LevelRules}.
+     * than one value are in {@link nephele.engine.rule.LevelRules}.
      *
      * @param file the file's name in messages
      * @throws LevelFormatException with all problems

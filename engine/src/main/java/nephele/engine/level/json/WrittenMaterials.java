@@ -6,7 +6,7 @@ import java.util.Set;
 
 /**
  * The materials that a level's text refers to, for a text that cannot become a level; so an author can correct its
- * structure and its references together. {@link nephele.engine.level.rule.IdRules#MATERIALS} checks levels that can be
+ * structure and its references together. {@link nephele.engine.rule.IdRules#MATERIALS} checks levels that can be
  * read.
  */
 public final class WrittenMaterials {

@@ -6,7 +6,7 @@ import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.PolyhedronMeasure;
@@ -14,7 +14,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 
 /** Rules for solids without effect: thinner than the engine's tolerance, or wholly inside another. */
-final class BrushRules {
+public final class BrushRules {
     /** Surfaces closer than this count as one everywhere in the engine. */
     private static final double THINNEST_METRES = 1e-3;
 
@@ -23,7 +23,7 @@ final class BrushRules {
 
     private static final double SAME_NORMAL = 1 - 1e-9;
 
-    static final PlacedRule THICK = (level, statics, report) -> {
+    public static final LevelRule THICK = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         Told told = new Told("solids", report);
         for (int i = 0; i < statics.solids().size() && !told.isFull(); i++) {
             double thickness =
@@ -34,9 +34,9 @@ final class BrushRules {
                 told.accept(Problem.warning(FacePath.of(i), message).about(Topic.TOO_THIN));
             }
         }
-    };
+    });
 
-    static final PlacedRule IN_SIGHT = (level, statics, report) -> {
+    public static final LevelRule IN_SIGHT = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
         Told told = new Told("solids", report);
         long pairs = 0;
@@ -51,7 +51,7 @@ final class BrushRules {
                         .about(new Subject(Topic.INSIDE_ANOTHER, List.of(FacePath.of(around)), List.of())));
             }
         }
-    };
+    });
 
     private BrushRules() {}
 

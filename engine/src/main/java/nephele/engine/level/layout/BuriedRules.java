@@ -7,19 +7,18 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.appearance.LightReach;
 import nephele.engine.level.appearance.PunctualLight;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
 /** The rule that a light is outside solids and reaches something. A camera may look through a wall from inside it. */
-final class BuriedRules {
+public final class BuriedRules {
     /** Depth from which something counts as inside. */
     private static final double DEEP_METRES = 1e-3;
 
-    static final PlacedRule LIGHTS = (level, statics, report) -> {
+    public static final LevelRule LIGHTS = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
         for (int i = 0; i < level.lights().size(); i++) {
             Light light = level.lights().get(i);
@@ -35,7 +34,7 @@ final class BuriedRules {
                         .about(Topic.LIGHT_WITHOUT_EFFECT));
             }
         }
-    };
+    });
 
     private BuriedRules() {}
 
@@ -57,6 +56,6 @@ final class BuriedRules {
         // A body may be carried into the light from anywhere.
         return hasShapes
                 && level.bodies().isEmpty()
-                && statics.all().stream().map(StaticShape::bounds).noneMatch(box -> LightReach.touches(light, box));
+                && statics.all().stream().map(StaticShape::bounds).noneMatch(light::touches);
     }
 }

@@ -9,7 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -17,7 +17,7 @@ import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.SpatialIndex;
 
 /** The rule that no two faces of different materials lie in one plane, facing the same way, where they are seen. */
-final class FaceRules {
+public final class FaceRules {
     /** Distance of planes whose depths a picture cannot tell apart. */
     private static final double SAME_PLANE_METRES = 1e-4;
 
@@ -35,7 +35,7 @@ final class FaceRules {
     /** Greatest number of pieces of a face; one in so many is taken for seen. */
     private static final int MOST_PIECES = 500;
 
-    static final PlacedRule APART = (level, statics, report) -> new Search(level, statics, report).run();
+    public static final LevelRule APART = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> new Search(level, statics, report).run());
 
     private FaceRules() {}
 

@@ -3,14 +3,14 @@ package nephele.engine.level.layout;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.json.NumberText;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /** The player and bodies start above terrains: below one there is nothing to stand on, and they fall for ever. */
-final class GroundRules {
-    static final PlacedRule ABOVE = (level, statics, report) -> {
+public final class GroundRules {
+    public static final LevelRule ABOVE = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         if (level.player() != null) {
             Vec3 feet = level.player().feet();
             double ground = above(statics, feet);
@@ -28,7 +28,7 @@ final class GroundRules {
                         .about(Topic.ENTITY_IN_SOLID));
             }
         }
-    };
+    });
 
     private GroundRules() {}
 

@@ -5,11 +5,11 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
-import nephele.engine.level.placed.PlacedRule;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.planted.PlantedModels;
 
 /** The impostors are not so many, or of so many kinds, that a picture of them takes long. */
-final class ImpostorCost {
+public final class ImpostorCost {
     /** CPU time of a first picture above which {@code check} warns. */
     private static final double LONG_SECONDS = 10;
 
@@ -21,7 +21,7 @@ final class ImpostorCost {
 
     private static final double MEGABYTES_PER_KIND = 6;
 
-    static final PlacedRule FEW = (level, statics, report) -> {
+    public static final LevelRule FEW = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         if (PlantedModels.isIn(level)) {
             try {
                 cost(plants(level), PlantedModels.kinds(statics), report);
@@ -29,7 +29,7 @@ final class ImpostorCost {
                 report.accept(Problem.error("models", tooMany.getMessage()));
             }
         }
-    };
+    });
 
     private ImpostorCost() {}
 

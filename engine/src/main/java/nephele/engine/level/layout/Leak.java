@@ -4,15 +4,33 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Subject;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayClip;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.SpatialIndex;
 
-/** The way from the player's start out of a level that seems to be closed: through a gap that somebody forgot. */
+/** Finds the path from the player's start out of a level that seems to be closed: through a gap that somebody forgot. */
 public final class Leak {
+    /** The rule that a level without sun and sky, with nothing to see outside, has no gap to the outside. */
+    public static final LevelRule CLOSED = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
+        List<Vec3> line = hasOutside(level) ? List.of() : line(level, statics);
+        if (!line.isEmpty()) {
+            Vec3 gap = line.get(Math.max(0, line.size() - 2));
+            String message = "the level leaks: from the start one gets out into the void, near " + rounded(gap)
+                    + ": close the gap";
+            report.accept(Problem.warning("player.feet", message).about(new Subject(Topic.LEAK, List.of(), line)));
+        }
+    });
+
     /** Height of the start's point above the feet. */
     private static final double MIDDLE_METRES = 0.9;
 
@@ -33,7 +51,7 @@ public final class Leak {
     /** The greatest depth to which a straightened line may enter a shape, in metres. */
     private static final double GRAZE_METRES = 2e-3;
 
-    /** Number of parts into which each step of a way is divided before it is straightened. */
+    /** Number of parts into which each step of a path is divided before it is straightened. */
     private static final int PARTS = 12;
 
     private static final int MOST_POINTS = 1200;
@@ -58,8 +76,8 @@ public final class Leak {
             world = world.union(shape.bounds());
         }
         world = world.grown(MARGIN_METRES);
-        List<Vec3> way = new LeakSearch(FreeCells.of(shapes, world), world).way(from);
-        return straightened(divided(way), new BrushIndex(statics));
+        List<Vec3> path = new LeakSearch(FreeCells.of(shapes, world), world).path(from);
+        return straightened(divided(path), new BrushIndex(statics));
     }
 
     private static List<FreeCells.Shape> shapes(StaticShapes statics) {
@@ -89,46 +107,71 @@ public final class Leak {
     }
 
     private static boolean seemsClosed(List<FreeCells.Shape> shapes, Vec3 from) {
-        ShapeRays rays = new ShapeRays(shapes);
+        SpatialIndex index =
+                SpatialIndex.of(shapes.stream().map(FreeCells.Shape::bounds).toList());
         int met = 0;
         for (int i = 0; i < DIRECTIONS; i++) {
             double y = 1 - (2 * i + 1.0) / DIRECTIONS;
             double across = Math.sqrt(1 - y * y);
             double turn = i * GOLDEN_ANGLE;
             Vec3 direction = new Vec3(across * StrictMath.cos(turn), y, across * StrictMath.sin(turn));
-            met += rays.meets(from, direction) ? 1 : 0;
+            boolean isMet = index.anyHit(
+                    Ray.of(from, direction),
+                    Double.POSITIVE_INFINITY,
+                    (ray, item, limit) -> entry(shapes.get(item), ray));
+            met += isMet ? 1 : 0;
         }
         return met >= CLOSED_SHARE * DIRECTIONS;
     }
 
-    /** Adds points between those of a way, so that it can be straightened past a corner in the middle of a cell. */
-    private static List<Vec3> divided(List<Vec3> way) {
-        if (way.isEmpty() || way.size() * PARTS > MOST_POINTS) {
-            return way;
+    /** Clips the ray by the shape's half-spaces; a shape without planes is its bounds. */
+    private static double entry(FreeCells.Shape shape, Ray ray) {
+        double within = ray.boxEntry(shape.bounds(), Double.POSITIVE_INFINITY);
+        RayClip clip = new RayClip(ray, within, Double.POSITIVE_INFINITY);
+        shape.planes().forEach(clip::keepBehind);
+        return clip.enter() <= clip.leave() ? clip.enter() : Double.POSITIVE_INFINITY;
+    }
+
+    /** Adds points between those of a path, so that it can be straightened past a corner in the middle of a cell. */
+    private static List<Vec3> divided(List<Vec3> path) {
+        if (path.isEmpty() || path.size() * PARTS > MOST_POINTS) {
+            return path;
         }
-        List<Vec3> points = new ArrayList<>(List.of(way.get(0)));
-        for (int i = 1; i < way.size(); i++) {
+        List<Vec3> points = new ArrayList<>(List.of(path.get(0)));
+        for (int i = 1; i < path.size(); i++) {
             for (int part = 1; part <= PARTS; part++) {
-                points.add(way.get(i - 1).lerp(way.get(i), (double) part / PARTS));
+                points.add(path.get(i - 1).lerp(path.get(i), (double) part / PARTS));
             }
         }
         return points;
     }
 
     /** Leaves points out as long as the straight line past them is free. */
-    private static List<Vec3> straightened(List<Vec3> way, BrushIndex index) {
+    private static List<Vec3> straightened(List<Vec3> path, BrushIndex index) {
         List<Vec3> kept = new ArrayList<>();
         int at = 0;
-        while (at < way.size()) {
-            kept.add(way.get(at));
-            int next = Math.min(at + 1, way.size() - 1);
-            for (int i = way.size() - 1; i > next; i--) {
-                if (!index.isBlocked(way.get(at), way.get(i), GRAZE_METRES)) {
+        while (at < path.size()) {
+            kept.add(path.get(at));
+            int next = Math.min(at + 1, path.size() - 1);
+            for (int i = path.size() - 1; i > next; i--) {
+                if (!index.isBlocked(path.get(at), path.get(i), GRAZE_METRES)) {
                     next = i;
                 }
             }
-            at = at == way.size() - 1 ? way.size() : next;
+            at = at == path.size() - 1 ? path.size() : next;
         }
         return kept;
+    }
+
+    private static boolean hasOutside(Level level) {
+        return level.environment().sky() != null || level.environment().sun() != null;
+    }
+
+    private static String rounded(Vec3 p) {
+        return "[" + rounded(p.x()) + ", " + rounded(p.y()) + ", " + rounded(p.z()) + "]";
+    }
+
+    private static double rounded(double metres) {
+        return Math.rint(metres * 100) / 100 + 0.0;
     }
 }

@@ -45,7 +45,7 @@ final class LeakSearch {
     }
 
     /** Returns the points of the way, the last on a side of the world; empty if there is none. */
-    List<Vec3> way(Vec3 from) {
+    List<Vec3> path(Vec3 from) {
         ItemList first = cells.touching(Aabb.of(List.of(from)));
         for (int i = 0; i < first.size(); i++) {
             reach(first.get(i), -1, 0, from);

@@ -1,30 +1,19 @@
 package nephele.engine.level.placed;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Terrain;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.heightfield.HeightField;
 
-/**
- * A static shape. Code that treats the kinds differently implements {@link Cases}, so that a new kind is a compile
- * error wherever it is not handled.
- */
+/** A static shape of a level, in the world. */
 public sealed interface StaticShape {
     Aabb bounds();
 
-    /** Calls the case of this kind. */
-    void select(Cases cases);
-
-    /** One method for each kind. */
-    interface Cases {
-        void convexHull(ConvexHull hull);
-
-        void triangleMesh(TriangleMesh mesh);
-
-        void heightGrid(HeightGrid grid);
-    }
+    /** Calls the function for this kind; a new kind is a new parameter, so that the compiler names every caller. */
+    void select(Consumer<ConvexHull> hull, Consumer<TriangleMesh> mesh, Consumer<HeightGrid> grid);
 
     /**
      * A solid of the level.
@@ -38,8 +27,8 @@ public sealed interface StaticShape {
         }
 
         @Override
-        public void select(Cases cases) {
-            cases.convexHull(this);
+        public void select(Consumer<ConvexHull> hull, Consumer<TriangleMesh> mesh, Consumer<HeightGrid> grid) {
+            hull.accept(this);
         }
     }
 
@@ -51,8 +40,8 @@ public sealed interface StaticShape {
         }
 
         @Override
-        public void select(Cases cases) {
-            cases.triangleMesh(this);
+        public void select(Consumer<ConvexHull> hull, Consumer<TriangleMesh> mesh, Consumer<HeightGrid> grid) {
+            mesh.accept(this);
         }
     }
 
@@ -78,8 +67,8 @@ public sealed interface StaticShape {
         }
 
         @Override
-        public void select(Cases cases) {
-            cases.heightGrid(this);
+        public void select(Consumer<ConvexHull> hull, Consumer<TriangleMesh> mesh, Consumer<HeightGrid> grid) {
+            grid.accept(this);
         }
     }
 }

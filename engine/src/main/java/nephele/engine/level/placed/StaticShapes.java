@@ -1,15 +1,27 @@
 package nephele.engine.level.placed;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.level.terrain.LayerPaint;
+import nephele.engine.level.terrain.TerrainField;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
  * The static shapes of a level, in the world; immutable. Built once for scene, simulation and reference path tracer.
@@ -28,7 +40,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
      * @throws nephele.engine.asset.AssetException that names a mesh or height map that is missing or cannot be used
      */
     public static StaticShapes of(Level level, AssetSource assets) {
-        return new StaticShapes(brushes(level), PlacedModels.of(level, assets), Grounds.of(level, assets));
+        return new StaticShapes(brushes(level), PlacedModels.of(level, assets), grounds(level, assets));
     }
 
     /**
@@ -71,7 +83,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         }
         List<Brush> others = IdentityDiff.list(solids, brushes);
         PlacedModels placed = models.edited(level, assets);
-        List<StaticShape.HeightGrid> grids = Grounds.edited(ground, level, assets);
+        List<StaticShape.HeightGrid> grids = editedGrounds(ground, level, assets);
         return others == solids && placed == models && grids == ground ? this : new StaticShapes(others, placed, grids);
     }
 
@@ -96,8 +108,75 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return all;
     }
 
+    /** Calls for each shape the function for its kind, in the order of {@link #all}. */
+    public void forEach(
+            Consumer<StaticShape.ConvexHull> hull,
+            Consumer<StaticShape.TriangleMesh> mesh,
+            Consumer<StaticShape.HeightGrid> grid) {
+        all().forEach(shape -> shape.select(hull, mesh, grid));
+    }
+
     /** Returns the bounds of all shapes; empty if there are none. */
     public Aabb bounds() {
         return all().stream().map(StaticShape::bounds).reduce(Aabb.EMPTY, Aabb::union);
+    }
+
+    private static List<StaticShape.HeightGrid> grounds(Level level, AssetSource assets) {
+        return editedGrounds(List.of(), level, assets);
+    }
+
+    /**
+     * Returns the grids grounds an editedGrounds level; the list itself if nothing has changed, and the heights grounds terrains that only
+     * look different or lie elsewhere.
+     *
+     * @throws nephele.engine.asset.AssetException that names a height or layer map that is missing or cannot be used
+     */
+    private static List<StaticShape.HeightGrid> editedGrounds(
+            List<StaticShape.HeightGrid> before, Level level, AssetSource assets) {
+        List<Terrain> terrains = level.terrains();
+        Map<String, HeightMap> maps = new HashMap<>();
+        List<StaticShape.HeightGrid> grids = new ArrayList<>(terrains.size());
+        for (int i = 0; i < terrains.size(); i++) {
+            grids.add(grid(i, terrains.get(i), before, maps, assets));
+        }
+        return grids.equals(before) ? before : List.copyOf(grids);
+    }
+
+    private static StaticShape.HeightGrid grid(
+            int index,
+            Terrain said,
+            List<StaticShape.HeightGrid> before,
+            Map<String, HeightMap> maps,
+            AssetSource assets) {
+        for (StaticShape.HeightGrid known : before) {
+            if (TerrainField.isSameShape(known.said(), said)) {
+                boolean isAtSamePlace = known.said().centre().equals(said.centre());
+                HeightField field = isAtSamePlace ? known.field() : TerrainField.moved(known.field(), said);
+                boolean isSame = isAtSamePlace && known.index() == index && known.said() == said;
+                return isSame ? known : new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
+            }
+        }
+        HeightMap map = maps.computeIfAbsent(
+                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
+        return editedGrounds(index, said, map, before, assets);
+    }
+
+    /** Returns a grid grounds other heights, from those grounds the same terrain before if there are some. */
+    private static StaticShape.HeightGrid editedGrounds(
+            int index, Terrain said, HeightMap map, List<StaticShape.HeightGrid> before, AssetSource assets) {
+        for (StaticShape.HeightGrid known : before) {
+            if (known.id().equals(said.id())) {
+                HeightField field = TerrainField.edited(known.field(), said, map);
+                return new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
+            }
+        }
+        return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map), LayerPaint.read(said, assets));
+    }
+
+    /** Returns the layer map grounds a terrain, if possible the object that it had before. */
+    private static Optional<LayerMap> painted(Terrain said, StaticShape.HeightGrid known, AssetSource assets) {
+        boolean isSame = Objects.equals(said.layerMap(), known.said().layerMap())
+                && said.layers().size() == known.said().layers().size();
+        return isSame ? known.painted() : LayerPaint.read(said, assets);
     }
 }

@@ -188,10 +188,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         }
         Aabb box = statics.bounds().grown(reach);
         for (int i = 0; i < 8 && reach > 0 && !box.isEmpty(); i++) {
-            corners.add(new Vec3(
-                    (i & 1) == 0 ? box.minX() : box.maxX(),
-                    (i & 2) == 0 ? box.minY() : box.maxY(),
-                    (i & 4) == 0 ? box.minZ() : box.maxZ()));
+            corners.add(box.corner(i));
         }
         return corners;
     }

@@ -1,9 +1,10 @@
 package nephele.engine.math.bvh;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 
 /** A growable list of items that can be cleared and refilled without allocating. */
-public final class ItemList implements ItemVisitor {
+public final class ItemList implements IntConsumer {
     private int[] items = new int[16];
     private int size;
 
@@ -12,7 +13,7 @@ public final class ItemList implements ItemVisitor {
     }
 
     @Override
-    public void item(int item) {
+    public void accept(int item) {
         if (size == items.length) {
             items = Arrays.copyOf(items, size * 2);
         }

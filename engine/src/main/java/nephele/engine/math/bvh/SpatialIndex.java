@@ -1,6 +1,7 @@
 package nephele.engine.math.bvh;
 
 import java.util.List;
+import java.util.function.IntConsumer;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Ray;
@@ -17,14 +18,24 @@ public final class SpatialIndex {
 
     private final SpatialTree tree;
     private final int leafItems;
-    private final FrustumTraversal traversal;
-    private final RayTraversal rays;
+
+    /** For each node, the node after its subtree in depth-first order; a search for any hit continues there after a miss. */
+    private final int[] after;
 
     private SpatialIndex(SpatialTree tree, int leafItems) {
         this.tree = tree;
         this.leafItems = leafItems;
-        this.traversal = new FrustumTraversal(tree);
-        this.rays = new RayTraversal(tree);
+        after = new int[tree.nodes()];
+        if (after.length > 0) {
+            after[0] = after.length;
+        }
+        for (int node = 0; node < after.length; node++) {
+            int right = tree.right()[node];
+            if (right >= 0) {
+                after[node + 1] = right;
+                after[right] = after[node];
+            }
+        }
     }
 
     public static SpatialIndex of(List<Aabb> boxes) {
@@ -44,8 +55,7 @@ public final class SpatialIndex {
      * Returns the index that building anew would return; fast if most boxes are those of this index, in the same order.
      */
     public SpatialIndex edited(List<Aabb> boxes) {
-        RefittedTree known = new RefittedTree(tree, boxes);
-        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(known), leafItems);
+        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(tree, boxes), leafItems);
     }
 
     /** Returns the number of items given, including empty boxes. */
@@ -81,8 +91,57 @@ public final class SpatialIndex {
             visible.range(0, tree.unbounded());
         }
         if (tree.nodes() > 0) {
-            traversal.subtree(0, frustum.allPlanes(), frustum, visible);
+            cull(0, frustum.allPlanes(), frustum, visible);
         }
+    }
+
+    /** Reports a subtree front to back; each node tests only the planes that intersect its parent's box. */
+    private void cull(int node, int mask, Frustum frustum, RangeVisitor visible) {
+        int cut = frustum.classify(tree.nodeBounds(), 6 * node, mask);
+        if (cut == Frustum.OUTSIDE) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (cut == 0) {
+            visible.range(tree.first()[node], tree.end()[node]);
+        } else if (right < 0) {
+            cullLeaf(node, cut, frustum, visible);
+        } else if (rightIsNearer(node, right, frustum)) {
+            cull(right, cut, frustum, visible);
+            cull(node + 1, cut, frustum, visible);
+        } else {
+            cull(node + 1, cut, frustum, visible);
+            cull(right, cut, frustum, visible);
+        }
+    }
+
+    private void cullLeaf(int node, int mask, Frustum frustum, RangeVisitor visible) {
+        int end = tree.end()[node];
+        int from = tree.first()[node];
+        for (int slot = from; slot < end; slot++) {
+            if (frustum.classify(tree.slotBounds(), 6 * slot, mask) == Frustum.OUTSIDE) {
+                if (slot > from) {
+                    visible.range(from, slot);
+                }
+                from = slot + 1;
+            }
+        }
+        if (end > from) {
+            visible.range(from, end);
+        }
+    }
+
+    private boolean rightIsNearer(int node, int right, Frustum frustum) {
+        return squareDistance(right, frustum) < squareDistance(node + 1, frustum);
+    }
+
+    private double squareDistance(int node, Frustum frustum) {
+        double[] b = tree.nodeBounds();
+        int at = 6 * node;
+        double x = b[at] / 2 + b[at + 3] / 2 - frustum.eyeX();
+        double y = b[at + 1] / 2 + b[at + 4] / 2 - frustum.eyeY();
+        double z = b[at + 2] / 2 + b[at + 5] / 2 - frustum.eyeZ();
+        return x * x + y * y + z * z;
     }
 
     /** Culls as {@link #cull}, but tests the bounding sphere of each box linearly. */
@@ -102,7 +161,7 @@ public final class SpatialIndex {
     }
 
     /** Reports every item with a box that overlaps or touches {@code box}, in tree order. */
-    public void overlapping(Aabb box, ItemVisitor found) {
+    public void overlapping(Aabb box, IntConsumer found) {
         if (box.isEmpty()) {
             return;
         }
@@ -112,7 +171,7 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlapping(int node, Aabb box, ItemVisitor found) {
+    private void overlapping(int node, Aabb box, IntConsumer found) {
         if (!box.overlaps(tree.nodeBounds(), 6 * node)) {
             return;
         }
@@ -125,10 +184,10 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlapping(Aabb box, int firstSlot, int endSlot, ItemVisitor found) {
+    private void overlapping(Aabb box, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (box.overlaps(tree.slotBounds(), 6 * slot)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
@@ -137,14 +196,14 @@ public final class SpatialIndex {
      * Reports every item with a box that overlaps or touches the one in {@code box} at {@code at}: three minima, three
      * maxima.
      */
-    public void overlapping(double[] box, int at, ItemVisitor found) {
+    public void overlapping(double[] box, int at, IntConsumer found) {
         overlappingSlots(box, at, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
             overlappingNode(0, box, at, found);
         }
     }
 
-    private void overlappingNode(int node, double[] box, int at, ItemVisitor found) {
+    private void overlappingNode(int node, double[] box, int at, IntConsumer found) {
         if (!overlaps(tree.nodeBounds(), 6 * node, box, at)) {
             return;
         }
@@ -157,10 +216,10 @@ public final class SpatialIndex {
         }
     }
 
-    private void overlappingSlots(double[] box, int at, int firstSlot, int endSlot, ItemVisitor found) {
+    private void overlappingSlots(double[] box, int at, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (overlaps(tree.slotBounds(), 6 * slot, box, at)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
@@ -181,23 +240,93 @@ public final class SpatialIndex {
      * @return true if there is a hit; then {@code hit} holds it
      */
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
-        return rays.nearest(ray, limit, test, hit);
+        hit.reset(limit);
+        nearest(ray, 0, tree.unbounded(), test, hit);
+        if (tree.nodes() > 0 && ray.boxEntry(tree.nodeBounds(), 0, limit) <= limit) {
+            nearest(ray, 0, test, hit);
+        }
+        return hit.item() >= 0;
     }
 
-    /** Returns true if the caller's test hits any item up to {@code limit}. */
+    private void nearest(Ray ray, int node, ItemRayTest test, RayHit hit) {
+        int right = tree.right()[node];
+        if (right < 0) {
+            nearest(ray, tree.first()[node], tree.end()[node], test, hit);
+            return;
+        }
+        double leftEntry = ray.boxEntry(tree.nodeBounds(), 6 * (node + 1), hit.distance());
+        double rightEntry = ray.boxEntry(tree.nodeBounds(), 6 * right, hit.distance());
+        boolean rightFirst = rightEntry < leftEntry;
+        double nearEntry = rightFirst ? rightEntry : leftEntry;
+        double farEntry = rightFirst ? leftEntry : rightEntry;
+        if (isFiniteAndWithin(nearEntry, hit)) {
+            nearest(ray, rightFirst ? right : node + 1, test, hit);
+        }
+        if (isFiniteAndWithin(farEntry, hit)) {
+            nearest(ray, rightFirst ? node + 1 : right, test, hit);
+        }
+    }
+
+    private static boolean isFiniteAndWithin(double entry, RayHit hit) {
+        return entry < Double.POSITIVE_INFINITY && entry <= hit.distance();
+    }
+
+    private void nearest(Ray ray, int firstSlot, int endSlot, ItemRayTest test, RayHit hit) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (isFiniteAndWithin(ray.boxEntry(tree.slotBounds(), 6 * slot, hit.distance()), hit)) {
+                int item = tree.itemAtSlot()[slot];
+                double distance = test.hit(ray, item, hit.distance());
+                if (distance < Double.POSITIVE_INFINITY) {
+                    hit.offer(item, distance);
+                }
+            }
+        }
+    }
+
+    /**
+     * Returns true if the caller's test hits any item up to {@code limit}. It iterates instead of recursing, because it is
+     * called millions of times.
+     */
     public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
-        return rays.anyHit(ray, limit, test);
+        if (anyHit(ray, 0, tree.unbounded(), limit, test)) {
+            return true;
+        }
+        double[] bounds = tree.nodeBounds();
+        int[] right = tree.right();
+        int node = 0;
+        while (node < after.length) {
+            if (ray.boxEntry(bounds, 6 * node, limit) == Double.POSITIVE_INFINITY) {
+                node = after[node];
+            } else if (right[node] < 0 && anyHit(ray, tree.first()[node], tree.end()[node], limit, test)) {
+                return true;
+            } else {
+                node++;
+            }
+        }
+        return false;
+    }
+
+    private boolean anyHit(Ray ray, int firstSlot, int endSlot, double limit, ItemRayTest test) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (ray.boxEntry(tree.slotBounds(), 6 * slot, limit) < Double.POSITIVE_INFINITY) {
+                double distance = test.hit(ray, tree.itemAtSlot()[slot], limit);
+                if (distance <= limit && distance < Double.POSITIVE_INFINITY) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Reports every item with a box that passes, in tree order. */
-    public void query(BoxTest test, ItemVisitor found) {
+    public void query(BoxTest test, IntConsumer found) {
         query(test, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
             query(test, 0, found);
         }
     }
 
-    private void query(BoxTest test, int node, ItemVisitor found) {
+    private void query(BoxTest test, int node, IntConsumer found) {
         if (!test.passes(tree.nodeBounds(), 6 * node)) {
             return;
         }
@@ -210,41 +339,20 @@ public final class SpatialIndex {
         }
     }
 
-    private void query(BoxTest test, int firstSlot, int endSlot, ItemVisitor found) {
+    private void query(BoxTest test, int firstSlot, int endSlot, IntConsumer found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
             if (test.passes(tree.slotBounds(), 6 * slot)) {
-                found.item(tree.itemAtSlot()[slot]);
+                found.accept(tree.itemAtSlot()[slot]);
             }
         }
     }
 
     /** Reports every item with a box that {@code box} may touch along {@code motion}, in tree order. */
-    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+    public void swept(Aabb box, Vec3 motion, IntConsumer found) {
         SweptAabb sweep = SweptAabb.of(box, motion);
-        swept(sweep, 0, tree.unbounded(), found);
+        query(sweep, 0, tree.unbounded(), found);
         if (tree.nodes() > 0 && !box.isEmpty()) {
-            swept(sweep, 0, found);
-        }
-    }
-
-    private void swept(SweptAabb sweep, int node, ItemVisitor found) {
-        if (!sweep.touches(tree.nodeBounds(), 6 * node)) {
-            return;
-        }
-        int right = tree.right()[node];
-        if (right < 0) {
-            swept(sweep, tree.first()[node], tree.end()[node], found);
-        } else {
-            swept(sweep, node + 1, found);
-            swept(sweep, right, found);
-        }
-    }
-
-    private void swept(SweptAabb sweep, int firstSlot, int endSlot, ItemVisitor found) {
-        for (int slot = firstSlot; slot < endSlot; slot++) {
-            if (sweep.touches(tree.slotBounds(), 6 * slot)) {
-                found.item(tree.itemAtSlot()[slot]);
-            }
+            query(sweep, 0, found);
         }
     }
 }

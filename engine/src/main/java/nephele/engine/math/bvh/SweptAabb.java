@@ -4,7 +4,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /** An axis-aligned box in linear motion. */
-public record SweptAabb(Aabb box, Vec3 motion, Aabb whole) {
+public record SweptAabb(Aabb box, Vec3 motion, Aabb whole) implements BoxTest {
     /** Bound of the rounding in one slab distance and the sums before it. */
     private static final double GROWTH = 1 + 8 * 0x1p-53;
 
@@ -23,7 +23,8 @@ public record SweptAabb(Aabb box, Vec3 motion, Aabb whole) {
      * Returns true if the moving box touches a box: slab test against the box grown by the moving one (their Minkowski
      * sum). Errors are conservative: it may report a near miss.
      */
-    public boolean touches(double[] bounds, int at) {
+    @Override
+    public boolean passes(double[] bounds, int at) {
         if (!(bounds[at] <= whole.maxX()
                 && whole.minX() <= bounds[at + 3]
                 && bounds[at + 1] <= whole.maxY()

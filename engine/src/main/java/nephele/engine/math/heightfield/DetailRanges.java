@@ -63,7 +63,6 @@ public final class DetailRanges {
     private double[] ranges(int level) {
         Tiles tiles = detail.tiles(level);
         double[] ranges = new double[tiles.columns() * tiles.rows()];
-        boolean[] isNever = new boolean[ranges.length];
         for (int at = 0; at < ranges.length; at++) {
             int column = at % tiles.columns();
             int row = at / tiles.columns();
@@ -72,10 +71,10 @@ public final class DetailRanges {
                     : (finerRange(level, column, row) + DetailView.STEEPNESS * diagonal(level, column, row))
                             / MORPH_START
                             * (1 + ROUNDING);
-            isNever[at] = below >= NEVER || Float.isInfinite(tiles.coarserError()[at]);
-            ranges[at] = isNever[at] ? NEVER : Math.max(below, range(tiles, at));
+            boolean isNever = below >= NEVER || Float.isInfinite(tiles.coarserError()[at]);
+            ranges[at] = isNever ? NEVER : Math.max(below, range(tiles, at));
         }
-        new RangeSlopes(tiles.columns(), tiles.rows(), ranges, isNever).limit(STEEPEST, at -> rangeAnyhow(tiles, at));
+        limitSlopes(tiles, ranges);
         return ranges;
     }
 
@@ -97,6 +96,59 @@ public final class DetailRanges {
         range = Math.max(range, (scale * (coarser + more) + pad) / MORPH_END);
         range = Math.max(range, (scale * (coarser + late * step) + pad) / SLIDE_START);
         return Math.max(range, (scale * (error + difference * step) + pad) / MORPH_START);
+    }
+
+    /**
+     * Raises ranges until neighbours, also diagonal ones, differ by at most {@link #STEEPEST}. Tiles that are never drawn
+     * coarser keep their range and raise no other; what touches them gets a range of its own.
+     */
+    private void limitSlopes(Tiles tiles, double[] ranges) {
+        for (int at = 0; at < ranges.length; at++) {
+            if (ranges[at] < NEVER && touchesNever(tiles, ranges, at)) {
+                ranges[at] = Math.max(ranges[at], rangeAnyhow(tiles, at));
+            }
+        }
+        for (int at = 0; at < ranges.length; at++) {
+            raise(tiles, ranges, at, -1);
+        }
+        for (int at = ranges.length - 1; at >= 0; at--) {
+            raise(tiles, ranges, at, 1);
+        }
+    }
+
+    private static boolean touchesNever(Tiles tiles, double[] ranges, int at) {
+        for (int neighbour = 0; neighbour < 9; neighbour++) {
+            int other = neighbour(tiles, at, neighbour % 3 - 1, neighbour / 3 - 1);
+            if (other >= 0 && ranges[other] >= NEVER) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Raises a tile to what four of its neighbours require: those before it, or after it, in row-major order. */
+    private static void raise(Tiles tiles, double[] ranges, int at, int sign) {
+        if (ranges[at] >= NEVER) {
+            return;
+        }
+        for (int x = -1; x <= 1; x++) {
+            follow(ranges, at, neighbour(tiles, at, x, sign));
+        }
+        follow(ranges, at, neighbour(tiles, at, sign, 0));
+    }
+
+    private static void follow(double[] ranges, int at, int other) {
+        if (other >= 0 && ranges[other] < NEVER) {
+            ranges[at] = Math.max(ranges[at], ranges[other] / STEEPEST);
+        }
+    }
+
+    private static int neighbour(Tiles tiles, int at, int x, int z) {
+        int column = at % tiles.columns() + x;
+        int row = at / tiles.columns() + z;
+        return column < 0 || row < 0 || column >= tiles.columns() || row >= tiles.rows()
+                ? -1
+                : row * tiles.columns() + column;
     }
 
     /** Returns the range of a tile whose samples may rise and slide unequally far. */

@@ -1,6 +1,7 @@
 package nephele.engine.math.heightfield;
 
 import java.util.Optional;
+import java.util.function.IntConsumer;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
@@ -8,7 +9,6 @@ import nephele.engine.math.RayTriangleIntersection;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.BoxTest;
 import nephele.engine.math.bvh.ItemRayTest;
-import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SweptAabb;
 
@@ -374,14 +374,14 @@ public final class HeightField {
     }
 
     /** Reports every triangle with a box that passes; the order does not follow the triangle numbers. */
-    public void passing(BoxTest test, ItemVisitor found) {
+    public void passing(BoxTest test, IntConsumer found) {
         new HeightFieldBoxQuery(this, test, found).walk();
     }
 
     /**
      * Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order.
      */
-    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
-        passing(SweptAabb.of(box, motion)::touches, found);
+    public void swept(Aabb box, Vec3 motion, IntConsumer found) {
+        passing(SweptAabb.of(box, motion), found);
     }
 }

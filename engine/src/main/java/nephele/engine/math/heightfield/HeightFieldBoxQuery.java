@@ -1,17 +1,17 @@
 package nephele.engine.math.heightfield;
 
+import java.util.function.IntConsumer;
 import nephele.engine.math.bvh.BoxTest;
-import nephele.engine.math.bvh.ItemVisitor;
 
 /** A query for the triangles of a {@link HeightField} with boxes that pass a test. Used once. */
 final class HeightFieldBoxQuery {
     private final HeightField field;
     private final MinMaxPyramid pyramid;
     private final BoxTest test;
-    private final ItemVisitor found;
+    private final IntConsumer found;
     private final double[] box = new double[6];
 
-    HeightFieldBoxQuery(HeightField field, BoxTest test, ItemVisitor found) {
+    HeightFieldBoxQuery(HeightField field, BoxTest test, IntConsumer found) {
         this.field = field;
         this.test = test;
         this.found = found;
@@ -48,7 +48,7 @@ final class HeightFieldBoxQuery {
                 for (int half = 0; half < 2; half++) {
                     writeTriangle(field, column, row, half, 0, box);
                     if (test.passes(box, 0)) {
-                        found.item(triangle(field, column, row, half));
+                        found.accept(triangle(field, column, row, half));
                     }
                 }
             }

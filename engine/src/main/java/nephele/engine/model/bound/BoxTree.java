@@ -3,6 +3,7 @@ package nephele.engine.model.bound;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.BiPredicate;
 import java.util.function.Predicate;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -23,12 +24,6 @@ public final class BoxTree {
         this.triangle = triangle;
         this.low = low;
         this.high = high;
-    }
-
-    /** Decides whether the triangles of two leaves, whose boxes touch, count as a contact. */
-    @FunctionalInterface
-    interface LeafTest {
-        boolean touch(Vec3[] own, Vec3[] other);
     }
 
     /** @param triangles three corners each, at least one triangle */
@@ -95,20 +90,21 @@ public final class BoxTree {
     }
 
     /**
-     * Returns whether leaves whose boxes touch are in contact.
+     * Returns whether two leaves are in contact: their boxes touch, and so do their triangles by a test.
      *
      * @param seen the pose of the other model as this one sees it
      */
-    boolean touches(BoxTree other, Pose seen, LeafTest test) {
+    boolean touches(BoxTree other, Pose seen, BiPredicate<Vec3[], Vec3[]> test) {
         return touches(OrientedBox.of(box, STILL), other, OrientedBox.of(other.box, seen), seen, test);
     }
 
-    private boolean touches(OrientedBox own, BoxTree other, OrientedBox others, Pose seen, LeafTest test) {
+    private boolean touches(
+            OrientedBox own, BoxTree other, OrientedBox others, Pose seen, BiPredicate<Vec3[], Vec3[]> test) {
         if (!own.touches(others)) {
             return false;
         }
         if (triangle != null && other.triangle != null) {
-            return test.touch(triangle, moved(other.triangle, seen));
+            return test.test(triangle, moved(other.triangle, seen));
         }
         boolean isOwnSplit = other.triangle != null
                 || triangle == null && own.half().length() >= others.half().length();

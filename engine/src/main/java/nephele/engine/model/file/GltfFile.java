@@ -1,9 +1,26 @@
 package nephele.engine.model.file;
 
+import com.google.gson.JsonElement;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import com.google.gson.stream.JsonToken;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import nephele.engine.model.Mesh;
+import nephele.engine.model.MeshLimits;
+import nephele.engine.model.ModelFileException;
 import nephele.engine.model.ModelText;
 
 /**
@@ -17,6 +34,9 @@ final class GltfFile {
 
     private static final List<String> SERVED = List.of(GltfAccessors.QUANTIZATION);
 
+    private static final int MOST_VALUES = 200_000;
+    private static final int DEEPEST = 64;
+    private static final Pattern LINE = Pattern.compile("line (\\d+)");
     private final String file;
     private final byte[] bytes;
     private final Function<String, byte[]> neighbour;
@@ -31,7 +51,7 @@ final class GltfFile {
     /** @param notes receives one warning if the mesh differs from what the file asks for */
     Mesh read(Consumer<String> notes) {
         GltfContainer container = GltfContainer.of(file, bytes);
-        GltfValue root = new GltfJson(file, container.json()).read();
+        GltfValue root = parsed(container.json());
         checkVersion(root);
         GltfBuffers buffers = GltfBuffers.of(root.member("buffers"), container.binary(), neighbour);
         GltfScene scene = new GltfScene(root, buffers);
@@ -41,6 +61,56 @@ final class GltfFile {
                     + " are not applied, the mesh is shown as it is stored; export it in the pose to be shown");
         }
         return mesh;
+    }
+
+    /** Parses JSON after its values have been counted, which bounds the memory. */
+    private GltfValue parsed(byte[] json) {
+        try {
+            countValues(json);
+            JsonElement root = JsonParser.parseReader(reader(json));
+            return new GltfValue(file, "", root);
+        } catch (IOException | JsonParseException | IllegalStateException | NumberFormatException problem) {
+            throw new ModelFileException(
+                    file, line(problem.getMessage()), "is no valid JSON", "export the mesh again", problem);
+        }
+    }
+
+    private void countValues(byte[] json) throws IOException {
+        try (JsonReader reader = reader(json)) {
+            int values = 0;
+            for (JsonToken token = reader.peek(); token != JsonToken.END_DOCUMENT; token = reader.peek()) {
+                pass(reader, token);
+                if (++values > MOST_VALUES) {
+                    throw new ModelFileException(
+                            file,
+                            line(reader.toString()),
+                            "holds more than " + MOST_VALUES + " JSON values",
+                            "export fewer nodes, or a .glb");
+                }
+            }
+        }
+    }
+
+    private static void pass(JsonReader reader, JsonToken token) throws IOException {
+        switch (token) {
+            case BEGIN_ARRAY -> reader.beginArray();
+            case END_ARRAY -> reader.endArray();
+            case BEGIN_OBJECT -> reader.beginObject();
+            case END_OBJECT -> reader.endObject();
+            default -> reader.skipValue();
+        }
+    }
+
+    private static JsonReader reader(byte[] json) {
+        var reader = new JsonReader(new InputStreamReader(new ByteArrayInputStream(json), StandardCharsets.UTF_8));
+        reader.setStrictness(Strictness.STRICT);
+        reader.setNestingLimit(DEEPEST);
+        return reader;
+    }
+
+    private static int line(String message) {
+        Matcher matcher = LINE.matcher(message == null ? "" : message);
+        return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
     private static void checkVersion(GltfValue root) {
@@ -55,6 +125,75 @@ final class GltfFile {
                         "is " + ModelText.quoted(name) + ", which can't be read",
                         name.contains("compression") ? "export without compression" : "export without it");
             }
+        }
+    }
+
+    /**
+     * The contents of a .gltf or .glb file: the JSON text and, in a .glb, the bytes of its first buffer.
+     *
+     * @param binary {@code null} if there are none
+     */
+    private record GltfContainer(byte[] json, byte[] binary) {
+        private static final int MAGIC = 0x46546C67;
+        private static final int JSON_CHUNK = 0x4E4F534A;
+        private static final int BINARY_CHUNK = 0x004E4942;
+        private static final int HEADER_BYTES = 12;
+        private static final int CHUNK_HEADER_BYTES = 8;
+
+        static GltfContainer of(String file, byte[] bytes) {
+            if (bytes.length > MeshLimits.MAX_GLTF_BYTES) {
+                throw new ModelFileException(
+                        file,
+                        0,
+                        "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB",
+                        "make the mesh coarser");
+            }
+            ByteBuffer data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+            boolean binary = bytes.length >= 4 && data.getInt(0) == MAGIC;
+            return binary ? ofChunks(file, data) : new GltfContainer(bytes, null);
+        }
+
+        private static GltfContainer ofChunks(String file, ByteBuffer data) {
+            if (data.limit() < HEADER_BYTES + CHUNK_HEADER_BYTES) {
+                throw wrong(file, data.limit(), "the file ends within its header");
+            }
+            if (data.getInt(4) != 2) {
+                throw wrong(
+                        file, 4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
+            }
+            if (data.getInt(8) != data.limit()) {
+                throw wrong(
+                        file,
+                        8,
+                        "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has "
+                                + data.limit());
+            }
+            byte[] json = chunk(file, data, HEADER_BYTES, JSON_CHUNK);
+            int next = HEADER_BYTES + CHUNK_HEADER_BYTES + json.length;
+            byte[] binary = next == data.limit() ? null : chunk(file, data, next, BINARY_CHUNK);
+            return new GltfContainer(json, binary);
+        }
+
+        private static byte[] chunk(String file, ByteBuffer data, int at, int kind) {
+            if (at + CHUNK_HEADER_BYTES > data.limit()) {
+                throw wrong(file, at, "the file ends within a chunk's header");
+            }
+            int length = data.getInt(at);
+            int start = at + CHUNK_HEADER_BYTES;
+            if (data.getInt(at + 4) != kind) {
+                throw wrong(file, at + 4, "the chunk is not the one expected there");
+            }
+            if (length < 0 || length > data.limit() - start) {
+                throw wrong(
+                        file,
+                        at,
+                        "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
+            }
+            return Arrays.copyOfRange(data.array(), start, start + length);
+        }
+
+        private static ModelFileException wrong(String file, int at, String reason) {
+            return new ModelFileException(file, 0, "byte " + at + ": " + reason, "export it again");
         }
     }
 }

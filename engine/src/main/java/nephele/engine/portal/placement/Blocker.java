@@ -91,8 +91,8 @@ sealed interface Blocker {
      *
      * @param sides planes through its edges, facing outwards
      */
-    record Sheet(Patch shape, Plane plane, List<Plane> sides, int patchIndex) implements Blocker {
-        static Sheet of(Patch shape, int patchIndex) {
+    record Sheet(SurfacePolygon shape, Plane plane, List<Plane> sides, int patchIndex) implements Blocker {
+        static Sheet of(SurfacePolygon shape, int patchIndex) {
             Vec3 n = shape.normal();
             List<Plane> sides = new ArrayList<>();
             for (int i = 0; i < shape.corners().size(); i++) {

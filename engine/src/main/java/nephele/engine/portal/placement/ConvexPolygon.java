@@ -1,9 +1,11 @@
 package nephele.engine.portal.placement;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
 
 /**
  * A convex polygon in a plane, corners counter-clockwise, in metres. Two corners make a segment, whose edges are its
@@ -46,6 +48,92 @@ final class ConvexPolygon {
             corners[2 * i + 1] = frame.y(polygon.get(i));
         }
         return of(corners);
+    }
+
+    /**
+     * Returns an aperture in a plane's frame, reflected at its centre: its Minkowski sum with an obstacle is the set of
+     * centres at which the aperture would reach the obstacle.
+     *
+     * @param upX,upY the aperture's up in the plane's frame, of unit length
+     */
+    static ConvexPolygon reflected(Aperture aperture, double upX, double upY) {
+        double[] corners = new double[2 * aperture.corners()];
+        for (int i = 0; i < aperture.corners(); i++) {
+            corners[2 * i] = -(aperture.cornerX(i) * upY + aperture.cornerY(i) * upX);
+            corners[2 * i + 1] = -(aperture.cornerY(i) * upY - aperture.cornerX(i) * upX);
+        }
+        return of(corners);
+    }
+
+    /**
+     * Returns the part of a convex shape in a thin slab in front of a plane, projected along the plane's normal.
+     *
+     * @param loops the outlines of the shape's faces
+     * @return {@code null} if nothing reaches into the slab
+     */
+    static ConvexPolygon footprint(PlaneFrame frame, List<List<Vec3>> loops, double lowMetres, double highMetres) {
+        List<double[]> points = new ArrayList<>();
+        boolean reaches = false;
+        for (List<Vec3> loop : loops) {
+            for (int i = 0; i < loop.size(); i++) {
+                Vec3 a = loop.get(i);
+                Vec3 b = loop.get((i + 1) % loop.size());
+                double heightA = frame.height(a);
+                double heightB = frame.height(b);
+                reaches |= Math.min(heightA, heightB) < highMetres && Math.max(heightA, heightB) > lowMetres;
+                if (heightA >= lowMetres && heightA <= highMetres) {
+                    points.add(new double[] {frame.x(a), frame.y(a)});
+                }
+                cut(points, frame, a, b, lowMetres);
+                cut(points, frame, a, b, highMetres);
+            }
+        }
+        return reaches && points.size() > 1 ? hull(points) : null;
+    }
+
+    private static void cut(List<double[]> points, PlaneFrame frame, Vec3 a, Vec3 b, double height) {
+        double fromA = height - frame.height(a);
+        double fromB = height - frame.height(b);
+        if (fromA < 0 == fromB < 0) {
+            return;
+        }
+        double fraction = fromA / (fromA - fromB);
+        points.add(new double[] {
+            frame.x(a) + fraction * (frame.x(b) - frame.x(a)), frame.y(a) + fraction * (frame.y(b) - frame.y(a))
+        });
+    }
+
+    /**
+     * Returns the convex hull (Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions": lower and
+     * upper chain).
+     */
+    private static ConvexPolygon hull(List<double[]> points) {
+        points.sort(Arrays::compare);
+        List<double[]> hull = new ArrayList<>();
+        for (double[] p : points) {
+            push(hull, p, 0);
+        }
+        int lower = hull.size() - 1;
+        for (int i = points.size() - 2; i >= 0; i--) {
+            push(hull, points.get(i), lower);
+        }
+        double[] corners = new double[2 * Math.max(1, hull.size() - 1)];
+        for (int i = 0; 2 * i < corners.length; i++) {
+            System.arraycopy(hull.get(i), 0, corners, 2 * i, 2);
+        }
+        ConvexPolygon polygon = of(corners);
+        return polygon.corners() < 2 ? null : polygon;
+    }
+
+    private static void push(List<double[]> hull, double[] p, int first) {
+        while (hull.size() >= first + 2 && turn(hull.get(hull.size() - 2), hull.get(hull.size() - 1), p) <= 0) {
+            hull.remove(hull.size() - 1);
+        }
+        hull.add(p);
+    }
+
+    private static double turn(double[] a, double[] b, double[] c) {
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     }
 
     private static double[] edges(double[] corners) {

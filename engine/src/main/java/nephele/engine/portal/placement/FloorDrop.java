@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
@@ -105,26 +106,21 @@ final class FloorDrop {
 
     /** Returns the height of a portal's lower edge above the highest floor under it; NaN without one in reach. */
     private double sillMetres(Portal portal, MovingSurfaces moving) {
-        double sill = sillMetres(portal, this::fixed);
-        return Double.isNaN(sill) ? sillMetres(portal, (down, reach) -> body(down, reach, moving)) : sill;
+        double reach = OVER_METRES + reach() / portal.frame().up().y();
+        double sill = sillMetres(portal, down -> fixed(down, reach));
+        return Double.isNaN(sill) ? sillMetres(portal, down -> body(down, reach, moving)) : sill;
     }
 
-    /** Returns the height of the walkable surface that a ray of unit direction hits; NaN if it is beyond a reach. */
-    @FunctionalInterface
-    private interface Floor {
-        double y(Ray down, double reach);
-    }
-
-    private double sillMetres(Portal portal, Floor floor) {
+    /** @param floor returns the height of the walkable surface that a ray of unit direction hits; NaN for none */
+    private static double sillMetres(Portal portal, ToDoubleFunction<Ray> floor) {
         Vec3 down = portal.frame().up().negated();
-        double reach = OVER_METRES + reach() / -down.y();
         double half = portal.aperture().widthMetres() / 2;
         double lower = -portal.aperture().heightMetres() / 2;
         double highest = Double.NaN;
         for (double along : ALONG) {
             for (double before : BEFORE_METRES) {
                 Ray ray = Ray.of(portal.world(along * half, lower + OVER_METRES, before), down);
-                double y = floor.y(ray, reach);
+                double y = floor.applyAsDouble(ray);
                 highest = Double.isNaN(highest) || y > highest ? y : highest;
             }
             if (Double.isNaN(highest)) {

@@ -67,10 +67,10 @@ public final class FourLineCheck {
 
     private boolean walk(int start, Vec3 from, Vec3 to) {
         Vec3 normal = normal(start);
-        Vec3 way = to.minus(from);
+        Vec3 displacement = to.minus(from);
         int current = start;
         for (int steps = 0; steps < soup.triangleCount(); steps++) {
-            int exit = exit(current, normal, from, way);
+            int exit = exit(current, normal, from, displacement);
             if (exit < 0) {
                 return true;
             }
@@ -83,13 +83,13 @@ public final class FourLineCheck {
     }
 
     /** Returns the side through which the line leaves a triangle, −1 if it ends inside. */
-    private int exit(int triangle, Vec3 normal, Vec3 from, Vec3 way) {
+    private int exit(int triangle, Vec3 normal, Vec3 from, Vec3 displacement) {
         int exit = -1;
         double earliest = 1;
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
             Vec3 a = corner(side);
             Vec3 out = corner(3 * triangle + (side + 1) % 3).minus(a).cross(normal);
-            double rate = out.dot(way);
+            double rate = out.dot(displacement);
             double at = out.dot(a.minus(from)) / rate;
             if (rate > 0 && at < earliest) {
                 earliest = at;

@@ -2,7 +2,7 @@ package nephele.engine.portal.placement;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.UnaryOperator;
+import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
@@ -13,7 +13,9 @@ import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.ground.GroundSeat;
-import nephele.engine.portal.ground.GroundSheet;
+import nephele.engine.portal.placement.Placement.Shot;
+import nephele.engine.portal.placement.PlacementResult.Fits;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
  * Fits portals on terrains, at a {@link GroundSeat} that nothing bars: over the aimed point if possible, otherwise over
@@ -38,20 +40,19 @@ final class GroundPlacement {
 
     private static final double SIMILAR_COSINE = 0.5;
 
+    /** With more triangles in reach, the cells are so small that bumps between them are, too. */
+    private static final int MOST_TRIANGLES = 20_000;
+
+    /** Cosine of a degree, the greatest angle of a triangle against the one that is hit. */
+    private static final double LIKE_COSINE = 0.99984769515639124;
+
+    /** Greatest distance of a triangle from the plane of the one that is hit. */
+    private static final double LIKE_METRES = 0.02;
+
     private final PlacementSurfaces surfaces;
     private final Gun gun;
     private final RegionFit fit;
     private final double reach;
-
-    /**
-     * A shot that hits a terrain.
-     *
-     * @param upright returns the portal's up direction for its normal
-     */
-    record Shot(String id, Ray ray, RayHit hit, Vec3 where, UnaryOperator<Vec3> upright, List<Portal> others) {}
-
-    /** A portal that fits, with its distance from the aimed point. */
-    private record Place(Portal portal, double metres) {}
 
     GroundPlacement(PlacementSurfaces surfaces, Gun gun, RegionFit fit) {
         this.surfaces = surfaces;
@@ -61,32 +62,33 @@ final class GroundPlacement {
         reach = gun.slideMetres() + aperture.widthMetres() + aperture.heightMetres();
     }
 
+    /** Returns the result of a shot that hits a terrain. */
     PlacementResult place(Shot shot, HeightField field) {
         GroundSeat aimed = seat(shot, field, shot.where());
-        Place place = null;
+        Fits place = null;
         Refusal reason = Refusal.NOT_FLAT;
         if (aimed.isEven()) {
             if (isFree(shot, field, aimed.portal())) {
-                return new PlacementResult.Fits(aimed.portal(), 0);
+                return new Fits(aimed.portal(), 0);
             }
             PlacementResult slid = slid(shot, field, aimed.portal());
             if (slid instanceof PlacementResult.Refused refused) {
                 reason = refused.reason() == Refusal.TOO_SMALL ? Refusal.EDGE : refused.reason();
             } else {
-                place = settled(shot, field, ((PlacementResult.Fits) slid).portal());
+                place = settled(shot, field, ((Fits) slid).portal());
             }
         }
         place = nearer(place, onFlat(shot, field));
         place = nearer(place, onCircles(shot, field, aimed.portal().frame(), place));
         if (place != null) {
-            return new PlacementResult.Fits(place.portal(), place.metres());
+            return place;
         }
         double uneven = reason == Refusal.NOT_FLAT ? aimed.measuredUneven(field) : 0;
         return new PlacementResult.Refused(reason, shot.where(), uneven);
     }
 
-    private static Place nearer(Place a, Place b) {
-        return b == null || a != null && a.metres() <= b.metres() ? a : b;
+    private static Fits nearer(Fits a, Fits b) {
+        return b == null || a != null && a.slideMetres() <= b.slideMetres() ? a : b;
     }
 
     private GroundSeat seat(Shot shot, HeightField field, Vec3 on) {
@@ -108,13 +110,47 @@ final class GroundPlacement {
 
     /** Returns the plane of a portal as a surface; {@code null} if something else is over the portal's centre. */
     private Region region(Portal portal, HeightField field) {
-        List<Vec3> sheet = GroundSheet.around(portal, reach, field);
+        List<Vec3> sheet = planeOver(field, portal);
         if (sheet.size() < 3) {
             return null;
         }
         Aabb box = Aabb.of(sheet).grown(NEAR_PLANE_METRES);
         Ray inwards = Ray.of(portal.world(0, 0, BEFORE_METRES), portal.normal().negated());
-        return GroundRegion.grown(inwards, List.of(new SurfacePolygon(sheet, true)), surfaces.near(box), box);
+        return region(inwards, List.of(SurfacePolygon.of(sheet, true)), box);
+    }
+
+    /**
+     * Returns the corners of a square in the portal's plane without what is beside the terrain, counter-clockwise seen from
+     * in front; less than three if nothing is left.
+     */
+    private List<Vec3> planeOver(HeightField field, Portal portal) {
+        double r = reach;
+        List<Vec3> corners =
+                List.of(portal.world(-r, -r, 0), portal.world(r, -r, 0), portal.world(r, r, 0), portal.world(-r, r, 0));
+        Vec3 east = new Vec3(1, 0, 0);
+        Vec3 south = new Vec3(0, 0, 1);
+        corners = cut(corners, east, field.x(field.cellColumns()));
+        corners = cut(corners, east.negated(), -field.x(0));
+        corners = cut(corners, south, field.z(field.cellRows()));
+        return cut(corners, south.negated(), -field.z(0));
+    }
+
+    /** Keeps what is at most so far along a direction. */
+    private static List<Vec3> cut(List<Vec3> corners, Vec3 direction, double most) {
+        List<Vec3> left = new ArrayList<>();
+        for (int i = 0; i < corners.size(); i++) {
+            Vec3 a = corners.get(i);
+            Vec3 b = corners.get((i + 1) % corners.size());
+            double beyondA = direction.dot(a) - most;
+            double beyondB = direction.dot(b) - most;
+            if (beyondA <= 0) {
+                left.add(a);
+            }
+            if (beyondA < 0 && beyondB > 0 || beyondA > 0 && beyondB < 0) {
+                left.add(a.addScaled(beyondA / (beyondA - beyondB), b.minus(a)));
+            }
+        }
+        return left;
     }
 
     /** Returns the other portals that are near a portal's plane, projected on it. */
@@ -141,13 +177,13 @@ final class GroundPlacement {
     }
 
     /** Returns the place over the ground behind a portal, or a little beyond it; {@code null} if neither is free. */
-    private Place settled(Shot shot, HeightField field, Portal portal) {
-        Place place = over(shot, field, behind(field, portal));
+    private Fits settled(Shot shot, HeightField field, Portal portal) {
+        Fits place = over(shot, field, behind(field, portal));
         if (place != null) {
             return place;
         }
-        Vec3 way = portal.centre().minus(shot.where());
-        Vec3 beyond = portal.centre().addScaled(CLEAR_METRES / way.length(), way);
+        Vec3 slide = portal.centre().minus(shot.where());
+        Vec3 beyond = portal.centre().addScaled(CLEAR_METRES / slide.length(), slide);
         return over(shot, field, behind(field, new Portal(portal.id(), beyond, portal.frame(), portal.aperture())));
     }
 
@@ -160,38 +196,110 @@ final class GroundPlacement {
     }
 
     /** Returns the place over a point of the ground; {@code null} if there is none or it is too far away. */
-    private Place over(Shot shot, HeightField field, Vec3 on) {
+    private Fits over(Shot shot, HeightField field, Vec3 on) {
         double metres =
                 on == null ? Double.POSITIVE_INFINITY : on.minus(shot.where()).length();
         if (metres > gun.slideMetres()) {
             return null;
         }
         GroundSeat seat = seat(shot, field, on);
-        return seat.isEven() && isFree(shot, field, seat.portal()) ? new Place(seat.portal(), metres) : null;
+        return seat.isEven() && isFree(shot, field, seat.portal()) ? new Fits(seat.portal(), metres) : null;
     }
 
     /** Returns the place on ground that is as flat as a wall. */
-    private Place onFlat(Shot shot, HeightField field) {
+    private Fits onFlat(Shot shot, HeightField field) {
         Aperture aperture = gun.aperture();
-        Region region =
-                surfaces.groundRegion(shot.ray(), shot.hit(), reach, aperture.widthMetres() * aperture.heightMetres());
+        Region region = flatRegion(shot, field, aperture.widthMetres() * aperture.heightMetres());
         if (region == null) {
             return null;
         }
         Vec3 where = Placement.onPlane(region.frame(), shot.ray(), shot.where());
         PlacementResult result = fit.fit(shot.id(), region, where, shot.upright(), shot.others());
-        if (!(result instanceof PlacementResult.Fits flat)) {
+        if (!(result instanceof Fits flat)) {
             return null;
         }
-        Place place = over(shot, field, behind(field, flat.portal()));
-        return place != null ? place : new Place(flat.portal(), flat.slideMetres());
+        Fits place = over(shot, field, behind(field, flat.portal()));
+        return place != null ? place : flat;
+    }
+
+    /**
+     * Returns the region of ground around the triangle that is hit, made of the triangles in reach, like those of a mesh;
+     * {@code null} if the ground is not flat there.
+     *
+     * @param leastArea area of the aperture, square metres
+     */
+    private Region flatRegion(Shot shot, HeightField field, double leastArea) {
+        int hit = surfaces.triangle(shot.hit().item());
+        Aabb box = Aabb.around(shot.where(), new Vec3(2 * reach, 2 * reach, 2 * reach));
+        List<Integer> triangles = new ArrayList<>();
+        field.passing((bounds, at) -> triangles.size() <= MOST_TRIANGLES && box.overlaps(bounds, at), triangles::add);
+        if (triangles.size() > MOST_TRIANGLES) {
+            return null;
+        }
+        triangles.sort(null);
+        Vec3 normal = field.normal(hit);
+        Vec3 on = field.corner(hit, 0);
+        boolean[] isLike = new boolean[triangles.size()];
+        double area = 0;
+        for (int i = 0; i < isLike.length; i++) {
+            int triangle = triangles.get(i);
+            isLike[i] = field.normal(triangle).dot(normal) >= LIKE_COSINE && isIn(field, triangle, on, normal);
+            area += isLike[i] ? area(field, triangle) : 0;
+        }
+        if (area < leastArea) {
+            return null;
+        }
+        List<SurfacePolygon> sheets = new ArrayList<>();
+        for (int i = 0; i < isLike.length; i++) {
+            int triangle = triangles.get(i);
+            List<Vec3> corners =
+                    List.of(field.corner(triangle, 0), field.corner(triangle, 1), field.corner(triangle, 2));
+            sheets.add(SurfacePolygon.of(corners, isLike[i]));
+        }
+        return region(shot.ray(), sheets, box);
+    }
+
+    private static boolean isIn(HeightField field, int triangle, Vec3 on, Vec3 normal) {
+        for (int corner = 0; corner < 3; corner++) {
+            if (Math.abs(field.corner(triangle, corner).minus(on).dot(normal)) > LIKE_METRES) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static double area(HeightField field, int triangle) {
+        Vec3 a = field.corner(triangle, 0);
+        Vec3 b = field.corner(triangle, 1);
+        Vec3 c = field.corner(triangle, 2);
+        return b.minus(a).cross(c.minus(a)).length() / 2;
+    }
+
+    /**
+     * Returns the region of ground that a ray hits, without what stands on it; {@code null} if it hits something else.
+     *
+     * @param box surfaces in it matter
+     */
+    private Region region(Ray ray, List<SurfacePolygon> ground, Aabb box) {
+        List<Brush> solids = new ArrayList<>();
+        List<SurfacePolygon> sheets = new ArrayList<>(ground);
+        for (Blocker blocker : surfaces.near(box)) {
+            if (blocker instanceof Blocker.Convex convex) {
+                solids.add(convex.brush());
+            } else if (blocker instanceof Blocker.Sheet sheet) {
+                sheets.add(SurfacePolygon.of(sheet.shape().corners(), false));
+            }
+        }
+        PlacementSurfaces local = PlacementSurfaces.of(solids, sheets);
+        RayHit again = new RayHit();
+        return local.first(ray, again) ? local.region(ray, again.item()) : null;
     }
 
     /** Returns the first free place on circles around the aimed point, if it is nearer than one that is known. */
-    private Place onCircles(Shot shot, HeightField field, Basis axes, Place known) {
+    private Fits onCircles(Shot shot, HeightField field, Basis axes, Fits known) {
         for (int circle = 1; circle <= CIRCLES; circle++) {
             double radius = WIDEST * gun.slideMetres() * circle / CIRCLES;
-            if (known != null && known.metres() <= radius) {
+            if (known != null && known.slideMetres() <= radius) {
                 return null;
             }
             for (int place = 0; place < PLACES; place++) {
@@ -203,7 +311,7 @@ final class GroundPlacement {
                 Vec3 on = new Vec3(near.x(), y, near.z());
                 boolean isPossible = !Double.isNaN(y)
                         && GroundSeat.isPossible(field, new Portal(shot.id(), on, axes, gun.aperture()));
-                Place found = isPossible ? over(shot, field, on) : null;
+                Fits found = isPossible ? over(shot, field, on) : null;
                 if (found != null) {
                     return found;
                 }

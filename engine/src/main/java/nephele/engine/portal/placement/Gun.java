@@ -22,11 +22,11 @@ public record Gun(Aperture aperture, double rangeMetres, double slideMetres, boo
         this(aperture, rangeMetres, slideMetres, true);
     }
 
-    public static Gun of(PortalGun said) {
+    public static Gun of(PortalGun authored) {
         return new Gun(
-                Aperture.of(said.shape(), said.widthMetres(), said.heightMetres()),
-                said.rangeMetres(),
-                SLIDE_PER_HEIGHT * said.heightMetres(),
-                said.toFloor());
+                Aperture.of(authored.shape(), authored.widthMetres(), authored.heightMetres()),
+                authored.rangeMetres(),
+                SLIDE_PER_HEIGHT * authored.heightMetres(),
+                authored.toFloor());
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.Basis;
@@ -10,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
  * Decides where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. A place
@@ -62,64 +64,65 @@ public final class Placement {
      * @param moving other obstacles of the shot
      */
     public PlacementResult place(String id, ShotRay aim, List<Portal> others, MovingSurfaces moving) {
-        UnaryOperator<Vec3> upright = normal -> PortalUpright.on(normal, aim.view());
-        return place(new Shot(id, aim, upright, others, moving), this::aided);
+        Ray ray = Ray.of(aim.eye(), aim.direction());
+        PlacementResult missed = missed(ray, aim, moving);
+        Shot shot = new Shot(id, ray, hit, normal -> PortalUpright.on(normal, aim.view()), others);
+        return missed != null ? missed : onHit(shot, (region, where) -> aided(shot, region, where, aim.view(), moving));
     }
 
-    /** @param upright returns the portal's up direction for its normal */
-    private record Shot(
-            String id, ShotRay aim, UnaryOperator<Vec3> upright, List<Portal> others, MovingSurfaces moving) {}
-
-    /** Finds the place of a shot that aims at a point of a region. */
-    @FunctionalInterface
-    private interface Fitting {
-        PlacementResult fit(Shot shot, Region region, Vec3 where);
+    /**
+     * A shot that hits a fixed surface.
+     *
+     * @param upright returns the portal's up direction for its normal
+     */
+    record Shot(String id, Ray ray, RayHit hit, UnaryOperator<Vec3> upright, List<Portal> others) {
+        Vec3 where() {
+            return ray.at(hit.distance());
+        }
     }
 
-    private PlacementResult place(Shot shot, Fitting fitting) {
-        ShotRay aim = shot.aim();
-        Vec3 direction = aim.direction();
-        Ray ray = Ray.of(aim.eye(), direction);
+    /** Finds the fixed surface that a ray hits; returns {@code null} if there is one in range and nothing before it. */
+    private PlacementResult missed(Ray ray, ShotRay aim, MovingSurfaces moving) {
         boolean hits = surfaces.first(ray, hit);
         double limit = Math.min(gun.rangeMetres(), hits ? hit.distance() : Double.POSITIVE_INFINITY);
-        double moved = shot.moving().distance(aim.eye(), direction, limit);
+        double moved = moving.distance(aim.eye(), aim.direction(), limit);
         if (moved <= limit) {
             return new PlacementResult.Refused(Refusal.MOVING_SURFACE, ray.at(moved));
         }
-        if (!hits || hit.distance() > gun.rangeMetres()) {
-            return new PlacementResult.Refused(
-                    hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
-        }
-        Vec3 where = ray.at(hit.distance());
+        return hits && hit.distance() <= gun.rangeMetres()
+                ? null
+                : new PlacementResult.Refused(
+                        hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
+    }
+
+    /** @param fitting returns the result of an aim at a point of a region */
+    private PlacementResult onHit(Shot shot, BiFunction<Region, Vec3, PlacementResult> fitting) {
         StaticShape.HeightGrid terrain = surfaces.ground(hit.item());
         if (terrain != null && terrain.said().portalable()) {
-            var onGround = new GroundPlacement.Shot(shot.id(), ray, hit, where, shot.upright(), shot.others());
-            return ground.place(onGround, terrain.field());
+            return ground.place(shot, terrain.field());
         }
-        Region region = terrain != null ? null : surfaces.region(ray, hit.item());
+        Region region = terrain != null ? null : surfaces.region(shot.ray(), hit.item());
         if (region == null) {
-            return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
+            return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, shot.where());
         }
-        return fitting.fit(shot, region, onPlane(region.frame(), ray, where));
+        return fitting.apply(region, onPlane(region.frame(), shot.ray(), shot.where()));
     }
 
     private PlacementResult nearest(Shot shot, Region region, Vec3 where) {
         return onRegion.fit(shot.id(), region, where, shot.upright(), shot.others());
     }
 
-    private PlacementResult aided(Shot shot, Region region, Vec3 where) {
+    private PlacementResult aided(Shot shot, Region region, Vec3 where, Basis view, MovingSurfaces moving) {
         Vec3 normal = region.frame().normal();
         if (drop.isFor(normal)) {
             Portal aimed =
                     onRegion.over(shot.id(), region, where, shot.upright().apply(normal));
-            return drop.lowered(
-                    aimed, nearest(shot, region, where), point -> nearest(shot, region, point), shot.moving());
+            return drop.lowered(aimed, nearest(shot, region, where), point -> nearest(shot, region, point), moving);
         }
         if (aids.turnRadians() > 0 && PortalUpright.followsView(normal)) {
             double edge = gun.aperture().widthMetres();
-            UnaryOperator<Vec3> turn = ahead -> SurfaceAxes.nearest(region, ahead, edge, aids.turnRadians());
-            UnaryOperator<Vec3> turned =
-                    along -> PortalUpright.on(along, shot.aim().view(), turn);
+            UnaryOperator<Vec3> turn = ahead -> region.nearestAxis(ahead, edge, aids.turnRadians());
+            UnaryOperator<Vec3> turned = along -> PortalUpright.on(along, view, turn);
             PlacementResult result = onRegion.fit(shot.id(), region, where, turned, shot.others());
             if (result instanceof PlacementResult.Fits) {
                 return result;
@@ -134,9 +137,12 @@ public final class Placement {
      */
     public boolean holds(Portal portal, List<Portal> others) {
         ShotRay straight = new ShotRay(portal.world(0, 0, HOLDS_FROM_METRES), portal.frame());
-        UnaryOperator<Vec3> upright = normal -> keptUp(portal.frame(), normal);
-        PlacementResult again =
-                place(new Shot(portal.id(), straight, upright, others, MovingSurfaces.NONE), this::nearest);
+        Ray ray = Ray.of(straight.eye(), straight.direction());
+        if (missed(ray, straight, MovingSurfaces.NONE) != null) {
+            return false;
+        }
+        Shot shot = new Shot(portal.id(), ray, hit, normal -> keptUp(portal.frame(), normal), others);
+        PlacementResult again = onHit(shot, (region, where) -> nearest(shot, region, where));
         return again instanceof PlacementResult.Fits fits
                 && isSame(fits.portal().aperture(), portal.aperture())
                 && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES

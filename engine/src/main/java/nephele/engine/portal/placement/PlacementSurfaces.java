@@ -24,22 +24,19 @@ public final class PlacementSurfaces {
     private final List<Region> regions;
     private final List<StaticShape.HeightGrid> grounds;
 
-    private PlacementSurfaces(List<Blocker> blockers, List<Patch> patches, List<StaticShape.HeightGrid> grounds) {
+    private PlacementSurfaces(
+            List<Blocker> blockers, List<SurfacePolygon> patches, List<StaticShape.HeightGrid> grounds) {
         this.grounds = List.copyOf(grounds);
         this.blockers = List.copyOf(blockers);
         blockerIndex = SpatialIndex.of(blockers.stream().map(Blocker::bounds).toList());
-        List<Patch> portalable = new ArrayList<>();
-        for (Patch patch : patches) {
-            portalable.add(patch != null && patch.portalable() ? patch : null);
-        }
-        RegionGrowth growth = new RegionGrowth(portalable);
-        regionOfPatch = growth.regionOf();
-        regions = new RegionLimits(this.blockers, blockerIndex, patches).regions(growth.regions());
+        Regions found = new Regions(patches, this.blockers, blockerIndex);
+        regionOfPatch = found.regionOf();
+        regions = found.regions();
     }
 
     /**
      * Prepares solids and models: convex models as solids, the others as sheets. Terrains stop shots, and {@link
-     * GroundRegion} looks for flat parts where one hits.
+     * GroundPlacement} looks for flat parts where one hits.
      */
     public static PlacementSurfaces of(StaticShapes statics) {
         List<Brush> solids = new ArrayList<>(statics.solids());
@@ -65,18 +62,17 @@ public final class PlacementSurfaces {
     private static PlacementSurfaces of(
             List<Brush> solids, List<SurfacePolygon> sheets, List<StaticShape.HeightGrid> grounds) {
         List<Blocker> blockers = new ArrayList<>();
-        List<Patch> patches = new ArrayList<>();
+        List<SurfacePolygon> patches = new ArrayList<>();
         for (Brush solid : solids) {
             blockers.add(new Blocker.Convex(solid, patches.size()));
-            solid.faces().forEach(face -> patches.add(Patch.of(face.polygon(), face.portalable())));
+            solid.faces().forEach(face -> patches.add(SurfacePolygon.of(face.polygon(), face.portalable())));
         }
         for (SurfacePolygon sheet : sheets) {
-            Patch patch = Patch.of(sheet.corners(), sheet.portalable());
             // The normal of a thinner piece may point in any direction; adjacent pieces extend across it.
-            if (patch != null && patch.leastWidthMetres() > 2 * Tolerance.CRACK) {
-                blockers.add(Blocker.Sheet.of(patch, patches.size()));
+            if (sheet.isFlat() && sheet.leastWidthMetres() > 2 * Tolerance.CRACK) {
+                blockers.add(Blocker.Sheet.of(sheet, patches.size()));
             }
-            patches.add(patch);
+            patches.add(sheet);
         }
         return new PlacementSurfaces(blockers, patches, grounds);
     }
@@ -128,22 +124,16 @@ public final class PlacementSurfaces {
         throw new IllegalArgumentException("nothing has the number " + item);
     }
 
-    /**
-     * Returns the flat part of a terrain that a ray hits; {@code null} if the ground is not flat there.
-     *
-     * @param reach greatest distance from the hit that matters
-     * @param leastArea of the aperture
-     */
-    Region groundRegion(Ray ray, RayHit hit, double reach, double leastArea) {
-        int triangle = hit.item() - blockers.size();
+    /** Returns the number in its terrain of a triangle that was hit. */
+    int triangle(int item) {
+        int triangle = item - blockers.size();
         for (StaticShape.HeightGrid ground : grounds) {
-            HeightField field = ground.field();
-            if (triangle < field.triangles()) {
-                return GroundRegion.of(field, triangle, ray, ray.at(hit.distance()), reach, leastArea, blockers);
+            if (triangle < ground.field().triangles()) {
+                return triangle;
             }
-            triangle -= field.triangles();
+            triangle -= ground.field().triangles();
         }
-        return null;
+        throw new IllegalArgumentException("nothing has the number " + item);
     }
 
     /** Returns the surfaces other than terrains with boxes that overlap a box. */
@@ -169,8 +159,8 @@ public final class PlacementSurfaces {
     /** Returns the region that a ray hits on a blocker; {@code null} if no portal is permitted there. */
     Region region(Ray ray, int blocker) {
         int patch = blockers.get(blocker).patch(ray);
-        int region = patch < 0 ? RegionGrowth.NONE : regionOfPatch[patch];
-        return region == RegionGrowth.NONE ? null : regions.get(region);
+        int region = patch < 0 ? Regions.NONE : regionOfPatch[patch];
+        return region == Regions.NONE ? null : regions.get(region);
     }
 
     /**

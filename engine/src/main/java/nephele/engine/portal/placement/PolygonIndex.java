@@ -1,8 +1,8 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import java.util.function.IntConsumer;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.SpatialIndex;
 
 /** Convex polygons of one plane in a spatial index. */
@@ -27,7 +27,7 @@ final class PolygonIndex {
         return index.bounds();
     }
 
-    void overlapping(Aabb box, ItemVisitor found) {
+    void overlapping(Aabb box, IntConsumer found) {
         index.overlapping(box, found);
     }
 }

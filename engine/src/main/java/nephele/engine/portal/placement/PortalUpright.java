@@ -55,12 +55,9 @@ final class PortalUpright {
         return level(normal) > 0;
     }
 
-    private static double level(Vec3 normal) {
-        return share(Math.abs(normal.y()));
-    }
-
     /** Returns 0 for walls, 1 for floors and ceilings, and smooth values between. */
-    private static double share(double steepness) {
+    private static double level(Vec3 normal) {
+        double steepness = Math.abs(normal.y());
         double t = Math.max(0, Math.min(1, (steepness - WALL) / (LEVEL - WALL)));
         return t * t * (3 - 2 * t);
     }
@@ -88,10 +85,10 @@ final class PortalUpright {
      * Rotates {@code from} towards {@code to}; exactly opposite directions rotate counter-clockwise as seen from in
      * front.
      */
-    private static Vec3 turned(Vec3 from, Vec3 to, Vec3 normal, double share) {
+    private static Vec3 turned(Vec3 from, Vec3 to, Vec3 normal, double fraction) {
         Vec3 left = normal.cross(from);
         double angle = StrictMath.atan2(to.dot(left), to.dot(from));
-        double turn = share * (angle < OPPOSITE - Math.PI ? Math.PI : angle);
+        double turn = fraction * (angle < OPPOSITE - Math.PI ? Math.PI : angle);
         double cos = StrictMath.cos(turn);
         double sin = StrictMath.sin(turn);
         return alongSurface(Directions.combined(from, cos, left, sin), normal);

@@ -8,11 +8,11 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
- * Fits an aperture on a region at the legal place nearest to a point. {@link ForbiddenCentres} holds the obstacles (the
- * region's outline, what bars it, other portals), grown by the reflected aperture; {@link NearestPoint} picks the nearest
- * centre outside all of them.
+ * Fits an aperture on a region at the legal place nearest to a point. A {@link CentreSearch} is given the obstacles: the
+ * region's outline, what bars it, and other portals.
  */
 final class RegionFit {
     /** Least reach from which a search for any place extends, for a gun whose portals do not slide. */
@@ -28,8 +28,7 @@ final class RegionFit {
     private static final int MOST_LIMITS = 100;
 
     private final Gun gun;
-    private final ForbiddenCentres forbidden = new ForbiddenCentres();
-    private final NearestPoint nearest = new NearestPoint(forbidden);
+    private final CentreSearch centres = new CentreSearch();
     private final ItemList found = new ItemList();
 
     RegionFit(Gun gun) {
@@ -44,14 +43,13 @@ final class RegionFit {
         if (region.isBarred(x, y, found)) {
             return false;
         }
-        collectObstacles(region, turned(frame, upright), x, y, 0);
+        collectObstacles(region, reflected(frame, upright.apply(frame.normal())), x, y, 0);
         others.forEach(other -> addObstacle(frame, other));
-        return nearest.find(region, x, y, 0);
+        return centres.find(region, x, y, 0);
     }
 
-    private ReflectedAperture turned(PlaneFrame frame, UnaryOperator<Vec3> upright) {
-        Vec3 up = upright.apply(frame.normal());
-        return new ReflectedAperture(gun.aperture(), frame.xOf(up), frame.yOf(up));
+    private ConvexPolygon reflected(PlaneFrame frame, Vec3 up) {
+        return ConvexPolygon.reflected(gun.aperture(), frame.xOf(up), frame.yOf(up));
     }
 
     /**
@@ -67,18 +65,16 @@ final class RegionFit {
             return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
         Vec3 up = upright.apply(frame.normal());
-        double upX = frame.xOf(up);
-        double upY = frame.yOf(up);
-        ReflectedAperture turned = new ReflectedAperture(gun.aperture(), upX, upY);
-        collectObstacles(region, turned, x, y, gun.slideMetres());
+        ConvexPolygon reflected = reflected(frame, up);
+        collectObstacles(region, reflected, x, y, gun.slideMetres());
         for (Portal other : others) {
             addObstacle(frame, other);
         }
-        if (nearest.find(region, x, y, gun.slideMetres())) {
-            Vec3 centre = frame.world(nearest.x(), nearest.y());
-            return new PlacementResult.Fits(over(id, region, centre, up), nearest.distance());
+        if (centres.find(region, x, y, gun.slideMetres())) {
+            Vec3 centre = frame.world(centres.x(), centres.y());
+            return new PlacementResult.Fits(over(id, region, centre, up), centres.distance());
         }
-        return new PlacementResult.Refused(refusal(region, turned, x, y, !others.isEmpty()), where);
+        return new PlacementResult.Refused(refusal(region, reflected, x, y, !others.isEmpty()), where);
     }
 
     /** Returns the portal over a point of a region, whether or not it fits there. */
@@ -88,10 +84,10 @@ final class RegionFit {
         return new Portal(id, centre, axes, gun.aperture());
     }
 
-    private Refusal refusal(Region region, ReflectedAperture turned, double x, double y, boolean maybeOthers) {
+    private Refusal refusal(Region region, ConvexPolygon reflected, double x, double y, boolean maybeOthers) {
         if (maybeOthers) {
-            collectObstacles(region, turned, x, y, gun.slideMetres());
-            if (nearest.find(region, x, y, gun.slideMetres())) {
+            collectObstacles(region, reflected, x, y, gun.slideMetres());
+            if (centres.find(region, x, y, gun.slideMetres())) {
                 return Refusal.OVERLAPS_OTHER;
             }
         }
@@ -100,8 +96,8 @@ final class RegionFit {
         double reach = Math.max(gun.slideMetres(), LEAST_REACH_METRES);
         while (reach < farthest) {
             reach = small ? farthest : Math.min(WIDEN * reach, farthest);
-            collectObstacles(region, turned, x, y, reach);
-            if (forbidden.polygons() > MOST_LIMITS || nearest.find(region, x, y, reach)) {
+            collectObstacles(region, reflected, x, y, reach);
+            if (centres.polygons() > MOST_LIMITS || centres.find(region, x, y, reach)) {
                 return Refusal.EDGE;
             }
         }
@@ -115,22 +111,23 @@ final class RegionFit {
     }
 
     /** Collects all obstacles that matter for centres within {@code metres} of a point. */
-    private void collectObstacles(Region region, ReflectedAperture turned, double x, double y, double metres) {
-        forbidden.begin(turned);
-        double reachX = metres + turned.reachX();
-        double reachY = metres + turned.reachY();
+    private void collectObstacles(Region region, ConvexPolygon reflected, double x, double y, double metres) {
+        centres.begin(reflected);
+        Aabb box = reflected.bounds();
+        double reachX = metres + Math.max(-box.minX(), box.maxX());
+        double reachY = metres + Math.max(-box.minY(), box.maxY());
         Aabb reach = new Aabb(x - reachX, y - reachY, 0, x + reachX, y + reachY, 0);
         found.clear();
         region.outline().overlapping(reach, found);
         found.sort();
         for (int i = 0; i < found.size(); i++) {
-            forbidden.addOutline(region.outline().shape(found.get(i)));
+            centres.addOutline(region.outline().shape(found.get(i)));
         }
         found.clear();
         region.bars().overlapping(reach, found);
         found.sort();
         for (int i = 0; i < found.size(); i++) {
-            forbidden.add(region.bars().shape(found.get(i)));
+            centres.add(region.bars().shape(found.get(i)));
         }
     }
 
@@ -152,6 +149,6 @@ final class RegionFit {
             corners[2 * i] = x + across * frame.xOf(right) + upward * frame.xOf(up);
             corners[2 * i + 1] = y + across * frame.yOf(right) + upward * frame.yOf(up);
         }
-        forbidden.add(ConvexPolygon.of(corners));
+        centres.add(ConvexPolygon.of(corners));
     }
 }

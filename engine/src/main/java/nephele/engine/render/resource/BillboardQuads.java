@@ -1,8 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.Quality.SpriteCoverage;
-import nephele.engine.scene.Scene;
-import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -13,11 +10,13 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.scene.Scene;
 
 /**
  * The images of a level's billboards on the GPU, in clusters of near ones. A crossed billboard has two images. Nothing of
@@ -168,14 +167,6 @@ public final class BillboardQuads implements GlObject {
                 seen.add(clusters.get(i));
             }
         }
-    }
-
-    /** Binds the samplers of {@code billboard.glsl} and of the pictures to their units. */
-    public static void tie(Uniforms uniforms) {
-        uniforms.sampler("billboards", TextureUnit.BILLBOARDS);
-        uniforms.sampler("billboardGroups", TextureUnit.BILLBOARD_GROUPS);
-        uniforms.sampler("billboardOrder", TextureUnit.BILLBOARD_ORDER);
-        uniforms.sampler("sprites", TextureUnit.COLOURS);
     }
 
     public List<Cluster> clusters() {

@@ -1,5 +1,7 @@
 package nephele.engine.scene.dynamic;
 
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.FrameState.Posture;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -11,6 +13,11 @@ import org.joml.Vector3d;
  * serves all frames.
  */
 final class CharacterPose {
+    private static final double LOWEST_METRES = 0.9;
+    private static final double HIGHEST_METRES = 2.2;
+    private static final double QUICKEST_STRIDE = 3;
+    private static final double FULL_TURN_RADIANS = 2 * Math.PI;
+
     /** The dimensions of the standing character, metres. */
     private static final double STATURE_METRES = 1.8;
 
@@ -40,11 +47,20 @@ final class CharacterPose {
     private final double[] footPitch = new double[2];
     private final Vector3d joint = new Vector3d();
     private final Vector3d shoulders = new Vector3d();
-    private final TwoBoneIk bones = new TwoBoneIk();
-    private final Vector3d middle = bones.middle;
-    private final Vector3d end = bones.end;
-    private final Vector3d bend = bones.bend;
+
+    /** The joint between a limb's two bones. */
+    private final Vector3d middle = new Vector3d();
+
+    /** The end of a limb: the reachable point nearest to its target. */
+    private final Vector3d end = new Vector3d();
+
+    /** The direction towards which a limb bends; set before {@link #bend(Vector3d, Vector3d, double, double)}. */
+    private final Vector3d bend = new Vector3d();
+
     private final Vector3d along = new Vector3d();
+    private final Vector3d across = new Vector3d();
+    private final Vector3d front = new Vector3d();
+    private final Vector3d halfway = new Vector3d();
     private final Matrix3d chest = new Matrix3d();
     private final Matrix3d pelvis = new Matrix3d();
     private final Matrix3d turn = new Matrix3d();
@@ -73,7 +89,7 @@ final class CharacterPose {
      * @param seconds time that drives the breathing
      */
     void compute(Posture posture, double seconds) {
-        Posture p = PoseLimits.sane(posture);
+        Posture p = sane(posture);
         place(p);
         double crouch = Math.max(0, Math.min(1, (STATURE_METRES - p.heightMetres()) / 0.7));
         double moving = Gait.smooth(p.stride() / 0.3);
@@ -176,7 +192,7 @@ final class CharacterPose {
     private void leg(int side, double footYaw) {
         hip(side, joint);
         bend.set(side == 0 ? -0.12 : 0.12, 0, -1).rotateY(footYaw);
-        bones.bend(joint, ankles[side], THIGH_METRES, SHIN_METRES);
+        bend(joint, ankles[side], THIGH_METRES, SHIN_METRES);
         bone(side == 0 ? CharacterPart.LEFT_THIGH : CharacterPart.RIGHT_THIGH, joint, middle);
         bone(side == 0 ? CharacterPart.LEFT_SHIN : CharacterPart.RIGHT_SHIN, middle, end);
         turn.rotationY(footYaw).rotateX(-footPitch[side]);
@@ -232,13 +248,74 @@ final class CharacterPose {
 
     /** Places a part's centre halfway between two joints, with its front on the side opposite to the limb's bend. */
     private void bone(CharacterPart part, Vector3d from, Vector3d to) {
-        bones.along(from, to, part.ordinal() >= CharacterPart.LEFT_THIGH.ordinal(), turn);
-        put(part, bones.between(from, to), turn);
+        orient(from, to, part.ordinal() >= CharacterPart.LEFT_THIGH.ordinal(), turn);
+        put(part, halfway.set(from).lerp(to, 0.5), turn);
+    }
+
+    /**
+     * Computes {@link #middle} and {@link #end} of a limb of two bones from {@code from} towards {@code to}, by the law of
+     * cosines; lengths in metres.
+     */
+    private void bend(Vector3d from, Vector3d to, double upper, double lower) {
+        along.set(to).sub(from);
+        double distance = Math.max(Math.abs(upper - lower) + 0.05, Math.min(upper + lower - 0.002, along.length()));
+        if (along.length() < 1e-6) {
+            along.set(0, -1, 0);
+        }
+        along.normalize();
+        end.set(from).fma(distance, along);
+        bend.fma(-bend.dot(along), along);
+        if (bend.length() < 1e-6) {
+            bend.set(0, 0, -1).fma(along.z, along);
+        }
+        bend.normalize();
+        double before = (upper * upper - lower * lower + distance * distance) / (2 * distance);
+        double aside = Math.sqrt(Math.max(0, upper * upper - before * before));
+        middle.set(from).fma(before, along).fma(aside, bend);
+    }
+
+    /** Computes the rotation of a bone from one joint down to the other; a leg's front is on the side of the bend. */
+    private void orient(Vector3d from, Vector3d to, boolean isLeg, Matrix3d turn) {
+        Vector3d y = along.set(from).sub(to).normalize();
+        Vector3d z = front.set(bend).mul(isLeg ? -1 : 1);
+        z.fma(-z.dot(y), y);
+        if (z.length() < 1e-6) {
+            z.set(0, 0, 1).fma(-y.z, y);
+        }
+        z.normalize();
+        Vector3d x = y.cross(z, across);
+        turn.set(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
     }
 
     private void put(CharacterPart part, Vector3d inCharacter, Matrix3d characterFromPart) {
         worldFromCharacter.transform(inCharacter, centres[part.ordinal()]).add(sole);
         worldFromCharacter.mul(characterFromPart, inWorld);
         turns[part.ordinal()].setFromNormalized(inWorld).normalize();
+    }
+
+    private static Posture sane(Posture p) {
+        Vec3 up = Directions.unit(p.up());
+        return new Posture(
+                new Vec3(
+                        finite(p.centre().x()),
+                        finite(p.centre().y()),
+                        finite(p.centre().z())),
+                up == null ? new Vec3(0, 1, 0) : up,
+                finite(p.yawRadians()) % FULL_TURN_RADIANS,
+                within(p.pitchRadians(), -Math.PI / 2, Math.PI / 2),
+                within(p.heightMetres(), LOWEST_METRES, HIGHEST_METRES),
+                finite(p.step()) - Math.floor(finite(p.step())),
+                within(p.stride(), 0, QUICKEST_STRIDE),
+                Math.IEEEremainder(finite(p.travelRadians()), FULL_TURN_RADIANS),
+                within(p.airborne(), 0, 1),
+                within(p.carrying(), 0, 1));
+    }
+
+    private static double finite(double x) {
+        return Double.isFinite(x) ? x : 0;
+    }
+
+    private static double within(double x, double least, double most) {
+        return Double.isNaN(x) ? Math.max(least, Math.min(most, 0)) : Math.max(least, Math.min(most, x));
     }
 }

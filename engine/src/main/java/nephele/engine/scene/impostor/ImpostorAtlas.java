@@ -44,8 +44,8 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
         List<byte[]> colours = new ArrayList<>();
         List<byte[]> shapes = new ArrayList<>();
         for (AtlasImage level = image; ; level = level.halved()) {
-            colours.add(AtlasCodes.colours(level, codes));
-            shapes.add(AtlasCodes.shapes(level));
+            colours.add(colours(level, codes));
+            shapes.add(shapes(level));
             if (level.side() == 1) {
                 return new ImpostorAtlas(image.side(), colours, shapes);
             }
@@ -65,5 +65,29 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
             texels *= 2;
         }
         return texels;
+    }
+
+    private static byte[] colours(AtlasImage image, ColourDecoding.Codes codes) {
+        byte[] bytes = new byte[4 * image.side() * image.side()];
+        for (int i = 0; i < bytes.length / 4; i++) {
+            int x = i % image.side();
+            int y = i / image.side();
+            for (int channel = 0; channel < AtlasImage.ALPHA; channel++) {
+                bytes[4 * i + channel] = codes.nearest(image.value(x, y, channel));
+            }
+            bytes[4 * i + 3] = (byte) Math.round(255 * image.value(x, y, AtlasImage.ALPHA));
+        }
+        return bytes;
+    }
+
+    private static byte[] shapes(AtlasImage image) {
+        byte[] bytes = new byte[4 * image.side() * image.side()];
+        for (int i = 0; i < bytes.length / 4; i++) {
+            for (int channel = 0; channel < 4; channel++) {
+                float value = image.value(i % image.side(), i / image.side(), AtlasImage.ALPHA + 1 + channel);
+                bytes[4 * i + channel] = (byte) Math.round(127.5 + 127.5 * Math.max(-1, Math.min(1, value)));
+            }
+        }
+        return bytes;
     }
 }

@@ -1,5 +1,5 @@
 /**
- * Pictures of models from many directions, made once: {@code ImpostorAtlas} holds those of a kind from the directions of
- * {@code HemiOctahedron}; {@code ViewBlend} says which of them show it to an eye.
+ * Pictures of models from many directions, made once: {@code ImpostorAtlas} holds those of a kind from directions that
+ * cover the hemisphere above the horizon, each an {@code AtlasView}.
  */
 package nephele.engine.scene.impostor;

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
-import nephele.engine.level.appearance.LightReach;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
@@ -125,7 +124,7 @@ final class LightGridCells {
             Aabb reach = grid.reachOf(cell);
             Aabb box = grid.boxOf(cell);
             for (int light : unknown) {
-                if (LightReach.touches(lights.get(light), reach) && !hides(occluders, light, box)) {
+                if (lights.get(light).touches(reach) && !hides(occluders, light, box)) {
                     lit[light].set(cell);
                     found++;
                 }

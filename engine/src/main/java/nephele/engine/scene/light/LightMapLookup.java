@@ -6,8 +6,8 @@ import java.util.Map;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.bake.CornerWeld;
 import nephele.engine.scene.light.bake.FaceFragment;
+import nephele.engine.scene.light.bake.FaceFragments;
 import nephele.engine.scene.light.bake.LightMapChart;
 import nephele.engine.scene.light.bake.LightMapLayout;
 import nephele.engine.scene.light.bake.PolygonClipping;
@@ -116,7 +116,7 @@ public final class LightMapLookup {
     private static Vec3 moved(Aabb before, Aabb now) {
         Vec3 some = new Vec3(now.minX() - before.minX(), now.minY() - before.minY(), now.minZ() - before.minZ());
         Vec3 other = new Vec3(now.maxX() - before.maxX(), now.maxY() - before.maxY(), now.maxZ() - before.maxZ());
-        return some.toVector().distance(other.x(), other.y(), other.z()) < CornerWeld.WELD_METRES ? some : Vec3.ZERO;
+        return some.toVector().distance(other.x(), other.y(), other.z()) < FaceFragments.WELD_METRES ? some : Vec3.ZERO;
     }
 
     /** Returns the chart nearest to a fragment's centre, preferably one with the same outline; −1 if there is none. */

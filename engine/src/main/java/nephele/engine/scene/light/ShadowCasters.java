@@ -3,6 +3,7 @@ package nephele.engine.scene.light;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.placed.PlacedModel;
@@ -127,20 +128,40 @@ public final class ShadowCasters {
         return false;
     }
 
-    private boolean isAnyOtherBelow(int brush, Plane plane) {
-        OtherBelow search = new OtherBelow(brush, plane);
-        for (int i = 0; i < outermost.length && !search.isFound; i++) {
-            shapes.get(outermost[i]).select(search);
-        }
-        if (search.isFound) {
-            return true;
+    private boolean isAnyOtherBelow(int solid, Plane plane) {
+        for (int item : outermost) {
+            if (isOtherBelow(item, solid, plane)) {
+                return true;
+            }
         }
         if (index == null) {
             index = SpatialIndex.of(shapes.stream().map(StaticShape::bounds).toList());
         }
-        index.query((boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane), other -> shapes.get(other)
-                .select(search));
-        return search.isFound;
+        boolean[] isFound = new boolean[1];
+        index.query(
+                (boxes, at) -> !isFound[0] && mayReachBelow(boxes, at, plane),
+                other -> isFound[0] = isFound[0] || isOtherBelow(other, solid, plane));
+        return isFound[0];
+    }
+
+    /** Returns true if a shape other than a solid has a point below a plane. */
+    private boolean isOtherBelow(int shape, int solid, Plane plane) {
+        boolean[] isFound = new boolean[1];
+        Predicate<Vec3> isBelow = p -> plane.signedDistance(p) < -TOUCH_METRES;
+        shapes.get(shape)
+                .select(
+                        hull -> isFound[0] = hull.index() != solid
+                                && hull.brush().shape().vertices().stream().anyMatch(isBelow),
+                        mesh -> {
+                            WorldTriangles triangles = mesh.model().triangles();
+                            isFound[0] = IntStream.range(0, 3 * triangles.count())
+                                    .mapToObj(i -> triangles.corner(i / 3, i % 3))
+                                    .anyMatch(isBelow);
+                        },
+                        grid -> isFound[0] = IntStream.range(0, 8)
+                                .mapToObj(grid.bounds()::corner)
+                                .anyMatch(isBelow));
+        return isFound[0];
     }
 
     /** Returns true if the box at {@code at} in {@code boxes} has a corner below the plane. */
@@ -149,50 +170,5 @@ public final class ShadowCasters {
         double y = boxes[plane.ny() > 0 ? at + 1 : at + 4];
         double z = boxes[plane.nz() > 0 ? at + 2 : at + 5];
         return plane.nx() * x + plane.ny() * y + plane.nz() * z < plane.distance();
-    }
-
-    /** Tests if a shape other than a given solid has a point below a plane. */
-    private static final class OtherBelow implements StaticShape.Cases {
-        private final int solid;
-        private final Plane plane;
-        private boolean isFound;
-
-        OtherBelow(int solid, Plane plane) {
-            this.solid = solid;
-            this.plane = plane;
-        }
-
-        @Override
-        public void convexHull(StaticShape.ConvexHull hull) {
-            if (hull.index() == solid) {
-                return;
-            }
-            for (Vec3 p : hull.brush().shape().vertices()) {
-                isFound |= isBelow(p);
-            }
-        }
-
-        @Override
-        public void triangleMesh(StaticShape.TriangleMesh mesh) {
-            WorldTriangles triangles = mesh.model().triangles();
-            for (int i = 0; i < 3 * triangles.count() && !isFound; i++) {
-                isFound = isBelow(triangles.corner(i / 3, i % 3));
-            }
-        }
-
-        @Override
-        public void heightGrid(StaticShape.HeightGrid grid) {
-            Aabb box = grid.bounds();
-            for (int corner = 0; corner < 8 && !isFound; corner++) {
-                isFound = isBelow(new Vec3(
-                        (corner & 1) == 0 ? box.minX() : box.maxX(),
-                        (corner & 2) == 0 ? box.minY() : box.maxY(),
-                        (corner & 4) == 0 ? box.minZ() : box.maxZ()));
-            }
-        }
-
-        private boolean isBelow(Vec3 p) {
-            return plane.signedDistance(p) < -TOUCH_METRES;
-        }
     }
 }

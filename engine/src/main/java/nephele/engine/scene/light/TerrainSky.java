@@ -55,7 +55,7 @@ public final class TerrainSky {
     public static TerrainSky of(HeightField field) {
         int points = points(field.cellColumns()) * points(field.cellRows());
         TerrainSky made = new TerrainSky(field, new float[AZIMUTHS * points], new byte[points]);
-        made.find((x, z) -> true, (x, y, z, azimuth, horizon) -> true);
+        made.find(null);
         return made;
     }
 
@@ -67,39 +67,30 @@ public final class TerrainSky {
         }
         TerrainSky made = new TerrainSky(field, before.tangents.clone(), before.values.clone());
         if (!changed.get().isEmpty()) {
-            SeenChange seen = SeenChange.of(before.field, field, changed.get());
-            made.find(
-                    seen::isAt,
-                    (x, y, z, azimuth, horizon) ->
-                            seen.changesHorizon(x, y, z, TOWARDS_X[azimuth], TOWARDS_Z[azimuth], horizon));
+            VisibleChange visible = VisibleChange.of(before.field, field, changed.get());
+            made.find(visible);
         }
         return made;
     }
 
-    private interface PlaceTest {
-        boolean holds(double x, double z);
-    }
-
-    private interface DirectionTest {
-        boolean holds(double x, double y, double z, int azimuth, float horizon);
-    }
-
-    private void find(PlaceTest isChanged, DirectionTest isSeen) {
+    /** @param changed {@code null} if everything is new */
+    private void find(VisibleChange changed) {
         IntStream.range(0, rows).parallel().forEach(row -> {
             for (int column = 0; column < columns; column++) {
                 double x = field.x(0) + field.cellX() * field.cellColumns() * column / (columns - 1);
                 double z = field.z(0) + field.cellZ() * field.cellRows() * row / (rows - 1);
-                find(row * columns + column, x, z, isChanged.holds(x, z), isSeen);
+                find(row * columns + column, x, z, changed);
             }
         });
     }
 
-    private void find(int point, double x, double z, boolean isWholly, DirectionTest isSeen) {
+    private void find(int point, double x, double z, VisibleChange changed) {
+        boolean isWholly = changed == null || changed.isAt(x, z);
         boolean isOther = isWholly;
         double y = groundAt(field, x, z);
         for (int i = 0; i < AZIMUTHS; i++) {
             int at = AZIMUTHS * point + i;
-            if (isWholly || isSeen.holds(x, y, z, i, tangents[at])) {
+            if (isWholly || changed.changesHorizon(x, y, z, TOWARDS_X[i], TOWARDS_Z[i], tangents[at])) {
                 tangents[at] = (float) horizon(field, x, y, z, TOWARDS_X[i], TOWARDS_Z[i]);
                 isOther = true;
             }
@@ -181,6 +172,66 @@ public final class TerrainSky {
             }
             steepest = Math.max(steepest, (there - y) / distance);
             distance = Math.max(distance + step, distance * GROWTH);
+        }
+    }
+
+    /**
+     * A rectangle of changed heights as it is visible from places of the ground.
+     *
+     * @param top the greatest world y in it, before and after
+     */
+    private record VisibleChange(double minX, double minZ, double maxX, double maxZ, double top) {
+        /** The smooth normal of a place depends on samples of so many cells around it. */
+        private static final int NORMAL_CELLS = 2;
+
+        /** Horizons are floats. */
+        private static final double ROUNDING = 1e-6;
+
+        /** @param before has other heights in the range */
+        static VisibleChange of(HeightField before, HeightField field, SampleRange changed) {
+            SampleRange reach = changed.grown(NORMAL_CELLS);
+            return new VisibleChange(
+                    field.x(reach.firstColumn()),
+                    field.z(reach.firstRow()),
+                    field.x(reach.lastColumn()),
+                    field.z(reach.lastRow()),
+                    Math.max(top(before, reach), top(field, reach)));
+        }
+
+        private static double top(HeightField field, SampleRange range) {
+            float top = Float.NEGATIVE_INFINITY;
+            for (int row = Math.max(0, range.firstRow()); row <= Math.min(range.lastRow(), field.cellRows()); row++) {
+                int last = Math.min(range.lastColumn(), field.cellColumns());
+                for (int column = Math.max(0, range.firstColumn()); column <= last; column++) {
+                    top = Math.max(top, field.height(column, row));
+                }
+            }
+            return field.y(top);
+        }
+
+        boolean isAt(double x, double z) {
+            return x >= minX && x <= maxX && z >= minZ && z <= maxZ;
+        }
+
+        /**
+         * Returns true if the horizon of a place may be another one: not where the rectangle is not met, nor where all of it,
+         * before and after, is below the horizon that was found.
+         *
+         * @param y of the ground there
+         * @param horizon the tangent of its elevation before
+         */
+        boolean changesHorizon(double x, double y, double z, double towardsX, double towardsZ, double horizon) {
+            double toMinX = (minX - x) / towardsX;
+            double toMaxX = (maxX - x) / towardsX;
+            double toMinZ = (minZ - z) / towardsZ;
+            double toMaxZ = (maxZ - z) / towardsZ;
+            double enter = Math.max(Math.min(toMinX, toMaxX), Math.min(toMinZ, toMaxZ));
+            double leave = Math.min(Math.max(toMinX, toMaxX), Math.max(toMinZ, toMaxZ));
+            if (leave < Math.max(enter, 0)) {
+                return false;
+            }
+            double highest = (top - y) / (top > y ? enter : leave);
+            return enter <= 0 || !(highest < horizon - ROUNDING * (1 + Math.abs(horizon)));
         }
     }
 }

@@ -85,7 +85,7 @@ final class BodyObstacles {
     private void want(int body, long mask, RoundedHull shape, Vector3dc place, Vector3dc path) {
         bodies.centre(body, centre);
         if (isNear(body, shape, place, path) && !isBehindOpening(body, mask)) {
-            wanted.item(body * IMAGES);
+            wanted.accept(body * IMAGES);
         }
         Portals portals = portalWorld.portals();
         for (int i = 0; i < Math.min(portals.size(), PortalWorld.MOST_PORTALS); i++) {
@@ -95,7 +95,7 @@ final class BodyObstacles {
                 if (sticksOut || isBefore(portals.portal(portals.partner(i))) && (mask & 1L << i) != 0) {
                     portals.transform(portals.partner(i)).point(centre);
                     if (isNear(body, shape, place, path)) {
-                        wanted.item(body * IMAGES + 1 + i);
+                        wanted.accept(body * IMAGES + 1 + i);
                     }
                 }
             }

@@ -3,6 +3,7 @@ package nephele.engine.sim.reach;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Camera;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -90,6 +91,17 @@ public record EyeReach(List<Part> parts) {
             }
         }
         return best;
+    }
+
+    /** Returns the bounds of a cloud at the start; those of a layer are infinite along x and z. */
+    public static Aabb bounds(Cloud.Extent extent) {
+        if (extent instanceof Cloud.Extent.Layer layer) {
+            double far = Double.POSITIVE_INFINITY;
+            double base = layer.baseAltitudeMetres();
+            return new Aabb(-far, base, -far, far, base + layer.thicknessMetres(), far);
+        }
+        var volume = (Cloud.Extent.Volume) extent;
+        return Aabb.around(volume.centre(), volume.size());
     }
 
     /** Returns the least distance between two boxes, which may be infinite along some axes; 0 if they touch. */

@@ -38,11 +38,6 @@ public record GunPortals(int first, int second) {
         return shot == Colour.FIRST ? first : second;
     }
 
-    /** Returns the colour with the lower index; one that was not shot comes first. */
-    public Colour earlier() {
-        return first <= second ? Colour.FIRST : Colour.SECOND;
-    }
-
     public GunPortals with(Colour shot, int portal) {
         return shot == Colour.FIRST ? new GunPortals(portal, second) : new GunPortals(first, portal);
     }

@@ -275,7 +275,7 @@ public record WorldState(
         }
 
         /** Returns the state in which no arrival counts. */
-        public Arrival over() {
+        private Arrival over() {
             return this == NONE ? NONE : NOWHERE;
         }
 

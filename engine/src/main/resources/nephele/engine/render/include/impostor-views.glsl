@@ -1,5 +1,5 @@
 // Which views of its atlas show a plant from a direction, and where; for a vertex shader. Twins:
-// scene.impostor.HemiOctahedron, ViewBlend and AtlasView. Needs plants.glsl.
+// scene.impostor.AtlasView and, in the tests, ViewBlend. Needs plants.glsl.
 
 const float VIEWS = java(scene.impostor.ImpostorAtlas.SIDE); // along a side of the atlas
 const float FILLED = java(scene.impostor.ImpostorAtlas.FILLED); // part of a view's side

@@ -1,4 +1,4 @@
-// The falloff of a punctual light. Twin: nephele.engine.level.appearance.LightFalloff.
+// The falloff of a punctual light. Twin: nephele.engine.level.appearance.PunctualLight.
 
 // Returns the inverse square (1/m2) under a window that is zero at the range (Karis 2013); constant below 1 cm.
 float windowedInverseSquare(float squareDistance, float inverseSquareRange) {

@@ -1,4 +1,4 @@
-// Tangent-space normals. Twin: nephele.engine.level.appearance.NormalMap.
+// Tangent-space normals. Twin: nephele.engine.level.appearance.FaceTexture.
 
 // texel: RGB of the normal map, 0 to 1; across and up: the directions in which the texture's u and v grow on the face.
 vec3 mappedNormal(vec3 texel, vec3 faceNormal, vec3 across, vec3 up) {

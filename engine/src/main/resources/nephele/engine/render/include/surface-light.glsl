@@ -101,7 +101,7 @@ vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
 
 #if defined(MODEL) && (defined(SUN) || defined(PUNCTUAL_LIGHTS))
 // Fades light where a triangle, but not yet its curved surface, faces away from it; otherwise light would end along the
-// triangle's edges (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
+// triangle's edges (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: reference.SurfacePoint#terminator.
 float terminatorShare(Surface s, vec3 toLight) {
     float onCurve = dot(s.smoothNormal, toLight) * dot(s.faceNormal, s.smoothNormal);
     float g = onCurve > 0.0 ? min(dot(s.faceNormal, toLight) / onCurve, 1.0) : 1.0;

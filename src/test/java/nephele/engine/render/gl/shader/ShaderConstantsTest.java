@@ -38,7 +38,8 @@ class ShaderConstantsTest {
     private static final List<Path> SHADERS = List.of(
             Path.of("engine/src/main/resources/nephele/engine/render"),
             Path.of("scenes/src/main/resources/nephele/scenes"));
-    private static final List<Path> SOURCES = List.of(Path.of("engine/src/main/java"), Path.of("scenes/src/main/java"));
+    private static final List<Path> SOURCES =
+            List.of(Path.of("engine/src/main/java"), Path.of("scenes/src/main/java"), Path.of("src/test/java"));
 
     private static final Pattern CONSTANT =
             Pattern.compile("(?m)^[ \\t]*const \\w+ ([A-Z][A-Z_0-9]*)(?:\\[\\w*\\])? = ([^;]*);[^\\n]*$");

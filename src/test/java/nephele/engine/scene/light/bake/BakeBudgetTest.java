@@ -48,7 +48,7 @@ class BakeBudgetTest {
         LightMapLayout layout = LightMapLayout.of(room.solids());
         assertArrayEquals(
                 SkyVisibility.bake(room, done -> {}).texels(),
-                SkyVisibility.bake(layout, room, BakeQuality.RATIONED, done -> {})
+                SkyVisibility.bake(layout, room, BakeBudget.Effort.RATIONED, done -> {})
                         .texels());
     }
 }

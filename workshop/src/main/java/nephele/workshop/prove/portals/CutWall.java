@@ -89,7 +89,7 @@ final class CutWall {
             for (int i = 0; i < 6; i += 2) {
                 corners.add(place.world(t[i] + off(noise), t[i + 1] + off(noise), off(noise)));
             }
-            sheets.add(new SurfacePolygon(corners, true));
+            sheets.add(SurfacePolygon.of(corners, true));
         }
         return PlacementSurfaces.of(List.of(), sheets);
     }

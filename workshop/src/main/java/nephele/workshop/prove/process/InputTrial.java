@@ -28,7 +28,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.Simulation;
-import nephele.engine.sim.WorldRules;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
@@ -138,7 +138,7 @@ final class InputTrial {
         }
         List<Problem> problems;
         try {
-            problems = WorldRules.check(level, LevelAssets.beside(file));
+            problems = LevelRules.check(level, LevelAssets.beside(file));
         } catch (AssetException wrong) {
             throw new Fault("is refused without a place: " + wrong.getMessage());
         }

@@ -112,7 +112,7 @@ public final class BodyInfluences {
         if (drives.length < at + 6) {
             drives = Arrays.copyOf(drives, 2 * drives.length);
         }
-        driven.item(body);
+        driven.accept(body);
         drives[at] = velocity.x();
         drives[at + 1] = velocity.y();
         drives[at + 2] = velocity.z();
@@ -126,7 +126,7 @@ public final class BodyInfluences {
      * it.
      */
     public void ignoreCharacters(int body) {
-        passing.item(body);
+        passing.accept(body);
     }
 
     public void clearPassing() {

@@ -8,16 +8,14 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
 import org.lwjgl.system.MemoryUtil;
 
@@ -59,24 +57,9 @@ final class BoltProgram {
             Uniforms.Vector2 halfPicture) {}
 
     BoltProgram(LoadContext context, boolean behindClouds) {
+        MeteredExposure.readInViews(context);
         var defines = Defines.of(context).withIf(behindClouds, "CLOUDS").values();
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "bolt.vert", defines),
-                ShaderSource.load(FOLDER + "bolt.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    uniforms.sampler("boltPoints", TextureUnit.BOLT_POINTS);
-                    if (behindClouds) {
-                        uniforms.sampler("boltTransmittance", TextureUnit.BOLT_TRANSMITTANCE);
-                    }
-                    return new Places(
-                            uniforms.vector3("boltFromEye"),
-                            uniforms.vector3("intensityPerMetre"),
-                            uniforms.vector3("brightness"),
-                            uniforms.vector3("spreading"),
-                            uniforms.vector2("halfPicture"));
-                });
+        program = GlProgram.of(context.gl(), FOLDER + "bolt.vert", FOLDER + "bolt.frag", defines, Places.class);
         quads = context.own(quads(context));
     }
 

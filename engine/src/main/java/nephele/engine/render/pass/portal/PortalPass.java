@@ -9,9 +9,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
-import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -35,7 +35,7 @@ public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "portal",
                     Stage.IN_VIEWS,
-                    request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new))
+                    request -> Required.ofOpenings(request, "openings to see through", PortalPass::new))
             .using(OpeningMesh.RESOURCE);
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);

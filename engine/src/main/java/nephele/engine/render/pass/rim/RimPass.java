@@ -1,11 +1,12 @@
 package nephele.engine.render.pass.rim;
 
+import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.portal.Aperture;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalRequirements;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
@@ -31,20 +32,23 @@ public final class RimPass implements Pass {
             .using(MeteredExposure.RESOURCE);
 
     private final GlContext gl;
-    private final RimShapes shapes;
+    /** One for each kind of aperture, created when the first portal of its kind is drawn. */
+    private final List<RimShape> shapes = new ArrayList<>();
+
+    private final LoadContext context;
     private final RimPrograms programs;
     private final RimLook look = new RimLook();
     private final Blend over;
 
     private RimPass(LoadContext context) {
         gl = context.gl();
-        shapes = context.own(new RimShapes(gl));
+        this.context = context;
         programs = new RimPrograms(context);
         over = MeteredExposure.over(context);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return PortalRequirements.of(request, "rims of openings", RimPass::new);
+        return Required.ofPortals(request, "rims of openings", RimPass::new);
     }
 
     @Override
@@ -72,7 +76,7 @@ public final class RimPass implements Pass {
     }
 
     private void drawRim(FrameContext frame) {
-        RimShape shape = shapes.of(look.portal.aperture());
+        RimShape shape = shape(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
         use(programs.ring());
@@ -88,8 +92,18 @@ public final class RimPass implements Pass {
         gl.state().depthOf(DepthOf.SURFACE);
     }
 
+    private RimShape shape(Aperture aperture) {
+        for (int i = 0; i < shapes.size(); i++) {
+            if (shapes.get(i).isOf(aperture)) {
+                return shapes.get(i);
+            }
+        }
+        shapes.add(context.own(new RimShape(gl, aperture)));
+        return shapes.get(shapes.size() - 1);
+    }
+
     private void drawPreview(FrameContext frame) {
-        RimShape shape = shapes.of(look.portal.aperture());
+        RimShape shape = shape(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
         use(programs.ring());

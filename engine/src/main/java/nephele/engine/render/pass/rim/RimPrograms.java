@@ -1,13 +1,12 @@
 package nephele.engine.render.pass.rim;
 
 import java.util.Map;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.resource.MeteredExposure;
 
 /** The programs of a rim's parts; all have the same uniforms. */
 final class RimPrograms {
@@ -20,6 +19,7 @@ final class RimPrograms {
     private final GlProgram<Placing> membrane;
 
     RimPrograms(LoadContext context) {
+        MeteredExposure.readInViews(context);
         ring = program(context, "ring.frag", Defines.of(context));
         glow = program(context, "glow.frag", Defines.of(context));
         membrane = program(context, "membrane.frag", Defines.of(context).with("OPACITY", OPACITY_OVER_WALL));
@@ -27,14 +27,7 @@ final class RimPrograms {
 
     private static GlProgram<Placing> program(LoadContext context, String fragment, Defines names) {
         Map<String, String> defines = names.values();
-        return new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "rim.vert", defines),
-                ShaderSource.load(FOLDER + fragment, defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    return new Placing(uniforms);
-                });
+        return GlProgram.of(context.gl(), FOLDER + "rim.vert", FOLDER + fragment, defines, Placing.class);
     }
 
     GlProgram<Placing> ring() {
@@ -50,38 +43,24 @@ final class RimPrograms {
     }
 
     /** The uniforms for the pose and appearance of one portal. */
-    static final class Placing {
-        private final Uniforms.Vector4 centre;
-        private final Uniforms.Vector3 right;
-        private final Uniforms.Vector3 up;
-        private final Uniforms.Vector3 back;
-        private final Uniforms.Vector4 tint;
-        private final Uniforms.Vector4 pattern;
-
-        private Placing(Uniforms uniforms) {
-            centre = uniforms.vector4("centreAndOpenness");
-            right = uniforms.vector3("portalRight");
-            up = uniforms.vector3("portalUp");
-            back = uniforms.vector3("portalBack");
-            tint = uniforms.vector4("tintAndOpacity");
-            pattern = uniforms.vector4("pattern");
-        }
-
+    record Placing(
+            Vector4 centreAndOpenness,
+            Vector3 portalRight,
+            Vector3 portalUp,
+            Vector3 portalBack,
+            Vector4 tintAndOpacity,
+            Vector4 pattern) {
         void set(RimLook look) {
-            centre.set(
-                    (float) (look.centre.x() - look.view.eyeX()),
-                    (float) (look.centre.y() - look.view.eyeY()),
-                    (float) (look.centre.z() - look.view.eyeZ()),
-                    (float) look.openness);
-            set(right, look.frame.right());
-            set(up, look.frame.up());
-            set(back, look.frame.back());
-            tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
-            pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres);
-        }
-
-        private static void set(Uniforms.Vector3 uniform, Vec3 v) {
-            uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+            centreAndOpenness.set(
+                    look.centre.x() - look.view.eyeX(),
+                    look.centre.y() - look.view.eyeY(),
+                    look.centre.z() - look.view.eyeZ(),
+                    look.openness);
+            portalRight.set(look.frame.right());
+            portalUp.set(look.frame.up());
+            portalBack.set(look.frame.back());
+            tintAndOpacity.set(look.tint.x(), look.tint.y(), look.tint.z(), look.opacity);
+            pattern.set(look.kind, look.cells, look.seconds, look.halfMetres);
         }
     }
 }

@@ -5,7 +5,6 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
-import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -44,7 +43,7 @@ public final class UnfilledPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return OpeningRequirements.of(request, "openings that nothing fills", UnfilledPass::new);
+        return Required.ofOpenings(request, "openings that nothing fills", UnfilledPass::new);
     }
 
     @Override

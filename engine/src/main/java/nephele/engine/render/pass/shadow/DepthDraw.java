@@ -12,7 +12,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.SolidMesh;
@@ -33,11 +32,8 @@ final class DepthDraw {
 
     DepthDraw(LoadContext context) {
         this.context = context;
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "depth.vert", Map.of()),
-                ShaderSource.load(FOLDER + "depth.frag", Map.of()),
-                uniforms -> new DepthUniforms(uniforms.matrix4("clipFromCell"), uniforms.scalar("depthPerMetre")));
+        program =
+                GlProgram.of(context.gl(), FOLDER + "depth.vert", FOLDER + "depth.frag", Map.of(), DepthUniforms.class);
         visible = new VisibleSet(context.scene().solids());
         terrains = new TerrainDepthDraw(context);
     }

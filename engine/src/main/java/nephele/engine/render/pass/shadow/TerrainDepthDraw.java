@@ -7,7 +7,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.TerrainMesh;
@@ -28,14 +27,12 @@ final class TerrainDepthDraw {
         meshes = context.get(TerrainMesh.RESOURCE);
         program = meshes.isEmpty()
                 ? null
-                : new GlProgram<>(
+                : GlProgram.of(
                         context.gl(),
-                        ShaderSource.load(FOLDER + "terrain-depth.vert", Map.of()),
-                        ShaderSource.load(FOLDER + "terrain-depth.frag", Map.of()),
-                        uniforms -> new DepthUniforms(
-                                TerrainUniforms.of(uniforms),
-                                uniforms.matrix4("clipFromOrigin"),
-                                uniforms.scalar("depthPerMetre")));
+                        FOLDER + "terrain-depth.vert",
+                        FOLDER + "terrain-depth.frag",
+                        Map.of(),
+                        DepthUniforms.class);
     }
 
     /** Draws the parts in a frustum; the state is that of {@link DepthDraw}. */

@@ -1,7 +1,6 @@
 package nephele.engine.render.pass.solid;
 
 import java.util.Map;
-import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
@@ -10,8 +9,6 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 
 /**
@@ -27,12 +24,7 @@ final class DepthFirst {
     DepthFirst(LoadContext context) {
         gl = context.gl();
         Map<String, String> defines = Defines.of(context).values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "depth.vert", defines),
-                ShaderSource.load(FOLDER + "depth.frag", defines),
-                uniforms ->
-                        new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty()));
+        program = GlProgram.of(gl, FOLDER + "depth.vert", FOLDER + "depth.frag", defines, SolidUniforms.class);
     }
 
     void draw(FrameContext frame, SolidMesh mesh) {

@@ -6,7 +6,7 @@ import java.util.function.IntConsumer;
  * The budget of a bake, so that it ends within seconds for any level. Box tests are counted for a sample of the points;
  * rays are omitted if all points would need more than {@link #MOST_BOX_TESTS}.
  */
-final class BakeBudget implements SkyOcclusion {
+final class BakeBudget implements Occluders.Sight {
     /** Takes one or two seconds on one core. */
     static final long MOST_BOX_TESTS = 150_000_000L;
 
@@ -47,5 +47,11 @@ final class BakeBudget implements SkyOcclusion {
             divisor *= 2;
         }
         return divisor;
+    }
+
+    /** The ray budget of a bake: full for shipped levels, limited for others, which are baked during loading. */
+    enum Effort {
+        FULL,
+        RATIONED
     }
 }

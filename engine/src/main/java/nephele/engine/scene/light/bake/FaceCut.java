@@ -43,7 +43,7 @@ final class FaceCut {
     private static boolean holds(ConvexPolyhedron shape, List<Vec3> corners) {
         for (ConvexPolyhedron.Face side : shape.faces()) {
             for (Vec3 corner : corners) {
-                if (!(side.plane().signedDistance(corner) <= 2 * CornerWeld.WELD_METRES)) {
+                if (!(side.plane().signedDistance(corner) <= 2 * FaceFragments.WELD_METRES)) {
                     return false;
                 }
             }
@@ -97,7 +97,7 @@ final class FaceCut {
     private static Cover coverBy(Plane face, ConvexPolyhedron other) {
         boolean touches = other.faces().stream()
                 .map(ConvexPolyhedron.Face::plane)
-                .anyMatch(p -> Math.abs(p.distance() + face.distance()) <= 2 * CornerWeld.WELD_METRES
+                .anyMatch(p -> Math.abs(p.distance() + face.distance()) <= 2 * FaceFragments.WELD_METRES
                         && p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz() < -1 + 1e-12);
         return touches ? Cover.TOUCHING : Cover.INSIDE;
     }

@@ -38,11 +38,12 @@ final class ModelVisibility {
 
     private final StaticShapes statics;
     private final Occluders occluders;
-    private final SkyOcclusion sight;
+    private final Occluders.Sight sight;
     private final double[] spiral;
     private final int vertexStep;
 
-    private ModelVisibility(StaticShapes statics, Occluders occluders, SkyOcclusion sight, int rays, int vertexStep) {
+    private ModelVisibility(
+            StaticShapes statics, Occluders occluders, Occluders.Sight sight, int rays, int vertexStep) {
         this.statics = statics;
         this.occluders = occluders;
         this.sight = sight;
@@ -51,11 +52,11 @@ final class ModelVisibility {
     }
 
     /** Uses the full share of rays, or fewer if the budget is limited. */
-    private static ModelVisibility of(StaticShapes statics, BakeQuality effort) {
+    private static ModelVisibility of(StaticShapes statics, BakeBudget.Effort effort) {
         Occluders occluders = new Occluders(statics);
         int vertices = Math.max(statics.models().vertexCount(), 1);
         int rays = Math.min(Math.max(LEAST_RAYS, ALL_RAYS / vertices), SkyVisibilityBake.RAYS);
-        int divisor = effort == BakeQuality.RATIONED ? divisor(statics, occluders, rays) : 1;
+        int divisor = effort == BakeBudget.Effort.RATIONED ? divisor(statics, occluders, rays) : 1;
         int left = Math.max(LEAST_RAYS, rays / divisor);
         int vertexStep = Math.max(1, divisor * left / rays);
         return new ModelVisibility(statics, occluders, occluders::isOccluded, left, vertexStep);
@@ -80,7 +81,7 @@ final class ModelVisibility {
     }
 
     /** Returns a value, 0–65535 for 0–1, for every vertex of every model in order. */
-    static short[] values(StaticShapes statics, BakeQuality effort, DoubleConsumer progress) {
+    static short[] values(StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
         ModelVisibility bake = ModelVisibility.of(statics, effort);
         int count = statics.models().all().size();
         short[][] byModel = new short[count][];

@@ -99,13 +99,13 @@ final class Neighbours {
         ItemList found = new ItemList();
         for (int box = 0; box < before.length; box++) {
             found.clear();
-            found.item(box);
+            found.accept(box);
             if (before[box] < 0) {
                 result.scan(box, IntStream.range(0, before.length).toArray(), found);
             } else {
                 for (int other : near[before[box]]) {
                     if (now[other] >= 0) {
-                        found.item(now[other]);
+                        found.accept(now[other]);
                     }
                 }
                 result.scan(box, added, found);
@@ -120,7 +120,7 @@ final class Neighbours {
         Aabb around = boxes.get(box).grown(reachMetres);
         for (int other : candidates) {
             if (other != box && around.overlaps(boxes.get(other))) {
-                found.item(other);
+                found.accept(other);
             }
         }
     }

@@ -3,10 +3,15 @@ package nephele.engine.scene.light.bake;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemRayTest;
 import nephele.engine.math.bvh.SpatialIndex;
 
@@ -19,7 +24,9 @@ public final class Occluders {
     static final int NONE = -1;
 
     private final Occluder[] items;
-    private final Map<Integer, Integer> itemOfModel;
+    /** The item of each convex model, by its index in the level. */
+    private final Map<Integer, Integer> itemOfModel = new TreeMap<>();
+
     private final SpatialIndex index;
 
     public Occluders(List<Brush> brushes) {
@@ -27,12 +34,42 @@ public final class Occluders {
     }
 
     public Occluders(StaticShapes shapes) {
-        SortedOccluders sorted = new SortedOccluders();
-        shapes.all().forEach(shape -> shape.select(sorted));
+        List<ConvexPolyhedron> convex = new ArrayList<>();
+        List<double[]> sheets = new ArrayList<>();
+        shapes.forEach(
+                hull -> convex.add(hull.brush().shape()),
+                mesh -> {
+                    PlacedModel model = mesh.model();
+                    if (model.solid() != null) {
+                        itemOfModel.put(model.index(), convex.size());
+                        convex.add(model.solid().shape());
+                    } else {
+                        sheets.add(model.triangles().corners());
+                    }
+                },
+                grid -> {});
+        List<Occluder> all = new ArrayList<>();
         List<Aabb> boxes = new ArrayList<>();
-        items = sorted.items(boxes).toArray(Occluder[]::new);
-        itemOfModel = sorted.itemOfModel();
+        for (ConvexPolyhedron shape : convex) {
+            all.add(new Occluder.Convex(shape.flatPlanes()));
+            boxes.add(shape.bounds());
+        }
+        for (double[] corners : sheets) {
+            for (int at = 0; at < corners.length; at += 9) {
+                all.add(new Occluder.Triangle(corners, at));
+                boxes.add(Aabb.of(List.of(corner(corners, at), corner(corners, at + 3), corner(corners, at + 6))));
+            }
+        }
+        for (StaticShape.HeightGrid grid : shapes.ground()) {
+            all.add(new Occluder.Ground(grid.field()));
+            boxes.add(grid.field().bounds());
+        }
+        items = all.toArray(Occluder[]::new);
         index = SpatialIndex.of(boxes);
+    }
+
+    private static Vec3 corner(double[] corners, int at) {
+        return new Vec3(corners[at], corners[at + 1], corners[at + 2]);
     }
 
     /** Returns the item of a convex model of the level, {@link #NONE} for any other model. */
@@ -117,5 +154,10 @@ public final class Occluders {
 
     private boolean meets(int item, double[] o, double[] d, double length) {
         return items[item].intersects(o, d, length);
+    }
+
+    /** Tests if the ray from {@code o} along {@code d} intersects an item other than {@code except}. */
+    interface Sight {
+        boolean isOccluded(double[] o, double[] d, int except);
     }
 }

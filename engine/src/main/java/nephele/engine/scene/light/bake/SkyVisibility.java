@@ -39,11 +39,11 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
      * @param progress receives the completed fraction, 0–1, from any thread
      */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
-        return bake(LightMapLayout.of(statics.solids()), statics, BakeQuality.FULL, progress);
+        return bake(LightMapLayout.of(statics.solids()), statics, BakeBudget.Effort.FULL, progress);
     }
 
     static SkyVisibility bake(
-            LightMapLayout layout, StaticShapes statics, BakeQuality effort, DoubleConsumer progress) {
+            LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
         double ofModels = statics.models().isEmpty() ? 0 : 0.5;
         short[] texels =
                 SkyVisibilityBake.texels(layout, statics, effort, done -> progress.accept(done * (1 - ofModels)));

@@ -30,11 +30,11 @@ public final class SkyVisibilityBake {
 
     private final LightMapLayout layout;
     private final Occluders solids;
-    private final SkyOcclusion sight;
+    private final Occluders.Sight sight;
     private final int stride;
     private final double[] spiral = spiral(RAYS);
 
-    private SkyVisibilityBake(LightMapLayout layout, Occluders solids, SkyOcclusion sight, int stride) {
+    private SkyVisibilityBake(LightMapLayout layout, Occluders solids, Occluders.Sight sight, int stride) {
         this.layout = layout;
         this.solids = solids;
         this.sight = sight;
@@ -42,9 +42,9 @@ public final class SkyVisibilityBake {
     }
 
     /** Uses all rays, or fewer if the budget is limited. */
-    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeQuality effort) {
+    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort) {
         Occluders solids = new Occluders(statics);
-        int stride = effort == BakeQuality.RATIONED ? stride(layout, solids) : 1;
+        int stride = effort == BakeBudget.Effort.RATIONED ? stride(layout, solids) : 1;
         return new SkyVisibilityBake(layout, solids, solids::isOccluded, stride);
     }
 
@@ -89,7 +89,8 @@ public final class SkyVisibilityBake {
         return middles;
     }
 
-    static short[] texels(LightMapLayout layout, StaticShapes statics, BakeQuality effort, DoubleConsumer progress) {
+    static short[] texels(
+            LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
         SkyVisibilityBake bake = SkyVisibilityBake.of(layout, statics, effort);
         short[] texels = new short[layout.width() * layout.height()];
         AtomicInteger done = new AtomicInteger();
@@ -109,7 +110,7 @@ public final class SkyVisibilityBake {
                 visible[row * chart.columns() + column] = texel(chart, column, row, layout.brushOf()[index]);
             }
         }
-        Dilation.fill(visible, chart.columns());
+        fill(visible, chart.columns());
         for (int row = 0; row < chart.rows(); row++) {
             for (int column = 0; column < chart.columns(); column++) {
                 int at = (layout.rowOf()[index] + row) * layout.width() + layout.columnOf()[index] + column;
@@ -192,5 +193,41 @@ public final class SkyVisibilityBake {
             directions[3 * i + 2] = Math.sqrt(1 - r2);
         }
         return directions;
+    }
+
+    /** Replaces every NaN, ring by ring, by the mean of its neighbours that are numbers; all by 0 if there is none. */
+    private static void fill(double[] values, int columns) {
+        double[] before = values.clone();
+        boolean isChanged = true;
+        while (isChanged) {
+            isChanged = false;
+            for (int i = 0; i < values.length; i++) {
+                double mean = Double.isNaN(before[i]) ? neighbourMean(before, columns, i) : Double.NaN;
+                if (!Double.isNaN(mean)) {
+                    values[i] = mean;
+                    isChanged = true;
+                }
+            }
+            System.arraycopy(values, 0, before, 0, values.length);
+        }
+        for (int i = 0; i < values.length; i++) {
+            values[i] = Double.isNaN(values[i]) ? 0 : values[i];
+        }
+    }
+
+    private static double neighbourMean(double[] values, int columns, int at) {
+        int column = at % columns;
+        double sum = 0;
+        int count = 0;
+        for (int i = at - columns; i <= at + columns; i += columns) {
+            for (int dx = -1; dx <= 1; dx++) {
+                boolean isIn = i >= 0 && i < values.length && column + dx >= 0 && column + dx < columns;
+                if (isIn && !Double.isNaN(values[i + dx])) {
+                    sum += values[i + dx];
+                    count++;
+                }
+            }
+        }
+        return count == 0 ? Double.NaN : sum / count;
     }
 }

@@ -66,7 +66,7 @@ const float NIGHT_GAIN = java(level.appearance.Moonlight.NIGHT_GAIN);
 const vec3 NIGHT_GLOW = java(level.appearance.Heavens.NIGHT_GLOW);
 // The glow's irradiance of a level ground, divided by pi and by the glow of the zenith.
 const float GLOW_ON_GROUND = java(level.appearance.Heavens.GLOW_ON_GROUND);
-const float CELLS = java(level.appearance.StarCells.CELLS);
+const float CELLS = java(level.appearance.NightSky.STAR_CELLS);
 
 uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d
     v = v * 1664525u + 1013904223u;
@@ -82,10 +82,10 @@ uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Ren
 
 // Dark plains: unit vectors to their middles, east, north and towards the planet, and their radii in radians.
 const int SEA_COUNT = 15;
-const vec4 SEAS[SEA_COUNT] = java(level.appearance.MoonFace.SEAS);
+const vec4 SEAS[SEA_COUNT] = java(level.appearance.NightSky.SEAS);
 // Young craters with bright rays: directions and sizes.
 const int RAYED_COUNT = 6;
-const vec4 RAYED[RAYED_COUNT] = java(level.appearance.MoonFace.RAYED);
+const vec4 RAYED[RAYED_COUNT] = java(level.appearance.NightSky.RAYED);
 
 float random(ivec3 cell) {
     return float(mixed(uvec3(cell + 4096)).x >> 8u) / 16777216.0;

@@ -52,7 +52,7 @@ vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
 }
 
 // Uses the mapping of a mesh or of a picture turned on a face, where the texture coordinates grow (Schueler 2013,
-// "Normal Mapping without Precomputed Tangents"). Twins: nephele.engine.level.placed.TriangleTangents and
+// "Normal Mapping without Precomputed Tangents"). Twins: nephele.engine.reference.TriangleMeshShape and
 // nephele.engine.level.appearance.FaceTexture.
 vec3 growthMappedNormal(vec3 texel, vec3 n) {
     vec3 right = cross(dFdy(relativePosition), faceNormal);

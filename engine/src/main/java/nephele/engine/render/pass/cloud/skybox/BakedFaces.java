@@ -86,10 +86,7 @@ record BakedFaces(Vec3 eye, Basis axes, List<Integer> layers, int texelsOfFace, 
     private static List<Vec3> corners(Aabb box) {
         List<Vec3> corners = new ArrayList<>();
         for (int i = 0; i < 8; i++) {
-            corners.add(new Vec3(
-                    (i & 1) == 0 ? box.minX() : box.maxX(),
-                    (i & 2) == 0 ? box.minY() : box.maxY(),
-                    (i & 4) == 0 ? box.minZ() : box.maxZ()));
+            corners.add(box.corner(i));
         }
         return corners;
     }
