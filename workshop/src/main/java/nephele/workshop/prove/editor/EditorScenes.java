@@ -13,9 +13,9 @@ import nephele.editor.file.SessionJournal;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.journal.JournalFolder;
-import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
+import nephele.editor.session.FileServices;
 import nephele.editor.session.EditorFiles;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.file.BackupsPanel;
 import nephele.editor.window.file.RecoveryPanel;
@@ -221,7 +221,7 @@ final class EditorScenes {
         int last = GuideStep.values().length;
         scenes.add(EditorScene.whole("guide-" + last, editor -> {
             editor.run("select-none", "lit");
-            editor.desk().show("guide");
+            editor.ui().show("guide");
         }));
         for (int step = last - 1; step > 0; step--) {
             scenes.add(EditorScene.whole("guide-" + step, editor -> editor.click("guide-back")));
@@ -244,7 +244,7 @@ final class EditorScenes {
     private static EditorSession sessionIn(Path folder, DocumentFile.Opened opened, PicturedEditor editor) {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
-        session.filing(Filing.of(EditorFiles.of(null, folder)));
+        session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
         session.background().runOn(new WaitingLoop(() -> {}));
         return session;
     }
@@ -253,12 +253,12 @@ final class EditorScenes {
         Path folder = Files.createTempDirectory("nephele-editor-pictures");
         try {
             Level level = editor.session().document().level();
-            EditorSession lost = sessionIn(folder, NewDocument.opened(), editor);
+            EditorSession lost = sessionIn(folder, DocumentFile.untitled(), editor);
             var journals = new JournalFolder(folder.resolve("journal"), Clock.systemUTC());
             var journal = new SessionJournal(lost, journals, words -> {});
             lost.document().edit(Words.of("Draw room", "Desenhar sala", "Desenhar sala"), before -> level);
             journal.leave();
-            EditorSession next = sessionIn(folder, NewDocument.opened(), editor);
+            EditorSession next = sessionIn(folder, DocumentFile.untitled(), editor);
             try (var finder = new SessionJournal(
                     next, new JournalFolder(folder.resolve("journal"), Clock.systemUTC()), words -> {})) {
                 var works = new RecoveryList(finder, finder.lost(), Instant.now(), ZoneOffset.UTC);
@@ -281,13 +281,12 @@ final class EditorScenes {
         }
     }
 
-    private static JComponent backups(PicturedEditor editor, Path folder)
-            throws IOException, nephele.editor.session.FileRefusal {
+    private static JComponent backups(PicturedEditor editor, Path folder) throws IOException, EditorRefusal {
         Path file = folder.resolve("room.json");
-        EditorSession session = sessionIn(folder, NewDocument.opened(), editor);
-        session.filing().saver().saveAs(file, editor.session().document().level());
+        EditorSession session = sessionIn(folder, DocumentFile.untitled(), editor);
+        session.fileServices().saver().saveAs(file, editor.session().document().level());
         EditorSession opened = sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
-        opened.filing().saver().saveAs(file, NewDocument.opened().level());
+        opened.fileServices().saver().saveAs(file, DocumentFile.untitled().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),
                 editor.look().language(),

@@ -15,14 +15,13 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractButton;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.NewDocument;
 import nephele.editor.start.EditorParts;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
@@ -64,20 +63,20 @@ final class PicturedEditor implements AutoCloseable {
             "select-none");
 
     private final EditorLook look;
-    private final StageDesk desk = new StageDesk((title, making) -> opened = making.apply(() -> {}), Optional::empty);
+    private final StageDesk ui = new StageDesk((title, making) -> opened = making.apply(() -> {}), Optional::empty);
     private final EditorSession session;
     private final EditorPanel panel;
     private final ScriptRunner script;
     private DialogFrame.Content opened;
 
-    PicturedEditor(EditorLook look) throws ActionFailure {
+    PicturedEditor(EditorLook look) throws EditorRefusal {
         this.look = look;
         WindowLook.apply(look.settings());
-        DocumentFile.Opened empty = NewDocument.opened();
+        DocumentFile.Opened empty = DocumentFile.untitled();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
-        panel = EditorParts.panel(session, desk.surroundings());
-        script = new ScriptRunner(session, desk);
-        furnish(script, desk);
+        panel = EditorParts.panel(session, ui.surroundings());
+        script = new ScriptRunner(session, ui);
+        furnish(script, ui);
         session.panes(PicturedEditor::turnedToRoom);
         layOut();
     }
@@ -94,19 +93,19 @@ final class PicturedEditor implements AutoCloseable {
         return panel;
     }
 
-    StageDesk desk() {
-        return desk;
+    StageDesk ui() {
+        return ui;
     }
 
     /** Shows a part; returns what its dialogue holds, if it is one that can be used now. */
     Optional<DialogFrame.Content> dialogue(String part) {
         opened = null;
-        desk.show(part);
+        ui.show(part);
         return Optional.ofNullable(opened);
     }
 
     /** Runs a line of the action table. */
-    void run(String... lines) throws ActionFailure {
+    void run(String... lines) throws EditorRefusal {
         for (String line : lines) {
             script.run(line);
         }
@@ -187,12 +186,12 @@ final class PicturedEditor implements AutoCloseable {
     }
 
     /** Makes the room in the session of a script. */
-    private static void furnish(ScriptRunner script, StageDesk desk) throws ActionFailure {
-        desk.copy(FLIGHT);
+    private static void furnish(ScriptRunner script, StageDesk ui) throws EditorRefusal {
+        ui.copy(FLIGHT);
         for (String line : LINES) {
             try {
                 script.run(line);
-            } catch (ActionFailure failure) {
+            } catch (EditorRefusal failure) {
                 throw new IllegalStateException(line + ": " + failure.getMessage(), failure);
             }
         }
