@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorKeys.KeyConflict;
-import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
@@ -88,7 +87,7 @@ class EditorKeysTest {
     @Test
     void modifiersTellSignsApart() {
         List<EditorCommand> all = new EditorCommands(
-                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                        ScriptedSession.empty().session(), new ScriptInterface(() -> null), Actions.ALL)
                 .all();
         EditorKeys keys = new EditorKeys(all, Map.of());
         int alt = InputEvent.ALT_DOWN_MASK;
@@ -107,7 +106,7 @@ class EditorKeysTest {
     @Test
     void everyDefaultKeyStartsItsCommand() {
         List<EditorCommand> all = new EditorCommands(
-                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                        ScriptedSession.empty().session(), new ScriptInterface(() -> null), Actions.ALL)
                 .all();
         EditorKeys keys = new EditorKeys(all, Map.of());
         for (EditorCommand command : all) {

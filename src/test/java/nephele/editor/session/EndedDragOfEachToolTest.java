@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import nephele.editor.action.Actions;
 import nephele.editor.action.EditorCommands;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
@@ -209,7 +209,7 @@ class EndedDragOfEachToolTest {
     }
 
     private static void command(EditorSession session, String id) {
-        new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, List.of())
+        new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL)
                 .named(id)
                 .orElseThrow()
                 .run();

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
@@ -99,7 +100,20 @@ class EditorPanelSwingTest {
                 action("help.keys", Menu.HELP, Words.of("Keys", "Teclas", "Teclas"), "F1"));
     }
 
-    private static List<ToolEntry> tools() {
+    private static EditorAction taking(ToolEntry tool) {
+        List<String> keys = tool.key().isEmpty() ? List.of() : List.of(tool.key());
+        return new EditorAction(
+                "tool-" + tool.id(),
+                tool.title(),
+                Menu.TOOL,
+                keys,
+                List.of(),
+                any -> true,
+                call -> call.session().use(tool),
+                EditorAction.Subject.SESSION);
+    }
+
+    private static Stream<ToolEntry> tools() {
         List<ToolEntry> tools = new ArrayList<>(Tools.ALL);
         ToolEntry select = Tools.ALL.get(0);
         for (String id : List.of(
@@ -108,7 +122,7 @@ class EditorPanelSwingTest {
             Words title = Words.same(id);
             tools.add(new ToolEntry(id, title, title, "", id, select.make()));
         }
-        return tools;
+        return tools.stream();
     }
 
     private static EditorSettings settings(Theme theme, int percent, Language language) {
@@ -125,7 +139,11 @@ class EditorPanelSwingTest {
         session.document()
                 .select(Selection.of(
                         new EntityRef("solids", largest(opened.level()).id())));
-        EditorCommands commands = new EditorCommands(session, new WindowDesk(session), actions(), tools());
+        EditorCommands commands = new EditorCommands(
+                session,
+                new WindowInterface(session),
+                Stream.concat(tools().map(EditorPanelSwingTest::taking), actions().stream())
+                        .toList());
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("Problems", new JLabel("–"));
         bottom.addTab("History", new JLabel("–"));
@@ -317,15 +335,15 @@ class EditorPanelSwingTest {
     void closingAsksOnlyIfSomethingWouldBeLost() {
         openSmall();
         List<String> asked = new ArrayList<>();
-        CloseQuestion never = (level, language) -> {
+        Closing.CloseQuestion never = (level, language) -> {
             asked.add(level);
-            return CloseQuestion.Choice.CANCEL;
+            return Closing.CloseQuestion.Choice.CANCEL;
         };
         assertTrue(new Closing(session, never, () -> true).isAllowed());
         session.document().edit(Words.same("x"), level -> level.with(level.materials(), List.of()));
         assertFalse(new Closing(session, never, () -> true).isAllowed());
         assertEquals(List.of("02-first-shot.json"), asked);
-        CloseQuestion save = (level, language) -> CloseQuestion.Choice.SAVE;
+        Closing.CloseQuestion save = (level, language) -> Closing.CloseQuestion.Choice.SAVE;
         assertFalse(new Closing(session, save, () -> false).isAllowed(), "a failed save loses nothing");
     }
 }

@@ -8,19 +8,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
-import nephele.editor.tool.ToolEntry;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Language;
 
-/** The commands of a session: the tools in the toolbar's order, then the actions in the menus' order. */
+/** The commands of a session, in the order of the menus. */
 public final class EditorCommands {
     private static final Map<String, Predicate<EditorSession>> VIEWS = Map.ofEntries(
             Map.entry("lit", mode(ViewMode.LIT)),
@@ -41,29 +39,12 @@ public final class EditorCommands {
 
     private final List<EditorCommand> all = new ArrayList<>();
     private final EditorSession session;
-    private final Desk desk;
+    private final UserInterface ui;
 
-    /** Tools for which {@code actions} has an action {@code tool-<id>} of their own are not added again. */
-    public EditorCommands(EditorSession session, Desk desk, List<EditorAction> actions, List<ToolEntry> tools) {
+    public EditorCommands(EditorSession session, UserInterface ui, List<EditorAction> actions) {
         this.session = session;
-        this.desk = desk;
-        Set<String> ids = actions.stream().map(EditorAction::id).collect(Collectors.toSet());
-        tools.stream()
-                .filter(tool -> !ids.contains(EditorCommand.TOOL + tool.id()))
-                .forEach(tool -> all.add(taking(tool)));
+        this.ui = ui;
         actions.forEach(action -> all.add(running(action)));
-    }
-
-    private EditorCommand taking(ToolEntry tool) {
-        return new EditorCommand(
-                EditorCommand.TOOL + tool.id(),
-                tool.title(),
-                tool.description(),
-                Menu.TOOL,
-                tool.key().isEmpty() ? List.of() : List.of(tool.key()),
-                () -> true,
-                () -> session.toolEntry().id().equals(tool.id()),
-                () -> session.use(tool));
     }
 
     private EditorCommand running(EditorAction action) {
@@ -79,13 +60,13 @@ public final class EditorCommands {
     }
 
     private void run(EditorAction action) {
-        if (!action.endDrag(session) || desk.asks(action.id())) {
+        if (!action.endDrag(session) || ui.asks(action.id())) {
             return;
         }
         try {
-            action.run(new ActionCall(session, desk, Map.of()));
-        } catch (ActionFailure failure) {
-            session.status(failure.told());
+            action.run(new ActionCall(session, ui, Map.of()));
+        } catch (EditorRefusal failure) {
+            session.status(failure.words());
         }
     }
 

@@ -19,6 +19,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSettings;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.math.Aabb;
@@ -177,7 +178,7 @@ final class ViewActions {
         return result;
     }
 
-    private static void camera(ActionCall call) throws ActionFailure {
+    private static void camera(ActionCall call) throws EditorRefusal {
         if (!call.isGiven("at", "coordinates")) {
             return;
         }
@@ -194,7 +195,7 @@ final class ViewActions {
     }
 
     private static EditorAction shown(String id, Words title, Menu menu, List<String> keys) {
-        return EditorAction.of(id, title, menu, keys, call -> call.desk().show(id))
+        return EditorAction.of(id, title, menu, keys, call -> call.ui().show(id))
                 .changing(Subject.WINDOW);
     }
 }

@@ -10,7 +10,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
@@ -137,7 +137,7 @@ public enum GuideStep {
     public void prepare(EditorSession session) {
         session.document().select(Selection.NONE);
         preparation.accept(session);
-        session.tell(Change.VIEW);
+        session.tell(SessionChange.VIEW);
     }
 
     private static Level level(EditorSession session) {

@@ -2,6 +2,7 @@ package nephele.editor.problem;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
@@ -21,12 +22,12 @@ import nephele.engine.level.Level;
  */
 public record LevelProblem(
         String key,
-        ProblemSeverity severity,
+        Severity severity,
         String path,
         Words message,
         List<Mark> marks,
         EntityRef entity,
-        List<ProblemFix> fixes) {
+        List<Fix> fixes) {
     public LevelProblem {
         marks = List.copyOf(marks);
         fixes = List.copyOf(fixes);
@@ -60,5 +61,20 @@ public record LevelProblem(
     private static Level with(Level level, List<String> keys) {
         EditorNotes notes = level.editor();
         return level.with(new EditorNotes(notes.groups(), notes.hidden(), notes.locked(), List.copyOf(keys)));
+    }
+
+    /**
+     * A remedy that one click applies.
+     *
+     * @param label of the button and of the step in the history
+     * @param change returns the repaired level; the same object if what it repairs is no longer in the level
+     */
+    public record Fix(Words label, UnaryOperator<Level> change) {}
+
+    /** The severity of a problem; {@code check} does not report a HINT. */
+    public enum Severity {
+        ERROR,
+        WARNING,
+        HINT
     }
 }

@@ -56,7 +56,8 @@ public final class ProblemSearch {
      * @return empty if cancelled
      */
     public Optional<List<LevelProblem>> find(Level level, BooleanSupplier isCancelled) {
-        BooleanSupplier isOver = () -> isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
+        BooleanSupplier isOver =
+                () -> isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
         try {
             List<Problem> found = apply(LevelRules.of(Stage.RECORDS), level, null, isOver);
             found.addAll(ofFiles(level, isOver));
@@ -131,7 +132,7 @@ public final class ProblemSearch {
                 .orElse(problem.path().startsWith("player") ? EntityRef.single("player") : null);
         return new LevelProblem(
                 of(level, problem),
-                problem.isError() ? ProblemSeverity.ERROR : ProblemSeverity.WARNING,
+                problem.isError() ? LevelProblem.Severity.ERROR : LevelProblem.Severity.WARNING,
                 problem.path(),
                 Words.same(problem.message()),
                 ProblemMarks.of(level, problem),
@@ -143,11 +144,11 @@ public final class ProblemSearch {
     private static List<LevelProblem> of(Level level, StaticShapes statics) {
         List<LevelProblem> hints = new ArrayList<>();
         if (level.player() == null) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_START.words(), now -> withStart(now, statics));
+            LevelProblem.Fix fix = new LevelProblem.Fix(ProblemText.ADD_START.words(), now -> withStart(now, statics));
             hints.add(hint("player", ProblemText.NO_START, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         if (level.exits().isEmpty()) {
-            ProblemFix fix = new ProblemFix(ProblemText.ADD_EXIT.words(), now -> withExit(now, statics));
+            LevelProblem.Fix fix = new LevelProblem.Fix(ProblemText.ADD_EXIT.words(), now -> withExit(now, statics));
             hints.add(hint("exits", ProblemText.NO_EXIT, List.of(), statics == null ? List.of() : List.of(fix)));
         }
         boolean hasOutside =
@@ -159,10 +160,10 @@ public final class ProblemSearch {
         return hints;
     }
 
-    private static LevelProblem hint(String path, ProblemText text, List<Vec3> line, List<ProblemFix> fixes) {
+    private static LevelProblem hint(String path, ProblemText text, List<Vec3> line, List<LevelProblem.Fix> fixes) {
         return new LevelProblem(
                 WordFormats.Choice.word(text) + " " + path,
-                ProblemSeverity.HINT,
+                LevelProblem.Severity.HINT,
                 path,
                 text.words(),
                 ProblemMarks.line(line),

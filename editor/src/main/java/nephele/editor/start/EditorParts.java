@@ -1,14 +1,16 @@
 package nephele.editor.start;
 
+import java.awt.Component;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
-import nephele.editor.action.Desk;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.ProvingActions;
+import nephele.editor.action.UserInterface;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
 import nephele.editor.paint.MaterialLibrary;
@@ -22,8 +24,7 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
-import nephele.editor.session.Tools;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.EditorPanel;
@@ -50,15 +51,15 @@ public final class EditorParts {
      *
      * @param parts receives the name of each part that can be shown, and what opens it
      */
-    public static EditorPanel panel(EditorSession session, Desk desk, BiConsumer<String, Runnable> parts) {
-        return panel(session, new EditorSurroundings(desk, parts, DialogFrame::new));
+    public static EditorPanel panel(EditorSession session, UserInterface ui, BiConsumer<String, Runnable> parts) {
+        return panel(session, new EditorSurroundings(ui, parts, DialogFrame::new));
     }
 
     /** Returns the whole editor of a session among what surrounds it. */
     public static EditorPanel panel(EditorSession session, EditorSurroundings around) {
         BiConsumer<String, Runnable> parts = around.parts();
         session.options().material(MaterialLibrary.FIRST);
-        EditorCommands commands = new EditorCommands(session, around.desk(), Actions.ALL, Tools.ALL);
+        EditorCommands commands = new EditorCommands(session, around.ui(), Actions.ALL);
         AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
         OutlinerPanel outliner = new OutlinerPanel(
@@ -75,7 +76,7 @@ public final class EditorParts {
         };
         titles.run();
         Registration translation = session.listen(change -> {
-            if (change == Change.SETTINGS) {
+            if (change == SessionChange.SETTINGS) {
                 titles.run();
             }
         });
@@ -115,7 +116,7 @@ public final class EditorParts {
     private static void register(EditorSession session, EditorPanel panel, EditorSurroundings around) {
         DialogOpener dialogues = around.dialogues().apply(panel);
         BiConsumer<String, Runnable> parts = around.parts();
-        new EditorDialogs(session, around.desk(), panel, dialogues).register(parts);
+        new EditorDialogs(session, around.ui(), panel, dialogues).register(parts);
         parts.accept("settings", () -> show(session, panel, dialogues, SettingsPage.Tab.GENERAL));
         parts.accept("keys", () -> show(session, panel, dialogues, SettingsPage.Tab.KEYS));
     }
@@ -127,4 +128,13 @@ public final class EditorParts {
             return new DialogFrame.Content(page, page.tabs(), null);
         });
     }
+
+    /**
+     * What an editor's panel is connected with.
+     *
+     * @param parts receives the name of each part that can be shown, and what opens it
+     * @param dialogues returns what shows dialogues over the window of a component
+     */
+    public record EditorSurroundings(
+            UserInterface ui, BiConsumer<String, Runnable> parts, Function<Component, DialogOpener> dialogues) {}
 }

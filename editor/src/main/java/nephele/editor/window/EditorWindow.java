@@ -14,7 +14,7 @@ import javax.swing.WindowConstants;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 
 /** The window of an editor. It follows theme, scale and language of the settings while it is open. */
 public final class EditorWindow extends JFrame {
@@ -33,14 +33,15 @@ public final class EditorWindow extends JFrame {
      *
      * @param closed called after the window was closed, such as to keep its settings
      */
-    public EditorWindow(EditorSession session, EditorPanel panel, WindowDesk desk, Closing closing, Runnable closed) {
+    public EditorWindow(
+            EditorSession session, EditorPanel panel, WindowInterface ui, Closing closing, Runnable closed) {
         this.session = session;
         this.panel = panel;
         this.closing = closing;
         this.closed = closed;
         look = session.settings();
         keys = new WindowKeys(this, panel);
-        desk.attach(this);
+        ui.attach(this);
         add(panel);
         setSize(fitting(1280, 800));
         setLocationByPlatform(true);
@@ -66,12 +67,12 @@ public final class EditorWindow extends JFrame {
     }
 
     /** Returns the question of a window about unsaved changes. */
-    public static CloseQuestion question(Component owner) {
+    public static Closing.CloseQuestion question(Component owner) {
         return new SwingQuestions(owner);
     }
 
-    private void follow(Change change) {
-        if (change == Change.SETTINGS && WindowLook.differs(look, session.settings())) {
+    private void follow(SessionChange change) {
+        if (change == SessionChange.SETTINGS && WindowLook.differs(look, session.settings())) {
             look = session.settings();
             WindowLook.apply(look);
             SwingUtilities.updateComponentTreeUI(this);

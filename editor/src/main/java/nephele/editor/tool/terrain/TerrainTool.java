@@ -10,10 +10,10 @@ import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
-import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.terrain.TerrainSight;
 import nephele.editor.terrain.TerrainSight.Hit;
 import nephele.editor.terrain.TerrainText;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -96,8 +96,8 @@ public final class TerrainTool implements Tool {
                     hovered.point().z());
             pressed = hovered;
             painting.notice().ifPresent(context::status);
-        } catch (TerrainRefusal refusal) {
-            context.status(refusal.told());
+        } catch (EditorRefusal refusal) {
+            context.status(refusal.words());
         }
     }
 
@@ -118,8 +118,8 @@ public final class TerrainTool implements Tool {
         pressed = null;
         try {
             painting.end().ifPresent(context::status);
-        } catch (TerrainRefusal refusal) {
-            context.status(refusal.told());
+        } catch (EditorRefusal refusal) {
+            context.status(refusal.words());
         }
         moved(pointer);
     }

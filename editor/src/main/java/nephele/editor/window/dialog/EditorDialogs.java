@@ -10,11 +10,10 @@ import java.util.function.Function;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
-import nephele.editor.action.Desk;
 import nephele.editor.action.EditorCommand;
-import nephele.editor.document.Pick;
+import nephele.editor.action.UserInterface;
+import nephele.editor.document.Picker;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneView;
@@ -22,6 +21,7 @@ import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.window.EditorPanel;
 import nephele.engine.math.Ray;
@@ -34,14 +34,14 @@ public final class EditorDialogs {
     private static final double STANDOFF_METRES = 0.5;
 
     private final EditorSession session;
-    private final Desk desk;
+    private final UserInterface ui;
     private final EditorPanel panel;
     private final DialogOpener frame;
 
     /** @param frame shows the dialogues */
-    public EditorDialogs(EditorSession session, Desk desk, EditorPanel panel, DialogOpener frame) {
+    public EditorDialogs(EditorSession session, UserInterface ui, EditorPanel panel, DialogOpener frame) {
         this.session = session;
-        this.desk = desk;
+        this.ui = ui;
         this.panel = panel;
         this.frame = frame;
     }
@@ -113,10 +113,10 @@ public final class EditorDialogs {
     /** Runs an action with values; returns what went wrong, or {@link Words#NONE}. */
     private Words run(String action, Map<String, String> values) {
         try {
-            Actions.named(action).orElseThrow().run(new ActionCall(session, desk, values));
+            Actions.named(action).orElseThrow().run(new ActionCall(session, ui, values));
             return Words.NONE;
-        } catch (ActionFailure failure) {
-            return failure.told();
+        } catch (EditorRefusal failure) {
+            return failure.words();
         }
     }
 
@@ -147,7 +147,7 @@ public final class EditorDialogs {
             return view.plan().centre();
         }
         PerspectiveCamera camera = view.perspective();
-        List<Pick> ahead = session.context().picker().surfaces(ahead(camera, session.viewport()));
+        List<Picker.Pick> ahead = session.context().picker().surfaces(ahead(camera, session.viewport()));
         if (ahead.isEmpty() || ahead.get(0).point().minus(camera.eye()).length() > MOST_METRES) {
             return camera.eye().addScaled(FREE_METRES, camera.forward());
         }

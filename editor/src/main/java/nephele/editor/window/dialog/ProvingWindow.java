@@ -15,30 +15,30 @@ import nephele.editor.proving.ProvingText;
 import nephele.editor.proving.ProvingThreads;
 import nephele.editor.session.EditorSession;
 import nephele.editor.widget.ComponentKeys;
-import nephele.editor.window.WindowDesk;
+import nephele.editor.window.WindowInterface;
 import nephele.engine.level.Language;
 
 /** Gives the proofs of a session a window: threads for their work, a dialogue and the browser for their results. */
 public final class ProvingWindow {
     private final EditorSession session;
-    private final WindowDesk desk;
+    private final WindowInterface ui;
 
-    private ProvingWindow(EditorSession session, WindowDesk desk) {
+    private ProvingWindow(EditorSession session, WindowInterface ui) {
         this.session = session;
-        this.desk = desk;
+        this.ui = ui;
     }
 
     /** Connects the proofs with a window, once. */
-    public static void connect(EditorSession session, WindowDesk desk, Component owner) {
-        ProvingWindow window = new ProvingWindow(session, desk);
+    public static void connect(EditorSession session, WindowInterface ui, Component owner) {
+        ProvingWindow window = new ProvingWindow(session, ui);
         session.proving().runOn(ProvingThreads.background(SwingUtilities::invokeLater));
-        desk.part("explanation", () -> window.explain(owner));
-        desk.part("trade-page", window::browse);
+        ui.part("explanation", () -> window.explain(owner));
+        ui.part("trade-page", window::browse);
     }
 
     private void explain(Component owner) {
-        session.proving().explain(found -> of(owner, found, session.language(), desk::copy)
-                .setVisible(true));
+        session.proving()
+                .explain(found -> of(owner, found, session.language(), ui::copy).setVisible(true));
     }
 
     /** Opens the page; without a browser, its path stays in the status line. */

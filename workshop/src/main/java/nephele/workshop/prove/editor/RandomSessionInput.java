@@ -7,7 +7,6 @@ import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import nephele.editor.action.ProvingActions;
 import nephele.editor.problem.LevelProblem;
-import nephele.editor.problem.ProblemFix;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.proving.TracedCorner;
 import nephele.editor.session.EditorSession;
@@ -60,7 +59,8 @@ final class RandomSessionInput {
         } else if (what == 1) {
             session.document().edit(Words.same("hide"), level -> LevelProblem.hide(level, problem));
         } else if (!problem.fixes().isEmpty()) {
-            ProblemFix fix = problem.fixes().get(random.nextInt(problem.fixes().size()));
+            LevelProblem.Fix fix =
+                    problem.fixes().get(random.nextInt(problem.fixes().size()));
             session.document().edit(fix.label(), fix.change());
         }
         return "problem " + what + ": " + problem.path() + " " + problem.message();
