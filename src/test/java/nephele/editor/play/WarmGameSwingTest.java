@@ -30,8 +30,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The waiting game on a display of its own, played with real keys. */
+@Execution(ExecutionMode.SAME_THREAD)
 class WarmGameSwingTest {
     private static final long LONGEST_SECONDS = 60;
 
@@ -76,7 +79,7 @@ class WarmGameSwingTest {
                 "-Djoml.nounsafe=true",
                 "-cp",
                 System.getProperty("java.class.path").replace(File.pathSeparator + ".", "")));
-        all.addAll(GameMemory.JAVA_OPTIONS);
+        all.addAll(WarmGame.JAVA_OPTIONS);
         Collections.addAll(all, words);
         return all;
     }

@@ -30,8 +30,11 @@ import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The option bar offers the layers of the terrain while its tool is in use. */
+@Execution(ExecutionMode.SAME_THREAD)
 class LayerBoxSwingTest {
     private EditorSession session;
     private EditorPanel panel;
@@ -41,7 +44,7 @@ class LayerBoxSwingTest {
         WindowLook.apply(EditorSettings.DEFAULT);
         DocumentFile.Opened opened = DocumentFile.open("levels/samples/terrain.json");
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
-        EditorCommands commands = new EditorCommands(session, new WindowDesk(session), Actions.ALL, Tools.ALL);
+        EditorCommands commands = new EditorCommands(session, new WindowInterface(session), Actions.ALL);
         EditorSlots slots = new EditorSlots(
                 null, new JLabel("outliner"), new JLabel("inspector"), new JTabbedPane(), List.of("undo"));
         panel = new EditorPanel(session, commands, slots);
