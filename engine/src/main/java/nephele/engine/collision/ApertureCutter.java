@@ -154,7 +154,7 @@ final class ApertureCutter {
         return rest;
     }
 
-    /** Returns the solids seen through an opening, moved behind it, as far as they touch the box. */
+    /** Returns the solids beyond an opening, moved behind it, as far as they touch the box. */
     private List<Piece> otherSide(Opening opening, Aabb box, int depth) {
         int partner = portals.partner(opening.portal());
         Aabb beyond = moved(box, portals.transform(opening.portal()));

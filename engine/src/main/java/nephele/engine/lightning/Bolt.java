@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
  * Lightning", section 3, where a segment turns by 16° on the mean). One object serves all strikes.
  */
 public final class Bolt {
-    /** Numbers of a point: x, y, z in metres from the {@link #origin}, and the share of the current. */
+    /** Numbers of a point: x, y, z in metres from the {@link #origin}, and the fraction of the current. */
     public static final int STRIDE = 4;
 
     public static final int MOST_POINTS = 1280;
@@ -23,7 +23,7 @@ public final class Bolt {
     private static final int BRANCH_SEGMENTS = 32;
     private static final int TWIGS = 3;
     private static final int TWIG_SEGMENTS = 8;
-    /** Displacement of a midpoint as a share of the distance between its neighbours: turns of some 16° on the mean. */
+    /** Displacement of a midpoint as a fraction of the distance between its neighbours: turns of some 16° on the mean. */
     private static final double DISPLACED = 0.17;
 
     private static final int PURPOSE_X = 200;
@@ -32,7 +32,7 @@ public final class Bolt {
 
     private final float[] points = new float[STRIDE * MOST_POINTS];
     private final boolean[] begins = new boolean[MOST_POINTS];
-    private final double[] way = new double[3 * (MAIN_SEGMENTS + 1)];
+    private final double[] path = new double[3 * (MAIN_SEGMENTS + 1)];
     private Vec3 origin = Vec3.ZERO;
     private int count;
     private long dice;
@@ -78,22 +78,29 @@ public final class Bolt {
             double along = 0.04 + 0.76 * (branch + Chance.unit(dice, purpose)) / BRANCHES;
             int from = (int) (along * MAIN_SEGMENTS);
             double length = lengthMetres * (1 - along) * (0.15 + 0.4 * Chance.unit(dice, purpose + 1));
-            double share = 0.25 + 0.3 * Chance.unit(dice, purpose + 2);
-            int first = fork(from, 0, MAIN_SEGMENTS, length, BRANCH_SEGMENTS, share, purpose + 3);
+            double fraction = 0.25 + 0.3 * Chance.unit(dice, purpose + 2);
+            int first = fork(from, 0, MAIN_SEGMENTS, length, BRANCH_SEGMENTS, fraction, purpose + 3);
             for (int twig = 0; twig < TWIGS; twig++) {
                 int place = first + 3 + (int) ((BRANCH_SEGMENTS - 6) * Chance.unit(dice, purpose + 6 + 4 * twig));
-                fork(place, first, BRANCH_SEGMENTS, 0.35 * length, TWIG_SEGMENTS, 0.5 * share, purpose + 7 + 4 * twig);
+                fork(
+                        place,
+                        first,
+                        BRANCH_SEGMENTS,
+                        0.35 * length,
+                        TWIG_SEGMENTS,
+                        0.5 * fraction,
+                        purpose + 7 + 4 * twig);
             }
         }
     }
 
     /**
-     * Adds a branch at a point of a polyline, turned from the way that the polyline goes as a whole.
+     * Adds a branch at a point of a polyline, turned from the direction in which the polyline goes as a whole.
      *
      * @param first point of the polyline, of so many segments
      * @return the first point of the branch
      */
-    private int fork(int from, int first, int segments, double length, int ownSegments, double share, int purpose) {
+    private int fork(int from, int first, int segments, double length, int ownSegments, double fraction, int purpose) {
         int last = first + segments;
         double x = points[STRIDE * last] - points[STRIDE * first];
         double y = points[STRIDE * last + 1] - points[STRIDE * first + 1];
@@ -113,14 +120,22 @@ public final class Bolt {
                 atY + scale * y,
                 atZ + scale * z + sideways * Math.sin(turns),
                 ownSegments,
-                share,
+                fraction,
                 begin);
         return begin;
     }
 
     /** Adds a polyline between two points; the number of segments is a power of 2. */
     private void line(
-            double x0, double y0, double z0, double x1, double y1, double z1, int segments, double share, int number) {
+            double x0,
+            double y0,
+            double z0,
+            double x1,
+            double y1,
+            double z1,
+            int segments,
+            double fraction,
+            int number) {
         put(0, x0, y0, z0);
         put(segments, x1, y1, z1);
         for (int step = segments; step > 1; step /= 2) {
@@ -132,35 +147,35 @@ public final class Bolt {
             begins[count] = i == 0;
             // A channel ends in a point, and a branch fades towards it.
             double left = number == 0 ? 1 : 1 - (double) i / segments;
-            add(way[3 * i], way[3 * i + 1], way[3 * i + 2], share * left);
+            add(path[3 * i], path[3 * i + 1], path[3 * i + 2], fraction * left);
         }
     }
 
     private void displace(int before, int middle, int after, int number) {
-        double x = way[3 * after] - way[3 * before];
-        double y = way[3 * after + 1] - way[3 * before + 1];
-        double z = way[3 * after + 2] - way[3 * before + 2];
+        double x = path[3 * after] - path[3 * before];
+        double y = path[3 * after + 1] - path[3 * before + 1];
+        double z = path[3 * after + 2] - path[3 * before + 2];
         double most = 1.73 * DISPLACED * Math.sqrt(x * x + y * y + z * z);
         // Mostly across a channel that goes down; along it by less, so that it does not fold.
         put(
                 middle,
-                way[3 * before] + x / 2 + most * Chance.signed(dice, PURPOSE_X + number + middle),
-                way[3 * before + 1] + y / 2 + 0.3 * most * Chance.signed(dice, PURPOSE_X + 1300 + number + middle),
-                way[3 * before + 2] + z / 2 + most * Chance.signed(dice, PURPOSE_Z + number + middle));
+                path[3 * before] + x / 2 + most * Chance.signed(dice, PURPOSE_X + number + middle),
+                path[3 * before + 1] + y / 2 + 0.3 * most * Chance.signed(dice, PURPOSE_X + 1300 + number + middle),
+                path[3 * before + 2] + z / 2 + most * Chance.signed(dice, PURPOSE_Z + number + middle));
     }
 
     private void put(int point, double x, double y, double z) {
-        way[3 * point] = x;
-        way[3 * point + 1] = y;
-        way[3 * point + 2] = z;
+        path[3 * point] = x;
+        path[3 * point + 1] = y;
+        path[3 * point + 2] = z;
     }
 
-    private void add(double x, double y, double z, double share) {
+    private void add(double x, double y, double z, double fraction) {
         int at = STRIDE * count++;
         points[at] = (float) x;
         points[at + 1] = (float) y;
         points[at + 2] = (float) z;
-        points[at + 3] = (float) share;
+        points[at + 3] = (float) fraction;
     }
 
     /** Returns the place from which points are measured: where the main channel starts. */
@@ -187,9 +202,9 @@ public final class Bolt {
         return lengthMetres;
     }
 
-    /** Returns the place of a share of the main channel, 0 at its start, relative to the origin. */
-    public Vec3 along(double share) {
-        int point = (int) Math.round(share * MAIN_SEGMENTS);
+    /** Returns the place of a fraction of the main channel, 0 at its start, relative to the origin. */
+    public Vec3 along(double fraction) {
+        int point = (int) Math.round(fraction * MAIN_SEGMENTS);
         return new Vec3(get(point, 0), get(point, 1), get(point, 2));
     }
 }

@@ -30,15 +30,15 @@ public final class LevelLightning {
     public void at(double seconds, FlashStyle style) {
         long now = (long) Math.floor(seconds / intervalSeconds);
         double age = seconds < 0 ? -1 : seconds - beginSeconds(now);
-        boolean isSeen = age > 0 && age < StrokeCurve.LONGEST_SECONDS;
-        if (isSeen && now != strike) {
+        boolean isVisible = age > 0 && age < StrokeCurve.LONGEST_SECONDS;
+        if (isVisible && now != strike) {
             strike = now;
             long dice = Chance.dice(lightning.seed(), now);
             strokes.follow(dice);
             bolt.follow(lightning, dice);
         }
-        brightness = isSeen ? strokes.brightness(age, style) : 0;
-        branchBrightness = isSeen ? strokes.branchBrightness(age, style) : 0;
+        brightness = isVisible ? strokes.brightness(age, style) : 0;
+        branchBrightness = isVisible ? strokes.branchBrightness(age, style) : 0;
     }
 
     /** Returns the time at which a strike begins. */
@@ -57,7 +57,7 @@ public final class LevelLightning {
         return strike;
     }
 
-    /** Returns true if a strike is seen. */
+    /** Returns true if a strike is visible. */
     public boolean isLit() {
         return brightness > 0;
     }
@@ -72,7 +72,7 @@ public final class LevelLightning {
         return branchBrightness;
     }
 
-    /** Returns the channel of the last strike that was seen. */
+    /** Returns the channel of the last strike that was visible. */
     public Bolt bolt() {
         return bolt;
     }

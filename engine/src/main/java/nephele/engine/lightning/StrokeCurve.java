@@ -18,15 +18,15 @@ public final class StrokeCurve {
     public static final double EXPOSED_SECONDS = 1.0 / 60;
 
     private static final int MOST_STROKES = 4;
-    private static final double CONTINUING_SHARE = 0.12;
+    private static final double CONTINUING_FRACTION = 0.12;
     private static final double CONTINUING_DECAY = 0.16;
     private static final double BRANCH_DECAY = 0.03;
-    private static final double SOFT_SHARE = 0.2;
+    private static final double SOFT_FRACTION = 0.2;
     private static final double SOFT_RISE = 0.12;
     private static final double SOFT_DECAY = 0.3;
 
     private final double[] begin = new double[MOST_STROKES];
-    private final double[] share = new double[MOST_STROKES];
+    private final double[] weight = new double[MOST_STROKES];
     private final double[] decay = new double[MOST_STROKES];
     private int strokes;
 
@@ -38,7 +38,7 @@ public final class StrokeCurve {
             double even = i * span / (strokes - 1);
             boolean isInner = i > 0 && i < strokes - 1;
             begin[i] = even + (isInner ? 0.3 * span / (strokes - 1) * Chance.signed(dice, 70 + i) : 0);
-            share[i] = i == 0 ? 1 : 0.3 + 0.5 * Chance.unit(dice, 80 + i);
+            weight[i] = i == 0 ? 1 : 0.3 + 0.5 * Chance.unit(dice, 80 + i);
             decay[i] = 0.035 + 0.025 * Chance.unit(dice, 90 + i);
         }
     }
@@ -59,7 +59,7 @@ public final class StrokeCurve {
             return 0;
         }
         return switch (style) {
-            case NATURAL -> (1 - CONTINUING_SHARE) * ofStrokes(age) + continuing(age);
+            case NATURAL -> (1 - CONTINUING_FRACTION) * ofStrokes(age) + continuing(age);
             case SOFTENED -> softened(age);
         };
     }
@@ -67,13 +67,13 @@ public final class StrokeCurve {
     private double ofStrokes(double age) {
         double sum = 0;
         for (int i = 0; i < strokes; i++) {
-            sum += share[i] * exposed(age - begin[i], decay[i]);
+            sum += weight[i] * exposed(age - begin[i], decay[i]);
         }
         return sum * ending(age);
     }
 
     private static double continuing(double age) {
-        return CONTINUING_SHARE * exposed(age, CONTINUING_DECAY) * ending(age);
+        return CONTINUING_FRACTION * exposed(age, CONTINUING_DECAY) * ending(age);
     }
 
     /** Returns the brightness of branches, through which only the first stroke goes. */
@@ -86,7 +86,7 @@ public final class StrokeCurve {
 
     private static double softened(double age) {
         double rise = Math.min(1, age / SOFT_RISE);
-        return SOFT_SHARE * rise * rise * (3 - 2 * rise) * Math.exp(-age / SOFT_DECAY) * ending(age);
+        return SOFT_FRACTION * rise * rise * (3 - 2 * rise) * Math.exp(-age / SOFT_DECAY) * ending(age);
     }
 
     /** Returns the mean of exp(−t / decay) for t ≥ 0 over the exposure that ends at an age. */
@@ -100,8 +100,8 @@ public final class StrokeCurve {
 
     /** Returns a factor that brings the light to 0 at the longest age. */
     private static double ending(double age) {
-        double share = age / LONGEST_SECONDS;
-        double left = Math.max(0, 1 - share * share);
+        double fraction = age / LONGEST_SECONDS;
+        double left = Math.max(0, 1 - fraction * fraction);
         return left * left;
     }
 }

@@ -9,7 +9,7 @@ import org.joml.Vector3d;
  */
 final class Ballistics {
     private static final double FINAL_SPEED = Emitter.RAIN_METRES_PER_SECOND;
-    private static final double DRAG_PER_SECOND = Motion.GRAVITY / FINAL_SPEED;
+    private static final double DRAG_PER_SECOND = ParticleLaw.GRAVITY / FINAL_SPEED;
 
     private final Vector3d from = new Vector3d();
     private final Vector3d speed = new Vector3d();

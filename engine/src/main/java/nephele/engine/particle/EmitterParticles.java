@@ -73,7 +73,7 @@ final class EmitterParticles {
         long last = (long) Math.floor(clock * rate);
         for (long index = first; index <= last; index++) {
             double age = clock - birthSeconds(index);
-            if (age >= 0 && age < longest && isSeen(index, age, clock)) {
+            if (age >= 0 && age < longest && isVisible(index, age, clock)) {
                 out.add(number, state);
             }
         }
@@ -84,7 +84,7 @@ final class EmitterParticles {
         return (index + Chance.unit(Chance.dice(emitter.seed(), index), BIRTH)) / emitter.ratePerSecond();
     }
 
-    private boolean isSeen(long index, double age, double clock) {
+    private boolean isVisible(long index, double age, double clock) {
         boolean inBox = law.at(index, age, clock, state);
         if (rain == null) {
             return inBox && isAbove(state);

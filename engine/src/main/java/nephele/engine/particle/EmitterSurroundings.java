@@ -20,8 +20,8 @@ public final class EmitterSurroundings {
         this.world = world;
     }
 
-    /** Returns the share of the upper hemisphere in which the sky is seen. */
-    public double skyShare(Emitter emitter) {
+    /** Returns the fraction of the upper hemisphere in which the sky is visible. */
+    public double skyFraction(Emitter emitter) {
         int open = 0;
         for (int i = 0; i < RAYS; i++) {
             double y = (i + 0.5) / RAYS;

@@ -8,7 +8,7 @@ import nephele.engine.math.Chance;
  * the others are glowing pieces that fly further and fall.
  */
 record ExplosionLaw(Emitter emitter, double breadth, double longest) implements ParticleLaw {
-    /** Longest life of the flying pieces, as a share of that of the billows. */
+    /** Longest life of the flying pieces, as a fraction of that of the billows. */
     static final double PIECES_LIFE = 0.35;
 
     private static final double DRAG_PER_SECOND = 5;
@@ -53,22 +53,22 @@ record ExplosionLaw(Emitter emitter, double breadth, double longest) implements 
         if (age >= life) {
             return false;
         }
-        double share = age / life;
+        double fraction = age / life;
         double reach = 0.34 * Math.cbrt(Chance.unit(dice, 5)) * (1 - Math.exp(-DRAG_PER_SECOND * age));
-        double rise = 0.16 * emitter.size().y() * (share + 0.25 * share * share);
+        double rise = 0.16 * emitter.size().y() * (fraction + 0.25 * fraction * fraction);
         out.place(
                 emitter.size().x() * reach * x,
                 emitter.size().y() * reach * (0.75 * y + 0.1) + rise,
                 emitter.size().z() * reach * z);
         double half = ParticleLaw.halfWidth(emitter, breadth * (0.15 + 0.13 * Chance.unit(dice, 6)));
-        out.halfWidth = half * (0.5 + 1.2 * (1 - Math.exp(-4 * age)) + 0.6 * share);
+        out.halfWidth = half * (0.5 + 1.2 * (1 - Math.exp(-4 * age)) + 0.6 * fraction);
         out.stretch(0, 0, 0);
         double heat = Math.exp(-age * (1.4 + 5.5 * Chance.unit(dice, 7)));
-        double left = 1 - share;
+        double left = 1 - fraction;
         out.emission(
                 1, 0.09 + 0.50 * heat * heat, 0.006 + 0.28 * heat * heat * heat, RADIANCE * heat * heat * heat * heat);
-        out.opacity = 0.9 * Waves.step(0, 0.01, share) * left * left;
-        out.albedo = 0.22 + 0.2 * share;
+        out.opacity = 0.9 * Waves.step(0, 0.01, fraction) * left * left;
+        out.albedo = 0.22 + 0.2 * fraction;
         out.picture = ParticlePicture.BILLOW.number(index);
         out.turns = Chance.unit(dice, 8) + 0.05 * age * Chance.signed(dice, 9);
         return true;
@@ -83,11 +83,11 @@ record ExplosionLaw(Emitter emitter, double breadth, double longest) implements 
         double heat = 1 - age / life;
         double start = (1.0 + 1.6 * Chance.unit(dice, 5)) / 2;
         double kept = Math.exp(-PIECE_DRAG_PER_SECOND * age);
-        double way = start * (1 - kept) / PIECE_DRAG_PER_SECOND;
-        Motion.fall(start * emitter.size().y() * Math.abs(y), PIECE_DRAG_PER_SECOND, age, kept, out);
+        double path = start * (1 - kept) / PIECE_DRAG_PER_SECOND;
+        ParticleLaw.fall(start * emitter.size().y() * Math.abs(y), PIECE_DRAG_PER_SECOND, age, kept, out);
         double height = out.y;
         double climbing = out.alongY;
-        out.place(emitter.size().x() * way * x, height, emitter.size().z() * way * z);
+        out.place(emitter.size().x() * path * x, height, emitter.size().z() * path * z);
         double half = 0.5 * EXPOSED_SECONDS;
         out.stretch(
                 half * start * kept * emitter.size().x() * x,

@@ -3,9 +3,9 @@ package nephele.engine.particle;
 import nephele.engine.level.Emitter;
 import nephele.engine.math.Chance;
 
-/** Rain and snow: drops fall straight with their final speed, flakes drift about their way. */
+/** Rain and snow: drops fall straight with their final speed, flakes drift about their path. */
 record FallLaw(Emitter emitter, double speed, double halfWidth) implements ParticleLaw {
-    /** The time of which a drop shows its way, as in a picture of a film. */
+    /** The time of which a drop shows its path, as in a picture of a film. */
     static final double EXPOSED_SECONDS = 1.0 / 40;
 
     /** Half the length of a drop's picture. */
@@ -35,7 +35,7 @@ record FallLaw(Emitter emitter, double speed, double halfWidth) implements Parti
                 0.5 * emitter.size().z() * Chance.signed(dice, 2));
     }
 
-    /** Writes what a drop of rain looks like, but for its place and its way. */
+    /** Writes what a drop of rain looks like, but for its place and its path. */
     static void drop(Emitter emitter, long index, ParticleState out) {
         long dice = Chance.dice(emitter.seed(), index);
         out.emission(0, 0, 0, 0);

@@ -23,11 +23,11 @@ record FireLaw(Emitter emitter, double breadth, double longest) implements Parti
         if (age >= life) {
             return false;
         }
-        double share = age / life;
+        double fraction = age / life;
         double risen = age / longest;
         double height = emitter.size().y() * risen * (0.62 + 0.38 * risen);
         double turns = Chance.unit(dice, 3);
-        double inward = 0.40 * radius * (1 - 0.72 * share);
+        double inward = 0.40 * radius * (1 - 0.72 * fraction);
         double waver = Chance.unit(dice, 4);
         double lean = breadth
                 * risen
@@ -42,17 +42,17 @@ record FireLaw(Emitter emitter, double breadth, double longest) implements Parti
                 height - 0.46 * emitter.size().y(),
                 emitter.size().z() * inward * Waves.sine(turns) + across);
         double half = ParticleLaw.halfWidth(emitter, breadth * (0.34 + 0.20 * Chance.unit(dice, 5)));
-        out.halfWidth = half * (0.55 + 0.75 * Math.sqrt(share)) * Math.pow(1 - share, 0.55);
+        out.halfWidth = half * (0.55 + 0.75 * Math.sqrt(fraction)) * Math.pow(1 - fraction, 0.55);
         double stretch = out.halfWidth * (0.55 + 0.9 * risen);
         out.stretch(
                 stretch * 0.5 * Waves.sine(1.1 * clock + waver),
                 stretch,
                 stretch * 0.5 * Waves.cosine(0.9 * clock + waver));
         double flicker = 0.85 + 0.15 * Waves.sine(5.3 * clock + waver);
-        double shown = Waves.step(0, 0.14, share) * (1 - Waves.step(0.35, 1, share));
-        double heat = 1 - share;
-        out.emission(1, 0.13 + 0.30 * heat * heat, 0.008 + 0.11 * heat * heat * heat, RADIANCE * shown * flicker);
-        out.opacity = SOOT * shown;
+        double visible = Waves.step(0, 0.14, fraction) * (1 - Waves.step(0.35, 1, fraction));
+        double heat = 1 - fraction;
+        out.emission(1, 0.13 + 0.30 * heat * heat, 0.008 + 0.11 * heat * heat * heat, RADIANCE * visible * flicker);
+        out.opacity = SOOT * visible;
         out.albedo = 0;
         out.picture = ParticlePicture.TONGUE.number(index);
         out.turns = waver;

@@ -11,7 +11,7 @@ import nephele.engine.portal.Portals;
 
 /** The particles of a level's emitters. Evaluated once for all views of a frame. */
 public final class LevelParticles {
-    /** What sways, spreads or is wide leaves the box by at most this share of its longest edge, and a metre. */
+    /** What sways, spreads or is wide leaves the box by at most this fraction of its longest edge, and a metre. */
     private static final double BEYOND_BOX = 0.75;
 
     private final List<Emitter> emitters;
@@ -56,7 +56,7 @@ public final class LevelParticles {
                     case EXPLOSION -> ExplosionLaw.PIECES_LIFE * emitter.longestLifeSeconds();
                     default -> 0;
                 };
-        return 0.5 * Motion.GRAVITY * seconds * seconds;
+        return 0.5 * ParticleLaw.GRAVITY * seconds * seconds;
     }
 
     public List<Emitter> emitters() {

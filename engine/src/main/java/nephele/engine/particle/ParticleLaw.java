@@ -4,6 +4,9 @@ import nephele.engine.level.Emitter;
 
 /** The state of a kind's particles as a function of index and age; the box of the emitter scales it. */
 sealed interface ParticleLaw permits FireLaw, SmokeLaw, FallLaw, SparkLaw, ExplosionLaw, QuadLaw {
+    /** Metres per second squared. */
+    double GRAVITY = 9.81;
+
     /**
      * Writes the state of a particle.
      *
@@ -33,5 +36,19 @@ sealed interface ParticleLaw permits FireLaw, SmokeLaw, FallLaw, SparkLaw, Explo
     /** Returns the edge of the square with the area of the emitter's base. */
     static double breadth(Emitter emitter) {
         return Math.sqrt(emitter.size().x() * emitter.size().z());
+    }
+
+    /**
+     * Writes height and vertical speed under gravity and a drag in proportion to speed, v' = −k v − g, to {@code y} and
+     * {@code alongY}.
+     *
+     * @param speed at the start, upwards
+     * @param drag k, per second
+     * @param kept exp(−k t)
+     */
+    static void fall(double speed, double drag, double seconds, double kept, ParticleState out) {
+        double limit = GRAVITY / drag;
+        out.y = (speed + limit) * (1 - kept) / drag - limit * seconds;
+        out.alongY = (speed + limit) * kept - limit;
     }
 }

@@ -13,9 +13,9 @@ final class ParticleState {
 
     double alongY;
     double alongZ;
-    /** The share of the light behind that the middle of the particle takes away. */
+    /** The fraction of the light behind that the middle of the particle takes away. */
     double opacity;
-    /** The share of the light on it that is scattered. */
+    /** The fraction of the light on it that is scattered. */
     double albedo;
     /** The radiance of the middle that the particle itself adds. */
     double red;

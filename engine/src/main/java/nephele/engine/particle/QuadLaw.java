@@ -5,7 +5,7 @@ import nephele.engine.level.Emitter;
 import nephele.engine.math.Chance;
 
 /**
- * The report's particles. In each of 60 frames a second a place's life falls by its share of 0.005 to 0.015; below 0.05
+ * The report's particles. In each of 60 frames a second a place's life falls by its part of 0.005 to 0.015; below 0.05
  * the next particle takes the place. A particle is white, with the picture of a cloud; it moves by 1/250 of its speed, 1 to 9, which is then multiplied by 0.99;
  * opacity is the life. Between whole frames the same formulas hold for the fraction. A box of 7.2 m has the report's
  * scale: what is fastest approaches 3.6 m.

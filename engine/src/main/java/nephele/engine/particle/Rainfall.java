@@ -27,7 +27,7 @@ final class Rainfall {
     private final Emitter emitter;
     private final CollisionWorld world;
     private final ColumnHeights ends;
-    private final List<PortalWays> ways = new ArrayList<>();
+    private final List<PortalPaths> paths = new ArrayList<>();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
     private Portals known = Portals.NONE;
@@ -45,12 +45,12 @@ final class Rainfall {
             return false;
         }
         known = portals;
-        ways.clear();
+        paths.clear();
         bounds = Aabb.EMPTY;
         for (int i = 0; i < portals.size(); i++) {
             if (portals.isOpen(i) && isUnder(portals.portal(i))) {
-                PortalWays through = new PortalWays(world, portals, i);
-                ways.add(through);
+                PortalPaths through = new PortalPaths(world, portals, i);
+                paths.add(through);
                 bounds = bounds.union(through.bounds());
             }
         }
@@ -65,14 +65,14 @@ final class Rainfall {
         return column.overlaps(Aabb.of(portal.corners()).grown(FLUSH_METRES));
     }
 
-    /** Returns a box around all ways behind portals; empty if there are none. */
+    /** Returns a box around all paths behind portals; empty if there are none. */
     Aabb bounds() {
         return bounds;
     }
 
     /** Returns the time that a drop may last longer than its fall through the box. */
     double mostSecondsBeyond() {
-        return (ways.isEmpty() ? 0 : PortalWays.MOST_SECONDS) + (emitter.splashes() ? SPLASH_SECONDS : 0);
+        return (paths.isEmpty() ? 0 : PortalPaths.MOST_SECONDS) + (emitter.splashes() ? SPLASH_SECONDS : 0);
     }
 
     /**
@@ -80,11 +80,11 @@ final class Rainfall {
      *
      * @param falling whether {@code state} is that of a drop in the box; otherwise only its column is known
      * @param age seconds since its birth
-     * @return false if nothing of it is seen
+     * @return false if nothing of it is visible
      */
     boolean at(long index, double age, boolean falling, ParticleState state) {
         double end = ends.at(state.x, state.z);
-        PortalWays through = through(state.x, state.z, end);
+        PortalPaths through = through(state.x, state.z, end);
         if (through != null) {
             return intoPortal(index, age, falling, through, state);
         }
@@ -97,18 +97,18 @@ final class Rainfall {
         return emitter.splashes() && reaches && splash(index, since, state.x, end, state.z, state);
     }
 
-    private PortalWays through(double x, double z, double end) {
-        for (int i = 0; i < ways.size(); i++) {
-            double height = ways.get(i)
+    private PortalPaths through(double x, double z, double end) {
+        for (int i = 0; i < paths.size(); i++) {
+            double height = paths.get(i)
                     .height(emitter.centre().x() + x, emitter.centre().z() + z);
             if (height - emitter.centre().y() > end - FLUSH_METRES) {
-                return ways.get(i);
+                return paths.get(i);
             }
         }
         return null;
     }
 
-    private boolean intoPortal(long index, double age, boolean falling, PortalWays through, ParticleState state) {
+    private boolean intoPortal(long index, double age, boolean falling, PortalPaths through, ParticleState state) {
         double x = emitter.centre().x() + state.x;
         double z = emitter.centre().z() + state.z;
         double height = through.height(x, z);
@@ -134,14 +134,14 @@ final class Rainfall {
         if (!(since >= 0 && since < SPLASH_SECONDS)) {
             return false;
         }
-        double share = since / SPLASH_SECONDS;
+        double fraction = since / SPLASH_SECONDS;
         state.emission(0, 0, 0, 0);
         state.albedo = 1;
         state.turns = 0;
-        state.halfWidth = SPLASH_HALF_WIDTH * (0.25 + 0.75 * Math.sqrt(share));
+        state.halfWidth = SPLASH_HALF_WIDTH * (0.25 + 0.75 * Math.sqrt(fraction));
         state.place(x, y + 0.6 * state.halfWidth, z);
         state.stretch(0, 0, 0);
-        state.opacity = 0.35 * (1 - share);
+        state.opacity = 0.35 * (1 - fraction);
         state.picture = ParticlePicture.SPOT.number(index);
         return true;
     }

@@ -18,7 +18,7 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
         if (age >= life) {
             return false;
         }
-        double share = age / life;
+        double fraction = age / life;
         double risen = age / longest;
         // Velocity decays exponentially to the speed of rising: v = w + (v0 − w) exp(−k t), with v0 = 2.2 w and k T =
         // 3.
@@ -40,11 +40,11 @@ record SmokeLaw(Emitter emitter, double breadth, double longest) implements Part
                                 * (Waves.sine(0.11 * clock - 0.8 * lag + 0.3)
                                         + 0.45 * Waves.sine(0.27 * clock - 1.5 * lag + waver)));
         double half = ParticleLaw.halfWidth(emitter, breadth * (0.42 + 0.16 * Chance.unit(dice, 6)));
-        out.halfWidth = half * (0.7 + 2.5 * Math.pow(share, 0.75));
+        out.halfWidth = half * (0.7 + 2.5 * Math.pow(fraction, 0.75));
         out.stretch(0, 0, 0);
         out.emission(0, 0, 0, 0);
-        double left = 1 - share;
-        out.opacity = 0.62 * Waves.step(0, 0.12, share) * left * Math.sqrt(left);
+        double left = 1 - fraction;
+        out.opacity = 0.62 * Waves.step(0, 0.12, fraction) * left * Math.sqrt(left);
         out.albedo = ALBEDO;
         out.picture = ParticlePicture.BILLOW.number(index);
         out.turns = waver + 0.03 * age * Chance.signed(dice, 7);

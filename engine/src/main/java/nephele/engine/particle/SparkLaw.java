@@ -5,7 +5,7 @@ import nephele.engine.math.Chance;
 
 /**
  * Sparks: thrown up in a cone, under gravity and drag in proportion to speed, which has a closed form. They glow along
- * the way that they cover in a fiftieth of a second, and cool.
+ * the path that they cover in a fiftieth of a second, and cool.
  */
 record SparkLaw(Emitter emitter, double longest, double speed) implements ParticleLaw {
     private static final double DRAG_PER_SECOND = 0.9;
@@ -28,22 +28,22 @@ record SparkLaw(Emitter emitter, double longest, double speed) implements Partic
         if (age >= life) {
             return false;
         }
-        double share = age / life;
+        double fraction = age / life;
         double start = speed * (0.45 + 0.55 * Chance.unit(dice, 2));
         double turns = Chance.unit(dice, 3);
         double spread = Math.sqrt(Chance.unit(dice, 4));
         double outX = 0.42 * emitter.size().x() / longest * spread * Waves.cosine(turns) * 1.6;
         double outZ = 0.42 * emitter.size().z() / longest * spread * Waves.sine(turns) * 1.6;
         double kept = Math.exp(-DRAG_PER_SECOND * age);
-        double way = (1 - kept) / DRAG_PER_SECOND;
-        Motion.fall(start, DRAG_PER_SECOND, age, kept, out);
+        double path = (1 - kept) / DRAG_PER_SECOND;
+        ParticleLaw.fall(start, DRAG_PER_SECOND, age, kept, out);
         double rise = out.y;
         double up = out.alongY;
-        out.place(outX * way, rise - 0.48 * emitter.size().y(), outZ * way);
+        out.place(outX * path, rise - 0.48 * emitter.size().y(), outZ * path);
         double half = 0.5 * EXPOSED_SECONDS;
         out.stretch(half * outX * kept, half * up, half * outZ * kept);
-        out.halfWidth = ParticleLaw.halfWidth(emitter, WIDTH) * (0.6 + 0.4 * (1 - share));
-        double heat = 1 - share;
+        out.halfWidth = ParticleLaw.halfWidth(emitter, WIDTH) * (0.6 + 0.4 * (1 - fraction));
+        double heat = 1 - fraction;
         double twinkle = 0.7 + 0.3 * Waves.sine(9 * age + turns);
         out.emission(1, 0.18 + 0.42 * heat, 0.015 + 0.2 * heat * heat, RADIANCE * heat * twinkle);
         out.opacity = 0.2 * heat;

@@ -27,7 +27,7 @@ final class Waves {
         return t * t * (3 - 2 * t);
     }
 
-    static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 }

@@ -118,7 +118,7 @@ final class BillboardRules {
     private static Optional<FieldGrounds> grounds(Level level, AssetSource assets) {
         try {
             return Optional.of(new FieldGrounds(StaticShapes.of(level, assets)));
-        } catch (AssetException | IllegalArgumentException told) {
+        } catch (AssetException | IllegalArgumentException reportedElsewhere) {
             return Optional.empty();
         }
     }

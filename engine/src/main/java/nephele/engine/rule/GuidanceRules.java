@@ -36,11 +36,12 @@ final class GuidanceRules {
             report.accept(Problem.error(
                     path, "has no English text, which stands for every language that is missing: add en"));
         }
-        for (Map.Entry<Language, String> said : hint.text().entrySet()) {
-            int letters = said.getValue().codePointCount(0, said.getValue().length());
+        for (Map.Entry<Language, String> authored : hint.text().entrySet()) {
+            int letters =
+                    authored.getValue().codePointCount(0, authored.getValue().length());
             if (letters > MOST_LETTERS) {
                 report.accept(Problem.warning(
-                        path + "." + WordFormats.Choice.word(said.getKey()),
+                        path + "." + WordFormats.Choice.word(authored.getKey()),
                         letters + " letters are too long for a small window: use at most " + MOST_LETTERS));
             }
         }

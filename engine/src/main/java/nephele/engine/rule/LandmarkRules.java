@@ -17,13 +17,13 @@ final class LandmarkRules {
     /** Distance before a point of the sphere from which nothing hides it: it may be on a surface. */
     private static final double TOUCHING_METRES = 0.01;
 
-    static final LevelRule SEEN = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
+    static final LevelRule VISIBLE = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
         if (level.landmark() == null || level.player() == null) {
             return;
         }
         Place landmark = level.landmark();
         Vec3 eye = level.player().feet().plus(new Vec3(0, Stance.STANDING.eyeMetres(), 0));
-        if (landmark.contains(eye) || isSeen(eye, landmark, CollisionWorld.of(statics))) {
+        if (landmark.contains(eye) || isVisible(eye, landmark, CollisionWorld.of(statics))) {
             return;
         }
         int around = new BrushIndex(statics).holding(landmark.position(), 0);
@@ -50,7 +50,7 @@ final class LandmarkRules {
     }
 
     /** Looks at the sphere's centre and at 26 points of its surface. */
-    private static boolean isSeen(Vec3 eye, Place landmark, CollisionWorld world) {
+    private static boolean isVisible(Vec3 eye, Place landmark, CollisionWorld world) {
         RayCast cast = new RayCast();
         for (int i = 0; i < 27; i++) {
             Vec3 path = new Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);

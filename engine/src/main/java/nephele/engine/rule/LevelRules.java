@@ -19,7 +19,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.portal.placement.FixedPortalRules;
 import nephele.engine.portal.placement.RoomRules;
 
-/** All checks of a level, and the ways in which they are applied. */
+/** All checks of a level, and what applies them. */
 public final class LevelRules {
     /** Every check, in the order in which problems are reported. */
     public static final List<LevelRule> ALL = List.of(
@@ -63,7 +63,7 @@ public final class LevelRules {
             TerrainRules.READABLE,
             BillboardRules.ROOM,
             StartRules.FREE,
-            FixedPortalRules.SEEN,
+            FixedPortalRules.AS_INTENDED,
             RoomRules.LARGE_ENOUGH,
             BrushRules.THICK,
             BrushRules.IN_SIGHT,
@@ -72,7 +72,7 @@ public final class LevelRules {
             Leak.CLOSED,
             GroundRules.ABOVE,
             ImpostorCost.FEW,
-            LandmarkRules.SEEN,
+            LandmarkRules.VISIBLE,
             CloudRules.FAR);
 
     private LevelRules() {}

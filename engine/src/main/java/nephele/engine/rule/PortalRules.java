@@ -89,8 +89,8 @@ final class PortalRules {
         Vec3 from = p.addScaled(ON_FACE_METRES, normal);
         Ray ray = new Ray(from.x(), from.y(), from.z(), -normal.x(), -normal.y(), -normal.z());
         for (int triangle = 0; triangle < mesh.count(); triangle++) {
-            double way = RayTriangleIntersection.hitParameter(ray, corners, 9 * triangle);
-            boolean isMet = way >= 0 && way <= 2 * ON_FACE_METRES;
+            double distance = RayTriangleIntersection.hitParameter(ray, corners, 9 * triangle);
+            boolean isMet = distance >= 0 && distance <= 2 * ON_FACE_METRES;
             if (isMet && mesh.faceNormal(triangle).dot(normal) >= ALONG_FACE) {
                 return true;
             }

@@ -87,7 +87,7 @@ final class TerrainRules {
         Terrain.HeightRange range = terrain.heightRangeMetres();
         double[] heights = limits(terrain, range.low(), range.high(), true);
         double[] slopes = limits(terrain, 0, 90, false);
-        boolean isTold = false;
+        boolean isReported = false;
         for (int h = 0; h + 1 < heights.length; h++) {
             for (int s = 0; s + 1 < slopes.length; s++) {
                 List<Integer> there = at(terrain, (heights[h] + heights[h + 1]) / 2, (slopes[s] + slopes[s + 1]) / 2);
@@ -98,8 +98,8 @@ final class TerrainRules {
                             Problem.error(path, where + " have no layer: widen the limits of one, or add a layer"));
                     return;
                 }
-                if (there.size() > 1 && !isTold) {
-                    isTold = true;
+                if (there.size() > 1 && !isReported) {
+                    isReported = true;
                     report.accept(Problem.warning(
                             path + "[" + there.get(1) + "]",
                             where + " also have layers[" + there.get(0)

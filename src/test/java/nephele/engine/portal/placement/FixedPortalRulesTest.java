@@ -23,7 +23,7 @@ class FixedPortalRulesTest {
                 + models + "], \"portals\": [" + String.join(",", portals) + "]}";
         Level level = LevelJson.read("level", json.getBytes(StandardCharsets.UTF_8));
         List<Problem> problems = new ArrayList<>();
-        FixedPortalRules.SEEN.check().apply(level, null, StaticShapes.of(level, NoFiles.AT_ALL), problems::add);
+        FixedPortalRules.AS_INTENDED.check().apply(level, null, StaticShapes.of(level, NoFiles.AT_ALL), problems::add);
         assertTrue(problems.stream().noneMatch(Problem::isError));
         return problems.stream()
                 .map(problem -> problem.path() + " " + problem.message())

@@ -32,31 +32,33 @@ public final class FixedPortalRules {
     /** Least width of a piece; thinner ones are rounding, or cracks between the triangles of a mesh. */
     private static final double THINNEST_METRES = Tolerance.CRACK;
 
-    public static final LevelRule SEEN = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
-        List<Portal> portals = level.portals().stream().map(Portal::of).toList();
-        for (int i = 0; i < portals.size(); i++) {
-            String path = "portals[" + i + "].centre";
-            for (int j = 0; j < i; j++) {
-                if (overlap(portals.get(i), portals.get(j))) {
-                    report.accept(Problem.warning(path, onTop(j, level.portals().get(j))));
+    public static final LevelRule AS_INTENDED =
+            new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
+                List<Portal> portals = level.portals().stream().map(Portal::of).toList();
+                for (int i = 0; i < portals.size(); i++) {
+                    String path = "portals[" + i + "].centre";
+                    for (int j = 0; j < i; j++) {
+                        if (overlap(portals.get(i), portals.get(j))) {
+                            report.accept(Problem.warning(
+                                    path, onTop(j, level.portals().get(j))));
+                        }
+                    }
+                    FixedPortalRules wall = new FixedPortalRules(portals.get(i), level, statics);
+                    double uncovered = wall.uncoveredMetres();
+                    if (uncovered > LEAST_METRES) {
+                        report.accept(Problem.warning(path, overEdge(uncovered)));
+                    }
+                    if (wall.withoutLeave != null) {
+                        report.accept(Problem.warning(path, withoutLeave(wall.withoutLeave)));
+                    }
+                    if (wall.mirror != null) {
+                        report.accept(Problem.error(path, onMirror(wall.mirror)));
+                    }
+                    if (wall.hiddenBy != null) {
+                        report.accept(Problem.warning(path, wall.isCentreHidden ? closed(wall) : hidden(wall)));
+                    }
                 }
-            }
-            FixedPortalRules wall = new FixedPortalRules(portals.get(i), level, statics);
-            double uncovered = wall.uncoveredMetres();
-            if (uncovered > LEAST_METRES) {
-                report.accept(Problem.warning(path, overEdge(uncovered)));
-            }
-            if (wall.withoutLeave != null) {
-                report.accept(Problem.warning(path, withoutLeave(wall.withoutLeave)));
-            }
-            if (wall.mirror != null) {
-                report.accept(Problem.error(path, onMirror(wall.mirror)));
-            }
-            if (wall.hiddenBy != null) {
-                report.accept(Problem.warning(path, wall.isCentreHidden ? closed(wall) : hidden(wall)));
-            }
-        }
-    });
+            });
 
     private final PlaneFrame frame;
     private final ConvexPolygon outline;

@@ -118,7 +118,7 @@ public final class PlayerActions {
         PortalWorld space = worlds.of(around.portals());
         int own = around.shots().portal(shot);
         ShotRay ray = ray(state.player(), space.portals());
-        Vec3 blocked = portalInTheWay(ray, own, space);
+        Vec3 blocked = blockingPortal(ray, own, space);
         if (blocked != null) {
             return new PlacementResult.Refused(Refusal.OVERLAPS_OTHER, blocked);
         }
@@ -203,7 +203,7 @@ public final class PlayerActions {
     }
 
     /** Returns where a shot hits another portal that stands free of any wall, {@code null} if it hits none. */
-    private static Vec3 portalInTheWay(ShotRay aim, int own, PortalWorld space) {
+    private static Vec3 blockingPortal(ShotRay aim, int own, PortalWorld space) {
         Vector3d eye = aim.eye().toVector();
         Vector3d path = aim.direction().toVector().mul(FARTHEST_METRES);
         path.mul(space.free(eye, path));
@@ -211,8 +211,8 @@ public final class PlayerActions {
         path.mul(Math.max(0, 1 - IN_WALL_METRES / path.length()));
         var crossing = new PortalCrossing();
         boolean meets = crossing.find(space.portals(), eye, path, new Vector3d(), 1);
-        boolean isInTheWay = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
-        return isInTheWay ? Vec3.of(crossing.place()) : null;
+        boolean isBlocking = meets && crossing.portal() != own && !isOnGround(space, crossing.portal(), end);
+        return isBlocking ? Vec3.of(crossing.place()) : null;
     }
 
     /** Returns true if a portal lies on the ground that a shot hits; a flat shot crosses it far before the ground. */

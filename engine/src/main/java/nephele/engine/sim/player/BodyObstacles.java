@@ -62,7 +62,7 @@ final class BodyObstacles {
         }
     }
 
-    /** Returns the solids for an active-portal mask, with every body that the shape may hit on its way. */
+    /** Returns the solids for an active-portal mask, with every body that the shape may hit on its path. */
     CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc path) {
         CollisionWorld without = portalWorld.openedFor(mask);
         firstBody = NO_BODIES;

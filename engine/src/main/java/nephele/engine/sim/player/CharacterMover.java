@@ -51,7 +51,7 @@ final class CharacterMover {
     }
 
     /**
-     * Returns the static solids near a shape and its way. A portal that was near stays open until the end of the tick
+     * Returns the static solids near a shape and its path. A portal that was near stays open until the end of the tick
      * or the next arrival.
      */
     CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc path) {
@@ -117,7 +117,7 @@ final class CharacterMover {
         return hit;
     }
 
-    /** Returns true if anything blocks the way. */
+    /** Returns true if anything blocks the path. */
     boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc path) {
         return cast(shape, place, path);
     }

@@ -160,10 +160,10 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
     private PlayerPose toEye(Portals portals) {
         var toEye = new PathTrace(portals, Obstacles.NONE);
         toEye.trace(body.centre.toVector(), body.eye.toVector().sub(body.centre.toVector()));
-        Basis seen = view;
+        Basis exitView = view;
         for (int i = 0; i < toEye.crossings(); i++) {
-            seen = portals.transform(toEye.entered(i)).basis(seen);
+            exitView = portals.transform(toEye.entered(i)).basis(exitView);
         }
-        return toEye.crossings() == 0 ? this : new PlayerPose(Vec3.of(toEye.place()), seen, body, later);
+        return toEye.crossings() == 0 ? this : new PlayerPose(Vec3.of(toEye.place()), exitView, body, later);
     }
 }

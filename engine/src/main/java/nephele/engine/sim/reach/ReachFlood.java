@@ -55,7 +55,7 @@ final class ReachFlood {
     private Means means = Means.WALKING;
     private List<Passage> passages = List.of();
 
-    /** A way through a portal from the space before one end to that before the other. */
+    /** A passage through a portal from the space before one end to that before the other. */
     private record Passage(Vec3 from, Vec3 to, double radiusMetres) {}
 
     private ReachFlood(StaticShapes statics, Aabb domain) {
@@ -134,7 +134,7 @@ final class ReachFlood {
         return portal.world(0, 0, CLEAR_METRES);
     }
 
-    /** Returns ways from any portalable face to any other: through one place from which each of them can be reached. */
+    /** Returns passages from any portalable face to any other: through one place from which each of them can be reached. */
     private static List<Passage> shots(StaticShapes statics, double cellMetres) {
         List<Vec3> places = new ArrayList<>();
         for (Brush solid : statics.solids()) {
@@ -184,7 +184,7 @@ final class ReachFlood {
         run();
     }
 
-    /** Opens ways and goes on from every cell that is reached. */
+    /** Opens passages and continues from every cell that is reached. */
     private void open(Means by, List<Passage> paths) {
         means = by;
         if (by == Means.SHOTS) {
@@ -212,7 +212,7 @@ final class ReachFlood {
         return greatest;
     }
 
-    /** Reaches the cells around a point from which it is seen. */
+    /** Reaches the cells around a point from which it is visible. */
     private void enter(Vec3 at, double head) {
         double half = grid.cellMetres() / 2;
         for (int corner = 0; corner < 8; corner++) {

@@ -78,8 +78,8 @@ public final class BodyTable {
     private void addCapsule(int i, Body.Capsule capsule) {
         double r = capsule.radiusMetres();
         double h = Math.max(0, capsule.heightMetres() - 2 * r);
-        double ballShare = 4 * r / (4 * r + 3 * h);
-        double ball = capsule.massKilograms() * ballShare;
+        double ballFraction = 4 * r / (4 * r + 3 * h);
+        double ball = capsule.massKilograms() * ballFraction;
         double tube = capsule.massKilograms() - ball;
         double along = tube * r * r / 2 + ball * 0.4 * r * r;
         double across = tube * (r * r / 4 + h * h / 12) + ball * (0.4 * r * r + h * h / 4 + 3 * h * r / 8);

@@ -106,10 +106,11 @@ public final class Poses {
      *
      * @param turned displacement in metres of its farthest point by rotation
      */
-    public void bound(int shape, double wayX, double wayY, double wayZ, double turned, double margin) {
-        bound(shape, 0, wayX, turned, margin);
-        bound(shape, 1, wayY, turned, margin);
-        bound(shape, 2, wayZ, turned, margin);
+    public void bound(
+            int shape, double displacementX, double displacementY, double displacementZ, double turned, double margin) {
+        bound(shape, 0, displacementX, turned, margin);
+        bound(shape, 1, displacementY, turned, margin);
+        bound(shape, 2, displacementZ, turned, margin);
     }
 
     private void bound(int shape, int axis, double path, double turned, double margin) {

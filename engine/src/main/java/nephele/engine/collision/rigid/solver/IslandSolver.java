@@ -137,20 +137,20 @@ final class IslandSolver {
         boolean smooth = !overlapping && isSmooth(seconds);
         write(motions.moved, seconds);
         if (smooth) {
-            takeMeanWay(seconds);
+            takeMeanDisplacement(seconds);
         }
         write(motions.velocity, 1);
         writeImpulses();
         if (overlapping) {
             setTargets(seconds, true);
             minimise();
-            takePushedWay(seconds);
+            takePushedDisplacement(seconds);
             markPushed();
         }
     }
 
     /** Moves by the velocities that correct overlap; by a fraction of them if overlaps contradict each other. */
-    private void takePushedWay(double seconds) {
+    private void takePushedDisplacement(double seconds) {
         double greatest = 0;
         for (int c = 0; c < rows.manifolds; c++) {
             for (int row = rows.firstRow[c]; row < rows.firstRow[c] + rows.points(c); row++) {
@@ -198,7 +198,7 @@ final class IslandSolver {
     }
 
     /** Moves by the mean of the velocities before and after: second order in time without impacts. */
-    private void takeMeanWay(double seconds) {
+    private void takeMeanDisplacement(double seconds) {
         for (int node = 0; node < system.nodes; node++) {
             int at = SolverState.STRIDE * system.slot[node];
             for (int i = at; i < at + SolverState.STRIDE; i++) {

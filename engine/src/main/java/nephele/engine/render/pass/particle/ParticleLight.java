@@ -40,7 +40,7 @@ final class ParticleLight {
     /** {@code null} under a constant light from all sides. */
     private final AmbientLight light;
 
-    private final double[] skyShare;
+    private final double[] skyFraction;
     private final Vector3d[] ofLamps;
     /** Scattered radiance by emitter, RGB. */
     private final float[] radiance;
@@ -64,14 +64,14 @@ final class ParticleLight {
         clouds = context.get(RendererClouds.RESOURCE);
         light = level.environment().ambient() == null ? context.get(AmbientLight.RESOURCE) : null;
         List<Emitter> emitters = particles.emitters();
-        skyShare = new double[emitters.size()];
+        skyFraction = new double[emitters.size()];
         ofLamps = new Vector3d[emitters.size()];
         radiance = new float[3 * emitters.size()];
         relief = new float[3 * emitters.size()];
         ofFlash = new float[3 * emitters.size()];
         lightning = context.get(FrameLightning.RESOURCE);
         for (int i = 0; i < emitters.size(); i++) {
-            skyShare[i] = particles.surroundings().skyShare(emitters.get(i));
+            skyFraction[i] = particles.surroundings().skyFraction(emitters.get(i));
             ofLamps[i] = ofLamps(emitters.get(i));
         }
     }
@@ -99,8 +99,8 @@ final class ParticleLight {
         Sun sun = Daylight.onGround(now);
         towardsSun = sun == null ? Vec3.ZERO : Directions.unit(sun.directionTowardsSun());
         SkyIrradiance sky = now.ambient() == null ? light.irradiance(now) : null;
-        for (int i = 0; i < skyShare.length; i++) {
-            Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyShare[i]);
+        for (int i = 0; i < skyFraction.length; i++) {
+            Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyFraction[i]);
             Vector3d direct = new Vector3d();
             if (sun != null && sees(sun, i)) {
                 direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudShare(i));
@@ -109,16 +109,16 @@ final class ParticleLight {
                     i,
                     around.add(ofLamps[i]),
                     direct,
-                    sky == null ? new Vector3d() : skew(sky).mul(skyShare[i]));
+                    sky == null ? new Vector3d() : skew(sky).mul(skyFraction[i]));
         }
     }
 
     private void followFlash() {
-        for (int i = 0; i < skyShare.length; i++) {
+        for (int i = 0; i < skyFraction.length; i++) {
             Vec3 glow = lightning.isLit()
                     ? lightning.glow(particles.emitters().get(i).centre())
                     : Vec3.ZERO;
-            double share = FLASH_SHARE * skyShare[i];
+            double share = FLASH_SHARE * skyFraction[i];
             ofFlash[3 * i] = (float) (share * glow.x());
             ofFlash[3 * i + 1] = (float) (share * glow.y());
             ofFlash[3 * i + 2] = (float) (share * glow.z());

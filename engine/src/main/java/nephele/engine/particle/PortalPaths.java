@@ -12,12 +12,12 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * The ways of drops that fall into one open portal: how long each lasts behind it, until a surface ends it or another
- * portal takes it on. The aperture is divided into cells, and a way is followed from the middle of each; where a drop is
- * on its way follows from its own place.
+ * The paths of drops that fall into one open portal: how long each lasts behind it, until a surface ends it or another
+ * portal takes it on. The aperture is divided into cells, and a path is followed from the middle of each; where a drop is
+ * on its path follows from its own place.
  */
-final class PortalWays {
-    /** No way behind the first portal takes longer. */
+final class PortalPaths {
+    /** No path behind the first portal takes longer. */
     static final double MOST_SECONDS = 2.5;
 
     private static final int CELLS = 10;
@@ -36,10 +36,10 @@ final class PortalWays {
     private final Ballistics leg = new Ballistics();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d step = new Vector3d();
     private Aabb bounds = Aabb.EMPTY;
 
-    PortalWays(CollisionWorld world, Portals portals, int entry) {
+    PortalPaths(CollisionWorld world, Portals portals, int entry) {
         this.portals = portals;
         this.entry = entry;
         Portal portal = portals.portal(entry);
@@ -85,16 +85,16 @@ final class PortalWays {
         PortalCrossing crossing = new PortalCrossing();
         Vector3d from = leg.place(0, new Vector3d());
         for (double seconds = 0; seconds < most; seconds += PIECE_SECONDS) {
-            leg.place(seconds + PIECE_SECONDS, way).sub(from);
-            double metres = way.length();
-            ray.aim(from.x, from.y, from.z, way.x / metres, way.y / metres, way.z / metres);
+            leg.place(seconds + PIECE_SECONDS, step).sub(from);
+            double metres = step.length();
+            ray.aim(from.x, from.y, from.z, step.x / metres, step.y / metres, step.z / metres);
             double free = cast.cast(world, ray, metres) ? cast.distance() : Double.POSITIVE_INFINITY;
-            boolean crosses = crossing.find(portals, from, way, new Vector3d(), 1);
+            boolean crosses = crossing.find(portals, from, step, new Vector3d(), 1);
             if (crosses && crossing.seconds() * metres <= free + FROM_WALL_METRES) {
                 next[at] = crossing.portal();
                 return seconds + crossing.seconds() * PIECE_SECONDS;
             }
-            from.add(way);
+            from.add(step);
             include(from);
             if (free < metres) {
                 return seconds + free / metres * PIECE_SECONDS;
@@ -124,9 +124,9 @@ final class PortalWays {
     /**
      * Finds where a drop is that has entered the portal.
      *
-     * @param out receives the place in the world; the end of the way if it is over
+     * @param out receives the place in the world; the end of the path if it is over
      * @param speed receives the velocity
-     * @return seconds since the end of the way; negative before
+     * @return seconds since the end of the path; negative before
      */
     double after(double x, double y, double z, double seconds, Vector3d out, Vector3d speed) {
         Portal portal = portals.portal(entry);
@@ -154,11 +154,11 @@ final class PortalWays {
     }
 
     /** Returns a place among the middles of cells, 0 for the first and CELLS − 1 for the last. */
-    private static double column(double share) {
-        return Math.min(CELLS - 1.001, Math.max(0, (share + 1) / 2 * CELLS - 0.5));
+    private static double column(double fraction) {
+        return Math.min(CELLS - 1.001, Math.max(0, (fraction + 1) / 2 * CELLS - 0.5));
     }
 
-    /** Returns when a leg ends: interpolated between cells whose ways end alike, else that of the nearest one. */
+    /** Returns when a leg ends: interpolated between cells whose paths end alike, else that of the nearest one. */
     private double end(double across, double up, int nearest, int number) {
         int low = MOST_LEGS * ((int) across + CELLS * (int) up) + number;
         int right = low + MOST_LEGS;
