@@ -75,7 +75,7 @@ class BrushClipTest {
         for (Brush half : List.of(behind, front)) {
             for (Brush.BrushFace face : half.faces()) {
                 Brush.BrushFace before = SolidShape.towards(solid, face.plane().normal());
-                boolean isOld = Simplified.isSame(before.plane(), face.plane());
+                boolean isOld = SimplestSolid.isSame(before.plane(), face.plane());
                 assertEquals(isOld ? before.material() : "metal", face.material());
                 assertEquals(!isOld || before.portalable(), face.portalable());
             }

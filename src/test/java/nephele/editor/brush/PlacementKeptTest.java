@@ -88,7 +88,7 @@ class PlacementKeptTest {
                 looks("portalable face", solid -> FaceLooks.withPortalable(solid, 2, true)),
                 looks("portalable", solid -> FaceLooks.withPortalable(solid, true)),
                 looks("other id", solid -> solid.withId("other")),
-                looks("simplest record", solid -> Simplified.of(PlaneForm.of(solid))),
+                looks("simplest record", solid -> SimplestSolid.of(PlaneForm.of(solid))),
                 one("clip and merge", solid -> clipped(solid).flatMap(BrushBoolean::merged), p -> p),
                 cutting("clip", PlacementKeptTest::clipped),
                 cutting("extrude", solid -> FaceExtrude.extruded(solid, 0, 0.25).map(List::of)),

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.engine.asset.AssetException;
@@ -150,7 +150,7 @@ class ProblemSearchTest {
         EntityRef crate = EntityRef.of("solids/crate");
         List<EntityRef> two = List.of(crate, EntityRef.of("solids/floor"));
         Level plain = level(solids("inside"), START + EXIT);
-        Level noted = Notes.grouped(Notes.locked(Notes.hidden(plain, two), two), "g", two);
+        Level noted = NoteEdits.grouped(NoteEdits.locked(NoteEdits.hidden(plain, two), two), "g", two);
         Level repaired = problems(noted).get(0).fixes().get(0).change().apply(noted);
         assertEquals(List.of("solids/floor"), repaired.editor().hidden());
         assertEquals(List.of("solids/floor"), repaired.editor().locked());

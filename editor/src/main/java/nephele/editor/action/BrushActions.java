@@ -19,7 +19,7 @@ import nephele.editor.brush.BrushText;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Document;
 import nephele.editor.document.EntityBounds;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -86,7 +86,8 @@ final class BrushActions {
     private static List<Solid> solids(EditorSession session) {
         List<Solid> solids = new ArrayList<>();
         Level level = session.document().level();
-        for (EntityRef ref : Notes.free(level, session.document().selection().entities())) {
+        for (EntityRef ref :
+                NoteEdits.free(level, session.document().selection().entities())) {
             session.document()
                     .entities()
                     .find(session.document().level(), ref)
@@ -206,7 +207,7 @@ final class BrushActions {
         Supplier<String> ids = freshIds(document, "cut");
         List<EntityRef> all =
                 document.level().solids().stream().map(BrushActions::ref).toList();
-        Set<EntityRef> free = Set.copyOf(Notes.free(document.level(), all));
+        Set<EntityRef> free = Set.copyOf(NoteEdits.free(document.level(), all));
         boolean isAnyLeftAlone = false;
         for (Solid solid : document.level().solids()) {
             List<Solid> left = cutters.contains(solid) ? List.of(solid) : remaining(solid, cutters, ids);

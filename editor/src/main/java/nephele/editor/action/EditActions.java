@@ -8,7 +8,7 @@ import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Clip;
 import nephele.editor.document.Deletion;
 import nephele.editor.document.Document;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -111,9 +111,9 @@ final class EditActions {
     static List<EntityRef> unlocked(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         List<EntityRef> selected = document.selection().entities();
-        List<EntityRef> unlocked = Notes.unlocked(document.level(), selected);
+        List<EntityRef> unlocked = NoteEdits.unlocked(document.level(), selected);
         if (unlocked.isEmpty() && !selected.isEmpty()) {
-            throw new EditorRefusal(Notes.LOCKED.with(selected.get(0).text()));
+            throw new EditorRefusal(NoteEdits.LOCKED.with(selected.get(0).text()));
         }
         return unlocked;
     }

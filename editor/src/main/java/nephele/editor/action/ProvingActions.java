@@ -222,14 +222,14 @@ public final class ProvingActions {
 
     private static Path file(ActionCall call, ProvingText because) throws EditorRefusal {
         Words reason = because.words();
-        Words said = ProvingText.UNSAVED.words();
+        Words unsaved = ProvingText.UNSAVED.words();
         return call.session()
                 .file()
                 .path()
                 .orElseThrow(() -> new EditorRefusal(Words.of(
-                        String.format(said.english(), reason.english()),
-                        String.format(said.brazilian(), reason.brazilian()),
-                        String.format(said.european(), reason.european()))));
+                        String.format(unsaved.english(), reason.english()),
+                        String.format(unsaved.brazilian(), reason.brazilian()),
+                        String.format(unsaved.european(), reason.european()))));
     }
 
     /** A script fails if the solution does not reach the exit. */

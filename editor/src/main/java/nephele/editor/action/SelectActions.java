@@ -8,7 +8,7 @@ import java.util.Set;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
@@ -77,14 +77,14 @@ final class SelectActions {
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
                             .document()
-                            .edit(SHOW_ALL, Notes::allShown))
+                            .edit(SHOW_ALL, NoteEdits::allShown))
                     .changing(Subject.LEVEL),
             EditorAction.of("lock", LOCK, Menu.SELECT, List.of("Ctrl+L"), SelectActions::lock)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("unlock-all", UNLOCK_ALL, Menu.SELECT, List.of("Ctrl+Shift+L"), call -> call.session()
                             .document()
-                            .edit(UNLOCK_ALL, Notes::allUnlocked))
+                            .edit(UNLOCK_ALL, NoteEdits::allUnlocked))
                     .changing(Subject.LEVEL),
             EditorAction.of("group", GROUP, Menu.SELECT, List.of("Ctrl+G"), SelectActions::group)
                     .changing(Subject.LEVEL)
@@ -93,7 +93,7 @@ final class SelectActions {
                             .document()
                             .edit(
                                     UNGROUP,
-                                    level -> Notes.ungrouped(
+                                    level -> NoteEdits.ungrouped(
                                             level,
                                             call.session()
                                                     .document()
@@ -169,7 +169,7 @@ final class SelectActions {
                         label,
                         null,
                         before -> new Snapshot(
-                                Notes.hidden(before.level(), hidden),
+                                NoteEdits.hidden(before.level(), hidden),
                                 part == Part.SELECTED ? Selection.NONE : before.selection()));
     }
 
@@ -177,11 +177,11 @@ final class SelectActions {
         List<EntityRef> selected = call.session().document().selection().entities();
         call.session()
                 .document()
-                .edit(LOCK, null, before -> new Snapshot(Notes.locked(before.level(), selected), Selection.NONE));
+                .edit(LOCK, null, before -> new Snapshot(NoteEdits.locked(before.level(), selected), Selection.NONE));
     }
 
     private static void group(ActionCall call) {
         List<EntityRef> selected = call.session().document().selection().entities();
-        call.session().document().edit(GROUP, level -> Notes.grouped(level, Notes.freshGroup(level), selected));
+        call.session().document().edit(GROUP, level -> NoteEdits.grouped(level, NoteEdits.freshGroup(level), selected));
     }
 }

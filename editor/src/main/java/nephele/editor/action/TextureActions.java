@@ -10,7 +10,7 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
 import nephele.editor.document.LevelShapes;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
@@ -101,7 +101,7 @@ final class TextureActions {
         Map<EntityRef, Set<String>> faces = new LinkedHashMap<>();
         List<EntityRef> selected =
                 document.selection().faces().stream().map(FaceRef::solid).toList();
-        List<EntityRef> free = Notes.free(document.level(), selected);
+        List<EntityRef> free = NoteEdits.free(document.level(), selected);
         for (FaceRef face : document.selection().faces()) {
             if (!free.contains(face.solid())) {
                 continue;
@@ -110,7 +110,7 @@ final class TextureActions {
         }
         if (faces.isEmpty()) {
             for (EntityRef ref :
-                    Notes.free(document.level(), document.selection().entities())) {
+                    NoteEdits.free(document.level(), document.selection().entities())) {
                 if (ref.section().equals(Picker.SOLIDS)) {
                     document.entities()
                             .find(document.level(), ref)
@@ -142,13 +142,13 @@ final class TextureActions {
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
                 TexturePlacement placement = placing.of(PaintedFace.of(face, materials.apply(face.material())));
-                Solid.Face said = SolidFaces.said(result, face.name());
+                Solid.Face authored = SolidFaces.said(result, face.name());
                 result = SolidFaces.with(
                         result,
                         face.name(),
                         new Solid.Face(
-                                said.material(),
-                                said.portalable(),
+                                authored.material(),
+                                authored.portalable(),
                                 TexturePlacement.NONE.equals(placement) ? null : placement));
             }
         }

@@ -29,8 +29,8 @@ public final class BrushCheck {
         if (refusal.isPresent() && refusal.get() == BrushText.NOT_SOLID) {
             try {
                 Brush.of(solid);
-            } catch (IllegalArgumentException told) {
-                return Optional.of(told.getMessage());
+            } catch (IllegalArgumentException reported) {
+                return Optional.of(reported.getMessage());
             }
         }
         return refusal.map(why -> why.words().english());

@@ -55,10 +55,10 @@ public final class FaceExtrude {
     private static BrushEdit<Solid> planeMoved(Solid.Planes solid, int face, double metres) {
         Plane before = PlaneForm.plane(solid.planes().get(face));
         Plane after = new Plane(before.nx(), before.ny(), before.nz(), before.distance() + metres);
-        PlaneFace said = solid.planes().get(face);
+        PlaneFace authored = solid.planes().get(face);
         double distance = PlaneForm.canonical(after).distanceMetres();
         List<PlaneFace> planes = new ArrayList<>(solid.planes());
-        planes.set(face, PlaneForm.at(said, said.normal(), distance));
+        planes.set(face, PlaneForm.at(authored, authored.normal(), distance));
         BrushEdit<Solid> moved = PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes));
         if (moved.result().isEmpty()) {
             boolean isEmpty =
@@ -66,7 +66,7 @@ public final class FaceExtrude {
             return isEmpty ? BrushEdit.refused(BrushText.NOTHING_LEFT) : moved;
         }
         List<BrushFace> faces = Brush.of(moved.result().get()).faces();
-        boolean isThere = faces.stream().anyMatch(kept -> Simplified.isSame(kept.plane(), after));
+        boolean isThere = faces.stream().anyMatch(kept -> SimplestSolid.isSame(kept.plane(), after));
         return isThere ? moved : BrushEdit.refused(BrushText.FACE_VANISHES);
     }
 
@@ -111,7 +111,7 @@ public final class FaceExtrude {
             return neighbour;
         }
         Vec3 outwards = Plane.of(b.minus(a).cross(cap.normal()), 0).normal();
-        return Plane.through(Simplified.side(outwards).map(BoxFace::normal).orElse(outwards), a);
+        return Plane.through(SimplestSolid.side(outwards).map(BoxFace::normal).orElse(outwards), a);
     }
 
     private static BrushFace beside(Brush brush, BrushFace face, Vec3 a, Vec3 b) {

@@ -51,9 +51,9 @@ public record LockableTransform(boolean isTextureLocked, Function<String, Materi
             BrushFace from = before(face, old, move);
             if (showsPicture(from)) {
                 TexturePlacement placement = TextureFit.locked(painted(from), painted(face), move);
-                Solid.Face said = SolidFaces.said(after, face.name());
+                Solid.Face authored = SolidFaces.said(after, face.name());
                 locked = SolidFaces.with(
-                        locked, face.name(), new Solid.Face(said.material(), said.portalable(), placement));
+                        locked, face.name(), new Solid.Face(authored.material(), authored.portalable(), placement));
             }
         }
         return locked;

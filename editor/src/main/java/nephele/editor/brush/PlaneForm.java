@@ -107,7 +107,7 @@ final class PlaneForm {
         } catch (IllegalArgumentException nothing) {
             return BrushEdit.refused(BrushText.NOT_SOLID);
         }
-        return BrushCheck.checked(Simplified.of(with(solid, solid.id(), kept)));
+        return BrushCheck.checked(SimplestSolid.of(with(solid, solid.id(), kept)));
     }
 
     /** Returns of parallel planes only the one farthest in. */

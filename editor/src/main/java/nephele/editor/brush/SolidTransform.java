@@ -102,7 +102,7 @@ public final class SolidTransform {
             return placed(turned, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
         }
         Solid.Planes planes = solid instanceof Solid.Planes given ? given : PlaneForm.of(solid);
-        return Simplified.exceptBox(eachPlane(planes, face -> {
+        return SimplestSolid.exceptBox(eachPlane(planes, face -> {
             Vec3 normal = turn.direction(face.normal());
             double shift = along(normal, pivot) - along(face.normal(), pivot);
             return shifted(face, normal, shift);
@@ -223,11 +223,11 @@ public final class SolidTransform {
     private static Solid.Prism renamed(Solid.Prism prism, IntUnaryOperator sides, UnaryOperator<String> ends) {
         List<String> names = SolidFaces.names(prism);
         Map<String, Solid.Face> faces = new LinkedHashMap<>();
-        prism.faces().forEach((name, said) -> {
+        prism.faces().forEach((name, authored) -> {
             int at = names.indexOf(name);
             boolean isSide = at >= FIRST_SIDE;
             int side = Math.floorMod(sides.applyAsInt(at - FIRST_SIDE), prism.sides());
-            faces.put(isSide ? names.get(FIRST_SIDE + side) : ends.apply(name), said);
+            faces.put(isSide ? names.get(FIRST_SIDE + side) : ends.apply(name), authored);
         });
         return prism.withFaces(Collections.unmodifiableMap(faces));
     }
@@ -253,7 +253,7 @@ public final class SolidTransform {
         }
 
         BoxFace side(BoxFace side) {
-            return times(side.normal()).dot(side.normal()) < 0 ? Simplified.opposite(side) : side;
+            return times(side.normal()).dot(side.normal()) < 0 ? SimplestSolid.opposite(side) : side;
         }
 
         /** Scales a normal by the inverse factors, and finds the distance from a scaled point of the plane. */
@@ -315,7 +315,7 @@ public final class SolidTransform {
         }
 
         BoxFace side(BoxFace side) {
-            return Simplified.side(direction(side.normal())).orElseThrow();
+            return SimplestSolid.side(direction(side.normal())).orElseThrow();
         }
     }
 }

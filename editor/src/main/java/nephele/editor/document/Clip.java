@@ -46,7 +46,7 @@ public final class Clip {
                     .toList();
             clip = (Level) section.with(clip, chosen);
         }
-        return LevelJson.write(Notes.copied(clip, level.editor(), refs));
+        return LevelJson.write(NoteEdits.copied(clip, level.editor(), refs));
     }
 
     private static List<EntityRef> materials(Record entity) {
@@ -103,7 +103,7 @@ public final class Clip {
                             newIds.getOrDefault(ref.section(), Map.of()).getOrDefault(ref.id(), "")))
                     .filter(pasted::contains)
                     .toList();
-            level = members.size() < 2 ? level : Notes.grouped(level, Notes.freshGroup(level), members);
+            level = members.size() < 2 ? level : NoteEdits.grouped(level, NoteEdits.freshGroup(level), members);
         }
         return new Snapshot(level, Selection.of(pasted));
     }

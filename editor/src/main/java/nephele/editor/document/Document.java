@@ -185,7 +185,7 @@ public final class Document {
         tell(now());
     }
 
-    /** Notes that no state of the level is on disk any more, such as after its file was deleted. */
+    /** NoteEdits that no state of the level is on disk any more, such as after its file was deleted. */
     public void markUnsaved() {
         history.markUnsaved();
         tell(now());

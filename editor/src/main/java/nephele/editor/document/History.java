@@ -95,7 +95,7 @@ public final class History {
         saved = current;
     }
 
-    /** Notes that no snapshot is on disk any more. */
+    /** NoteEdits that no snapshot is on disk any more. */
     void markUnsaved() {
         saved = -1;
     }

@@ -22,7 +22,7 @@ public record Snapshot(Level level, Selection selection) {
     /** Returns the state without some entities, also in the notes and the selection. */
     public Snapshot without(Collection<EntityRef> removed) {
         Level left = (Level) Entities.LEVEL.without(level, removed);
-        return new Snapshot(Notes.without(left, removed), selection.only(ref -> !removed.contains(ref)));
+        return new Snapshot(NoteEdits.without(left, removed), selection.only(ref -> !removed.contains(ref)));
     }
 
     /**
@@ -44,13 +44,13 @@ public record Snapshot(Level level, Selection selection) {
         List<EntityRef> selected = selection.entities().stream()
                 .flatMap(ref -> names.getOrDefault(ref, List.of(ref)).stream())
                 .toList();
-        return new Snapshot(Notes.replaced(changed, names), new Selection(selected, selection.faces()));
+        return new Snapshot(NoteEdits.replaced(changed, names), new Selection(selected, selection.faces()));
     }
 
     /** Returns the state with another id of an entity, also in references, notes and the selection. */
     public Snapshot renamed(EntityRef before, String newId) {
         EntityRef after = new EntityRef(before.section(), newId);
         Level renamed = (Level) Entities.LEVEL.renamed(level, before, newId);
-        return new Snapshot(Notes.renamed(renamed, before, after), selection.renamed(before, after));
+        return new Snapshot(NoteEdits.renamed(renamed, before, after), selection.renamed(before, after));
     }
 }

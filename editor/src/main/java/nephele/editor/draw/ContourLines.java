@@ -137,9 +137,9 @@ final class ContourLines {
         for (int from = 0; from < 3; from++) {
             int to = (from + 1) % 3;
             if (height[from] < level != height[to] < level) {
-                double share = (level - height[from]) / (height[to] - height[from]);
-                ends[at] = x[from] + share * (x[to] - x[from]);
-                ends[at + 1] = y[from] + share * (y[to] - y[from]);
+                double fraction = (level - height[from]) / (height[to] - height[from]);
+                ends[at] = x[from] + fraction * (x[to] - x[from]);
+                ends[at + 1] = y[from] + fraction * (y[to] - y[from]);
                 at += 2;
             }
         }

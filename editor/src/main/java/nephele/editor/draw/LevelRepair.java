@@ -70,15 +70,15 @@ public final class LevelRepair {
         return environment == level.environment() ? repaired : repaired.with(environment, level.lights());
     }
 
-    private Environment usable(Environment said) {
-        boolean isSkyFine = !(said.sky() instanceof Sky.Skybox skybox)
+    private Environment usable(Environment authored) {
+        boolean isSkyFine = !(authored.sky() instanceof Sky.Skybox skybox)
                 || skybox.files().stream().noneMatch(this::isUnusable);
-        List<Cloud> clouds = said.clouds().stream()
+        List<Cloud> clouds = authored.clouds().stream()
                 .filter(cloud ->
                         cloud.density().assetId().filter(this::isUnusable).isEmpty())
                 .toList();
-        Environment seen = isSkyFine ? said : said.with(INSTEAD_OF_SKYBOX);
-        return clouds.size() == said.clouds().size() ? seen : seen.withClouds(clouds);
+        Environment seen = isSkyFine ? authored : authored.with(INSTEAD_OF_SKYBOX);
+        return clouds.size() == authored.clouds().size() ? seen : seen.withClouds(clouds);
     }
 
     private boolean isUnusable(String file) {
@@ -90,21 +90,21 @@ public final class LevelRepair {
         return terrain.layerMap() != null && isUnusable(terrain.layerMap());
     }
 
-    private Material usable(Material said) {
-        boolean isColourFine = said.texture() == null || !isUnusable(said.texture());
-        boolean areNormalsFine = said.normalTexture() == null || !isUnusable(said.normalTexture());
+    private Material usable(Material authored) {
+        boolean isColourFine = authored.texture() == null || !isUnusable(authored.texture());
+        boolean areNormalsFine = authored.normalTexture() == null || !isUnusable(authored.normalTexture());
         return isColourFine && areNormalsFine
-                ? said
+                ? authored
                 : new Material(
-                        said.id(),
-                        said.baseColour(),
-                        isColourFine ? said.texture() : null,
-                        said.roughness(),
-                        said.metallic(),
-                        areNormalsFine ? said.normalTexture() : null,
-                        said.emission(),
-                        said.textureMetres(),
-                        said.mirror());
+                        authored.id(),
+                        authored.baseColour(),
+                        isColourFine ? authored.texture() : null,
+                        authored.roughness(),
+                        authored.metallic(),
+                        areNormalsFine ? authored.normalTexture() : null,
+                        authored.emission(),
+                        authored.textureMetres(),
+                        authored.mirror());
     }
 
     private List<ModelPlacement> models(List<ModelPlacement> all) {

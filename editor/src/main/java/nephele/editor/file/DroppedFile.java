@@ -14,7 +14,7 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 import nephele.editor.document.Clip;
 import nephele.editor.document.Document;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.Entities;
@@ -153,8 +153,8 @@ public final class DroppedFile {
         }
         if (target.face().isPresent()) {
             EntityRef solid = target.face().get().solid();
-            if (Notes.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
-                throw new EditorRefusal(Notes.LOCKED.with(solid.text()));
+            if (NoteEdits.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
+                throw new EditorRefusal(NoteEdits.LOCKED.with(solid.text()));
             }
         }
         String id = folder.idOf(file, content, "textures");

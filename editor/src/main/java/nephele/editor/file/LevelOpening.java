@@ -27,10 +27,10 @@ public final class LevelOpening {
                     session.background().get(() -> DocumentFile.open(isPackage ? unpacked.toString() : typed));
             session.open(opened.file(), opened.level(), opened.assets());
             session.panes(panes -> OpeningViews.of(opened.level(), panes));
-            Optional<Words> told = isPackage
+            Optional<Words> reported = isPackage
                     ? Optional.of(FileText.UNPACKED.with(unpacked.getParent()))
                     : opened.notice().map(Words::same);
-            told.ifPresent(session::status);
+            reported.ifPresent(session::status);
         } catch (LevelFormatException noLevel) {
             throw new EditorRefusal(Words.same(noLevel.getMessage()));
         }

@@ -50,13 +50,13 @@ public final class RecoveryList {
     }
 
     private static String joined(Language language, Words... parts) {
-        List<String> said = new ArrayList<>();
+        List<String> present = new ArrayList<>();
         for (Words part : parts) {
             if (!part.in(language).isEmpty()) {
-                said.add(part.in(language));
+                present.add(part.in(language));
             }
         }
-        return String.join(" · ", said);
+        return String.join(" · ", present);
     }
 
     /** Opens a line's work as a modified document; it leaves the list. */

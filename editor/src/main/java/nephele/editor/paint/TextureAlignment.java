@@ -9,15 +9,15 @@ public enum TextureAlignment {
     MIDDLE(0.5),
     BOTTOM(1);
 
-    private final double share;
+    private final double fraction;
 
-    TextureAlignment(double share) {
-        this.share = share;
+    TextureAlignment(double fraction) {
+        this.fraction = fraction;
     }
 
     /** Returns the place on the face and on the picture: 0 at the left or top, 1 at the right or bottom. */
     double share() {
-        return share;
+        return fraction;
     }
 
     boolean isHorizontal() {

@@ -51,16 +51,16 @@ public final class TextureFit {
         PictureMapping now = PictureMapping.of(face);
         Extent u = Extent.of(face.face(), now.across());
         Extent v = Extent.of(face.face(), now.up());
-        double share = alignment.share();
-        double right = alignment.isHorizontal() ? u.least() + share * u.metres() : 0;
-        double top = alignment.isHorizontal() ? 0 : v.most() - share * v.metres();
+        double fraction = alignment.share();
+        double right = alignment.isHorizontal() ? u.least() + fraction * u.metres() : 0;
+        double top = alignment.isHorizontal() ? 0 : v.most() - fraction * v.metres();
         Vec3 place = now.across().scaled(right).addScaled(top, now.up());
         TextureCoordinates there = now.at(place);
         return now.with(
                         place,
                         alignment.isHorizontal()
-                                ? new TextureCoordinates(share, there.v())
-                                : new TextureCoordinates(there.u(), share))
+                                ? new TextureCoordinates(fraction, there.v())
+                                : new TextureCoordinates(there.u(), fraction))
                 .placementOn(face);
     }
 

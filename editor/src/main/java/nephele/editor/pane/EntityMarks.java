@@ -84,10 +84,10 @@ public final class EntityMarks {
         return hidden.contains(name);
     }
 
-    private Wires wires(String name) {
+    private SymbolLines wires(String name) {
         return selected.contains(name)
-                ? new Wires(marks, MarkColour.SELECTED, Visibility.ALWAYS)
-                : new Wires(marks, MarkColour.ENTITY, Visibility.HIDDEN_BY_SURFACES);
+                ? new SymbolLines(marks, MarkColour.SELECTED, Visibility.ALWAYS)
+                : new SymbolLines(marks, MarkColour.ENTITY, Visibility.HIDDEN_BY_SURFACES);
     }
 
     private void light(Light light) {
@@ -97,7 +97,7 @@ public final class EntityMarks {
         }
         addLight(light, wires(name));
         if (selected.contains(name)) {
-            addReach(light, new Wires(marks, MarkColour.SELECTED, Visibility.HIDDEN_BY_SURFACES));
+            addReach(light, new SymbolLines(marks, MarkColour.SELECTED, Visibility.HIDDEN_BY_SURFACES));
         }
     }
 
@@ -105,7 +105,7 @@ public final class EntityMarks {
         if (isHidden("player")) {
             return;
         }
-        Wires wires = wires("player");
+        SymbolLines wires = wires("player");
         wires.capsule(start.feet(), PlayerDimensions.RADIUS_METRES, Stance.STANDING.heightMetres());
         Basis facing = Basis.ofYawPitch(Math.toRadians(start.yawDegrees()), Math.toRadians(start.pitchDegrees()));
         Vec3 eye = start.feet().plus(new Vec3(0, Stance.STANDING.eyeMetres(), 0));
@@ -149,7 +149,7 @@ public final class EntityMarks {
         }
         addCamera(camera, wires(name));
         if (selected.contains(name)) {
-            addPath(camera, new Wires(marks, MarkColour.GUIDE, Visibility.ALWAYS));
+            addPath(camera, new SymbolLines(marks, MarkColour.GUIDE, Visibility.ALWAYS));
         }
     }
 
@@ -167,7 +167,7 @@ public final class EntityMarks {
         if (isHidden(name) || !(spec.normal().length() > 0)) {
             return;
         }
-        Wires wires = wires(name);
+        SymbolLines wires = wires(name);
         Portal portal = Portal.of(spec);
         wires.outline(portal.corners());
         Vec3 front = portal.centre().addScaled(0.5, portal.normal());
@@ -226,7 +226,7 @@ public final class EntityMarks {
     }
 
     /** Adds a small pyramid of the picture of a camera. */
-    private static void addCamera(Camera camera, Wires wires) {
+    private static void addCamera(Camera camera, SymbolLines wires) {
         View view = View.ofCamera(camera, 0, CAMERA_ASPECT);
         Vec3 eye = view.eye();
         Vec3 middle = eye.addScaled(-CAMERA_METRES, view.back());
@@ -245,7 +245,7 @@ public final class EntityMarks {
     }
 
     /** Adds the path of a camera, or without one the line to its target. */
-    private static void addPath(Camera camera, Wires wires) {
+    private static void addPath(Camera camera, SymbolLines wires) {
         List<Camera.Waypoint> path = camera.path();
         if (path.isEmpty()) {
             wires.line(camera.position(), camera.target());
@@ -257,7 +257,7 @@ public final class EntityMarks {
         }
     }
 
-    private static void addLight(Light light, Wires wires) {
+    private static void addLight(Light light, SymbolLines wires) {
         Vec3 at = light.position();
         for (int corner = 0; corner < 4; corner++) {
             double y = (corner & 1) == 0 ? 1 : -1;
@@ -282,7 +282,7 @@ public final class EntityMarks {
     }
 
     /** Adds where the light reaches. */
-    private static void addReach(Light light, Wires wires) {
+    private static void addReach(Light light, SymbolLines wires) {
         if (light instanceof Light.Spot spot && spot.direction().length() > 0) {
             cone(spot, spot.outerConeDegrees(), wires);
             cone(spot, spot.innerConeDegrees(), wires);
@@ -291,7 +291,7 @@ public final class EntityMarks {
         }
     }
 
-    private static void cone(Light.Spot spot, double halfAngleDegrees, Wires wires) {
+    private static void cone(Light.Spot spot, double halfAngleDegrees, SymbolLines wires) {
         Basis frame = facing(spot);
         double range = spot.rangeMetres();
         double along = range * Math.cos(Math.toRadians(halfAngleDegrees));

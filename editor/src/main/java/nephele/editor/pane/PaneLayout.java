@@ -76,8 +76,8 @@ public record PaneLayout(
         rowShare = limited(rowShare);
     }
 
-    private static double limited(double share) {
-        return Double.isNaN(share) ? 0.5 : Math.max(LEAST_SHARE, Math.min(1 - LEAST_SHARE, share));
+    private static double limited(double fraction) {
+        return Double.isNaN(fraction) ? 0.5 : Math.max(LEAST_SHARE, Math.min(1 - LEAST_SHARE, fraction));
     }
 
     /** Returns the layout of a first start: a perspective beside the plans. */
@@ -142,8 +142,8 @@ public record PaneLayout(
                 new PaneRectangle(3, left + gap, upper + gap, right, lower));
     }
 
-    private static int firstOf(int pixels, double share, int gap) {
-        return Math.max(1, (int) Math.round((pixels - gap) * share));
+    private static int firstOf(int pixels, double fraction, int gap) {
+        return Math.max(1, (int) Math.round((pixels - gap) * fraction));
     }
 
     /** Returns the pane under a pixel; empty on a gap and outside. */

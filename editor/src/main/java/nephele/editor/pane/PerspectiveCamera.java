@@ -112,8 +112,8 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
      * @param distanceMetres to what is under the pointer
      */
     public static PerspectiveCamera dolly(PerspectiveCamera camera, double notches, Ray sight, double distanceMetres) {
-        double share = 1 - Math.pow(1 - DOLLY_SHARE, notches);
-        return at(camera, sight.at(distanceMetres * share));
+        double fraction = 1 - Math.pow(1 - DOLLY_SHARE, notches);
+        return at(camera, sight.at(distanceMetres * fraction));
     }
 
     /** Turns the camera around a point, which stays at its place in the picture. */

@@ -124,11 +124,11 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         ComparisonFigures figures = pictures == null ? null : pictures.figures();
         leftTime.setText(figures == null ? " " : millis(figures.leftMillis()));
         rightTime.setText(figures == null ? " " : millis(figures.rightMillis()));
-        String told = pictures == null
+        String reported = pictures == null
                 ? text(PanelText.DRAWING.words())
                 : figures == null ? pictures.failure() : text(difference(pictures));
         difference.setText(
-                "<html>" + told.replace("\n", "<br>") + (told.contains("\n") ? "" : "<br>&nbsp;") + "</html>");
+                "<html>" + reported.replace("\n", "<br>") + (reported.contains("\n") ? "" : "<br>&nbsp;") + "</html>");
     }
 
     private static String millis(double millis) {

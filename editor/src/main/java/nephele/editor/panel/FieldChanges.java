@@ -3,7 +3,7 @@ package nephele.editor.panel;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
@@ -82,10 +82,10 @@ final class FieldChanges {
     /** Returns true, and tells it, if something inspected is locked. */
     private boolean isLocked() {
         List<EntityRef> refs = refs();
-        List<EntityRef> unlocked = Notes.unlocked(session.document().level(), refs);
+        List<EntityRef> unlocked = NoteEdits.unlocked(session.document().level(), refs);
         Optional<EntityRef> locked =
                 refs.stream().filter(ref -> !unlocked.contains(ref)).findFirst();
-        locked.ifPresent(ref -> report.accept(Notes.LOCKED.with(ref.shortName())));
+        locked.ifPresent(ref -> report.accept(NoteEdits.LOCKED.with(ref.shortName())));
         return locked.isPresent();
     }
 

@@ -25,7 +25,7 @@ import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import nephele.editor.document.Document;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
@@ -370,13 +370,17 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
 
         void toggleHidden(List<EntityRef> refs) {
             if (!refs.isEmpty()) {
-                document().edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> Notes.hiddenToggled(level, refs));
+                document()
+                        .edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> NoteEdits.hiddenToggled(level, refs));
             }
         }
 
         void toggleLocked(List<EntityRef> refs) {
             if (!refs.isEmpty()) {
-                document().edit(PanelText.LOCK_OR_UNLOCK.with(named(refs)), level -> Notes.lockedToggled(level, refs));
+                document()
+                        .edit(
+                                PanelText.LOCK_OR_UNLOCK.with(named(refs)),
+                                level -> NoteEdits.lockedToggled(level, refs));
             }
         }
 

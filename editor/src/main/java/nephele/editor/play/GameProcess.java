@@ -122,8 +122,8 @@ final class GameProcess implements AutoCloseable {
             int code = process.waitFor();
             complaining.join(TimeUnit.SECONDS.toMillis(LONGEST_END_SECONDS));
             synchronized (complaints) {
-                String said = complaints.isEmpty() ? "it gave no reason" : String.join(" / ", complaints);
-                return "the game ended (exit code " + code + "): " + said;
+                String reason = complaints.isEmpty() ? "it gave no reason" : String.join(" / ", complaints);
+                return "the game ended (exit code " + code + "): " + reason;
             }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();

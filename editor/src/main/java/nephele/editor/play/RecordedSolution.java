@@ -47,11 +47,11 @@ public final class RecordedSolution {
         }
 
         private DoubleConsumer until(DoubleConsumer progress) {
-            return share -> {
+            return fraction -> {
                 if (isCancelled) {
                     throw new CancellationException("the check was cancelled");
                 }
-                progress.accept(share);
+                progress.accept(fraction);
             };
         }
     }

@@ -45,7 +45,7 @@ final class FaceEdit {
         return changed(
                 solid,
                 rest,
-                said -> new Solid.Face(said.material(), refusal, said.texture()),
+                authored -> new Solid.Face(authored.material(), refusal, authored.texture()),
                 whole -> RecordKind.with(whole, "portalable", false));
     }
 
@@ -53,7 +53,7 @@ final class FaceEdit {
         return changed(
                 solid,
                 rest,
-                said -> new Solid.Face(material, said.portalable(), said.texture()),
+                authored -> new Solid.Face(material, authored.portalable(), authored.texture()),
                 whole -> RecordKind.with(whole, "material", material));
     }
 

@@ -77,14 +77,16 @@ final class FreePlace {
 
     /** Returns the displacement to the nearest free place inside the level's bounds; empty if there is none near. */
     Optional<Vec3> nearest(Aabb box) {
-        List<Vec3> ways = new ArrayList<>();
+        List<Vec3> displacements = new ArrayList<>();
         for (Vec3 axis : AXES) {
-            Vec3 way = pushed(box, axis);
-            if (way != null && isInLevel(box.moved(way))) {
-                ways.add(way);
+            Vec3 displacement = pushed(box, axis);
+            if (displacement != null && isInLevel(box.moved(displacement))) {
+                displacements.add(displacement);
             }
         }
-        return ways.isEmpty() ? onGrid(box) : ways.stream().min(Comparator.comparingDouble(Vec3::length));
+        return displacements.isEmpty()
+                ? onGrid(box)
+                : displacements.stream().min(Comparator.comparingDouble(Vec3::length));
     }
 
     private boolean isInLevel(Aabb box) {
@@ -129,17 +131,17 @@ final class FreePlace {
     }
 
     private Optional<Vec3> onGrid(Aabb box) {
-        List<Vec3> ways = new ArrayList<>();
+        List<Vec3> displacements = new ArrayList<>();
         for (int x = -GRID_REACH; x <= GRID_REACH; x++) {
             for (int y = -GRID_REACH; y <= GRID_REACH; y++) {
                 for (int z = -GRID_REACH; z <= GRID_REACH; z++) {
-                    ways.add(new Vec3(x * GRID_METRES, y * GRID_METRES, z * GRID_METRES));
+                    displacements.add(new Vec3(x * GRID_METRES, y * GRID_METRES, z * GRID_METRES));
                 }
             }
         }
-        ways.sort(Comparator.comparingDouble(Vec3::length));
-        return ways.stream()
-                .filter(way -> isFree(box.moved(way)) && isInLevel(box.moved(way)))
+        displacements.sort(Comparator.comparingDouble(Vec3::length));
+        return displacements.stream()
+                .filter(displacement -> isFree(box.moved(displacement)) && isInLevel(box.moved(displacement)))
                 .findFirst();
     }
 }

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.EntityTransform;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordField;
@@ -84,7 +84,7 @@ final class ProblemFixes {
             Level without = place.replaced(now, known, null);
             // The notes stay if another entity has the same id.
             boolean isLast = Entities.LEVEL.find(without, ref).isEmpty();
-            return isLast ? Notes.without(without, List.of(ref)) : without;
+            return isLast ? NoteEdits.without(without, List.of(ref)) : without;
         });
     }
 

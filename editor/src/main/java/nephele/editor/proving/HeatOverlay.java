@@ -26,10 +26,10 @@ public final class HeatOverlay {
     private boolean isShown;
     private Level computedOf;
     private AssetSource computedWith;
-    private HeatMemory memory;
+    private HeatMap memory;
     private List<Mark> marks = List.of();
     private Map<HeatText, Integer> counts = Map.of();
-    private Words told = Words.NONE;
+    private Words reported = Words.NONE;
     private Run running = new Run();
 
     HeatOverlay(ProvingSubject subject) {
@@ -67,14 +67,14 @@ public final class HeatOverlay {
         running = run;
         Level level = subject.level();
         AssetSource assets = subject.assets();
-        HeatMemory before = assets == computedWith ? memory : null;
+        HeatMap before = assets == computedWith ? memory : null;
         computedOf = level;
         computedWith = assets;
         run.toldNanos = System.nanoTime();
         threads.work().execute(() -> compute(run, level, assets, before));
     }
 
-    private void compute(Run run, Level level, AssetSource assets, HeatMemory before) {
+    private void compute(Run run, Level level, AssetSource assets, HeatMap before) {
         try {
             PlacedLevel placed = before == null
                     ? PlacedLevel.of(level, assets)
@@ -82,7 +82,7 @@ public final class HeatOverlay {
             PlacementHeatMap map = new PlacementHeatMap(placed, PlacementHeatMap.Settings.DEFAULT, before);
             boolean isDone = map.compute(() -> run.isCancelled, part -> progress(run, map.done()));
             if (isDone) {
-                HeatMemory result = map.memory();
+                HeatMap result = map.memory();
                 List<Mark> drawn = HeatRegions.of(result);
                 threads.session().execute(() -> done(run, result, drawn));
             }
@@ -91,11 +91,11 @@ public final class HeatOverlay {
         }
     }
 
-    private void progress(Run run, double share) {
+    private void progress(Run run, double fraction) {
         long now = System.nanoTime();
         if (now - run.toldNanos > PROGRESS_NANOS) {
             run.toldNanos = now;
-            Words words = ProvingText.HEAT_PROGRESS.words().with(Math.round(100 * share));
+            Words words = ProvingText.HEAT_PROGRESS.words().with(Math.round(100 * fraction));
             threads.session().execute(() -> {
                 if (run == running && !run.isCancelled) {
                     subject.status(words);
@@ -104,7 +104,7 @@ public final class HeatOverlay {
         }
     }
 
-    private void done(Run run, HeatMemory result, List<Mark> drawn) {
+    private void done(Run run, HeatMap result, List<Mark> drawn) {
         if (run != running || run.isCancelled) {
             return;
         }
@@ -146,8 +146,8 @@ public final class HeatOverlay {
         }
         HeatCell cell = memory.at(place);
         Words words = cell == null ? Words.NONE : cell.text().words(cell.metres());
-        if (!words.equals(told)) {
-            told = words;
+        if (!words.equals(reported)) {
+            reported = words;
             subject.status(words);
         }
     }

@@ -33,7 +33,7 @@ public final class HeatRegions {
     }
 
     /** Returns the marks of a map, areas and lines. */
-    public static List<Mark> of(HeatMemory map) {
+    public static List<Mark> of(HeatMap map) {
         double coarser = map.cells().size() > MANY_SURFACES ? 3 : 1;
         HeatRegions regions = new HeatRegions(coarser);
         for (Map.Entry<HeatSurface, List<HeatCell>> entry : map.cells().entrySet()) {

@@ -110,8 +110,8 @@ public record PixelExplanation(List<String> lines) {
 
     private static void addLight(
             List<String> lines, Language language, Level level, TracedLevel traced, PaneEye eye, PaneEye.Pixel pixel) {
-        float[] radiance =
-                ReferencePicture.trace(traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), share -> {});
+        float[] radiance = ReferencePicture.trace(
+                traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), fraction -> {});
         Picture shown = TracedCorner.TraceProgress.picture(radiance, 1, level);
         lines.add(ProvingText.LIGHT.in(
                 language,

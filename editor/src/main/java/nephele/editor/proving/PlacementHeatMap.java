@@ -88,24 +88,24 @@ public final class PlacementHeatMap {
     }
 
     /** @param before a map of the level before an edit, with the same settings, or {@code null} */
-    public PlacementHeatMap(PlacedLevel placed, Settings settings, HeatMemory before) {
+    public PlacementHeatMap(PlacedLevel placed, Settings settings, HeatMap before) {
         this.settings = settings;
         this.placed = placed;
         Level level = placed.level();
         surfaces = HeatSurface.all(placed.statics());
         solids = new BrushIndex(placed.statics());
-        PortalGun said = level.portalGun() == null ? DEFAULT_GUN : level.portalGun();
-        Gun gun = Gun.of(said);
+        PortalGun authored = level.portalGun() == null ? DEFAULT_GUN : level.portalGun();
+        Gun gun = Gun.of(authored);
         placement = new Placement(PlacementSurfaces.of(placed.statics()), gun);
         fixed = level.portals().stream().map(Portal::of).toList();
         spacing = spacing();
-        double reach = REACH_METRES + gun.slideMetres() + said.widthMetres() + said.heightMetres();
+        double reach = REACH_METRES + gun.slideMetres() + authored.widthMetres() + authored.heightMetres();
         kept = before != null && before.spacingMetres() == spacing ? before.kept(placed, surfaces, reach) : Map.of();
     }
 
     /** Returns the map after {@link #compute}. */
-    public HeatMemory memory() {
-        return new HeatMemory(placed, spacing, computed);
+    public HeatMap memory() {
+        return new HeatMap(placed, spacing, computed);
     }
 
     /** Returns the share of the surfaces that have been dealt with, 0–1. */

@@ -110,15 +110,15 @@ public final class Proving {
     /**
      * Explains the pixel of the perspective pane under the pointer, or else its middle.
      *
-     * @param told receives the explanation on the session's thread
+     * @param reported receives the explanation on the session's thread
      */
-    public void explain(Consumer<PixelExplanation> told) {
+    public void explain(Consumer<PixelExplanation> reported) {
         PaneEye eye = PaneEye.of(subject);
         PixelExplanation.Asked asked = new PixelExplanation.Asked(
                 subject.level(), subject.assets(), subject.language(), eye, eye.pixel(pointed));
         threads.work().execute(() -> {
             PixelExplanation found = PixelExplanation.of(asked);
-            threads.session().execute(() -> told.accept(found));
+            threads.session().execute(() -> reported.accept(found));
         });
     }
 }

@@ -56,7 +56,7 @@ public final class SolutionProof {
         running = RecordedSolution.check(
                 file,
                 () -> usable(present),
-                share -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * share)))),
+                fraction -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * fraction)))),
                 new Outcome(
                         result -> onSession(level, () -> checked(result)),
                         message -> onSession(level, () -> failed(message))),
@@ -71,10 +71,10 @@ public final class SolutionProof {
         }
     }
 
-    private void onSession(Level level, Runnable told) {
+    private void onSession(Level level, Runnable reported) {
         threads.session().execute(() -> {
             if (checked == level) {
-                told.run();
+                reported.run();
             }
         });
     }

@@ -218,7 +218,7 @@ public final class TracedCorner {
     /** Traces on one thread, and gives way to everything else. */
     private static float[] rays(Run run, TracedLevel level, Wanted what, TraceSettings settings) {
         try {
-            return ReferencePicture.trace(level, what.eye.pinhole(), settings, share -> {
+            return ReferencePicture.trace(level, what.eye.pinhole(), settings, fraction -> {
                 Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
                 run.requireWanted();
             });

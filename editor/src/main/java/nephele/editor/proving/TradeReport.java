@@ -112,9 +112,9 @@ public final class TradeReport {
     }
 
     /** Shows each line as progress, and returns the last one. */
-    private String lines(Process started, InputStream said) {
+    private String lines(Process started, InputStream authored) {
         String last = "";
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(said, StandardCharsets.UTF_8))) {
+        try (BufferedReader lines = new BufferedReader(new InputStreamReader(authored, StandardCharsets.UTF_8))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 last = line.isBlank() ? last : line.strip();
                 Words words = ProvingText.TRADE_PROGRESS.words().with(last);

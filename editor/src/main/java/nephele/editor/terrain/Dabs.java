@@ -3,8 +3,8 @@ package nephele.editor.terrain;
 import nephele.engine.level.Terrain;
 
 /**
- * The places of a stroke's dabs: its beginning, then at equal distances along its way. Of those after the beginning only
- * dabs that can reach the terrain are made, so that a way of any length costs no more than one across the terrain.
+ * The places of a stroke's dabs: its beginning, then at equal distances along its path. Of those after the beginning only
+ * dabs that can reach the terrain are made, so that a path of any length costs no more than one across the terrain.
  */
 final class Dabs {
     private final double spacing;
@@ -12,7 +12,7 @@ final class Dabs {
     private final double[] reach;
     private double x;
     private double z;
-    /** The way from the last dab to the present place. */
+    /** The distance from the last dab to the present place. */
     private double since;
 
     /** A dab at a place. */
@@ -22,7 +22,7 @@ final class Dabs {
     }
 
     /**
-     * @param spacing metres between two dabs along the way
+     * @param spacing metres between two dabs along the path
      * @param radius of a dab, metres
      */
     Dabs(Terrain terrain, double spacing, double radius, double x, double z) {
@@ -37,36 +37,36 @@ final class Dabs {
 
     /** Goes straight to a place. */
     void to(double toX, double toZ, Dab dab) {
-        double way = Math.hypot(toX - x, toZ - z);
+        double length = Math.hypot(toX - x, toZ - z);
         double first = spacing - since;
-        double count = Math.floor((way - first) / spacing) + 1;
+        double count = Math.floor((length - first) / spacing) + 1;
         if (count > 0) {
-            double[] shares = {0, 1};
-            clip(0, x, toX, shares);
-            clip(1, z, toZ, shares);
-            double from = Math.max(0, Math.ceil((shares[0] * way - first) / spacing - 1));
-            double to = Math.min(count - 1, Math.floor((shares[1] * way - first) / spacing + 1));
+            double[] fractions = {0, 1};
+            clip(0, x, toX, fractions);
+            clip(1, z, toZ, fractions);
+            double from = Math.max(0, Math.ceil((fractions[0] * length - first) / spacing - 1));
+            double to = Math.min(count - 1, Math.floor((fractions[1] * length - first) / spacing + 1));
             for (double i = from; i <= to; i++) {
-                double share = Math.min(1, (first + i * spacing) / way);
-                dab.at(x + share * (toX - x), z + share * (toZ - z));
+                double fraction = Math.min(1, (first + i * spacing) / length);
+                dab.at(x + fraction * (toX - x), z + fraction * (toZ - z));
             }
         }
-        since = count > 0 ? Math.max(0, Math.min(spacing, way - first - (count - 1) * spacing)) : since + way;
+        since = count > 0 ? Math.max(0, Math.min(spacing, length - first - (count - 1) * spacing)) : since + length;
         x = toX;
         z = toZ;
     }
 
-    /** Narrows the shares of the way between which one of its coordinates can reach the terrain. */
-    private void clip(int axis, double start, double end, double[] shares) {
+    /** Narrows the fractions of the path between which one of its coordinates can reach the terrain. */
+    private void clip(int axis, double start, double end, double[] fractions) {
         double low = middle[axis] - reach[axis];
         double high = middle[axis] + reach[axis];
         if (start == end) {
-            shares[1] = start < low || start > high ? -1 : shares[1];
+            fractions[1] = start < low || start > high ? -1 : fractions[1];
             return;
         }
         double a = (low - start) / (end - start);
         double b = (high - start) / (end - start);
-        shares[0] = Math.max(shares[0], Math.min(a, b));
-        shares[1] = Math.min(shares[1], Math.max(a, b));
+        fractions[0] = Math.max(fractions[0], Math.min(a, b));
+        fractions[1] = Math.min(fractions[1], Math.max(a, b));
     }
 }

@@ -74,15 +74,15 @@ public final class HeightStroke implements TerrainStroke {
     /**
      * Begins a stroke with its first dab.
      *
-     * @param said has heights of more than one value
+     * @param authored has heights of more than one value
      * @param map its heights
      */
-    public HeightStroke(Terrain said, HeightMap map, TerrainBrush brush, double x, double z) {
+    public HeightStroke(Terrain authored, HeightMap map, TerrainBrush brush, double x, double z) {
         this.brush = brush;
         this.map = map;
         before = map;
-        range = said.heightRangeMetres();
-        grid = TerrainGrid.of(said, map.columns(), map.rows());
+        range = authored.heightRangeMetres();
+        grid = TerrainGrid.of(authored, map.columns(), map.rows());
         radius = grid.effective(brush.radiusMetres());
         lowMetres = range.low();
         metresPerUnit = (range.high() - range.low()) / HeightMap.FULL_SCALE;
@@ -91,7 +91,7 @@ public final class HeightStroke implements TerrainStroke {
             values[i] = map.values()[i] & 0xffff;
         }
         flat = (float) valueAt(x, z);
-        dabs = new Dabs(said, radius / 4, radius, x, z);
+        dabs = new Dabs(authored, radius / 4, radius, x, z);
         dab(x, z);
     }
 
@@ -135,13 +135,13 @@ public final class HeightStroke implements TerrainStroke {
     }
 
     @Override
-    public Terrain on(Terrain said, String file) {
-        return said.withHeightMap(file);
+    public Terrain on(Terrain authored, String file) {
+        return authored.withHeightMap(file);
     }
 
     @Override
-    public String name(Terrain said) {
-        return said.id();
+    public String name(Terrain authored) {
+        return authored.id();
     }
 
     @Override

@@ -28,13 +28,13 @@ public final class LayerChoice {
     }
 
     /** Returns the layers of a terrain. */
-    public static List<String> names(Terrain said) {
-        return said.layers().stream().map(Terrain.Layer::material).toList();
+    public static List<String> names(Terrain authored) {
+        return authored.layers().stream().map(Terrain.Layer::material).toList();
     }
 
     /** Returns the name of a layer, its index if the terrain has none of it. */
-    public static String name(Terrain said, int layer) {
-        List<String> names = names(said);
+    public static String name(Terrain authored, int layer) {
+        List<String> names = names(authored);
         return layer < names.size() ? names.get(layer) : String.valueOf(layer);
     }
 

@@ -29,32 +29,35 @@ public final class LayerOrder {
         List<Terrain> terrains = new ArrayList<>();
         boolean differs = false;
         for (int i = 0; i < after.terrains().size(); i++) {
-            Terrain said = after.terrains().get(i);
-            boolean isEdited = !said.layers().equals(before.terrains().get(i).layers());
-            Terrain followed = isEdited && said.layerMap() != null ? followed(said, edit, assets, maps) : said;
-            differs |= followed != said;
+            Terrain authored = after.terrains().get(i);
+            boolean isEdited =
+                    !authored.layers().equals(before.terrains().get(i).layers());
+            Terrain followed =
+                    isEdited && authored.layerMap() != null ? followed(authored, edit, assets, maps) : authored;
+            differs |= followed != authored;
             terrains.add(followed);
         }
         return differs ? after.withTerrains(List.copyOf(terrains)) : after;
     }
 
-    private static Terrain followed(Terrain said, ListEdit edit, AssetSource assets, PaintedMaps maps)
+    private static Terrain followed(Terrain authored, ListEdit edit, AssetSource assets, PaintedMaps maps)
             throws EditorRefusal {
         LayerMap map;
         try {
-            map = assets.decoded(said.layerMap(), LayerMap.class, LayerMapFile::read);
+            map = assets.decoded(authored.layerMap(), LayerMap.class, LayerMapFile::read);
         } catch (AssetException unusable) {
-            return said;
+            return authored;
         }
         LayerMap renumbered = renumbered(map, edit);
         if (renumbered == map) {
-            return said;
+            return authored;
         }
         if (!maps.canKeep()) {
             throw new EditorRefusal(TerrainText.SAVE_FIRST.words());
         }
         try {
-            return said.withLayerMap(maps.keep(LayerStroke.fileName(said), PaintedMaps.PaintedMap.of(renumbered)));
+            return authored.withLayerMap(
+                    maps.keep(LayerStroke.fileName(authored), PaintedMaps.PaintedMap.of(renumbered)));
         } catch (IOException problem) {
             throw new EditorRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
         }

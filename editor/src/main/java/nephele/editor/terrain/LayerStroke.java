@@ -38,14 +38,14 @@ public final class LayerStroke implements TerrainStroke {
      *
      * @param map its painted layers
      */
-    public LayerStroke(Terrain said, LayerMap map, TerrainBrush brush, double x, double z) {
+    public LayerStroke(Terrain authored, LayerMap map, TerrainBrush brush, double x, double z) {
         this.brush = brush;
         this.map = map;
         before = map;
-        grid = TerrainGrid.of(said, map.columns(), map.rows());
+        grid = TerrainGrid.of(authored, map.columns(), map.rows());
         radius = grid.effective(brush.radiusMetres());
         covered = new float[map.columns() * map.rows()];
-        dabs = new Dabs(said, radius / 4, radius, x, z);
+        dabs = new Dabs(authored, radius / 4, radius, x, z);
         dab(x, z);
     }
 
@@ -61,9 +61,9 @@ public final class LayerStroke implements TerrainStroke {
         }
         for (int row = part.firstRow(); row <= part.lastRow(); row++) {
             for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {
-                double share = brush.strength() * TerrainBrush.falloff(grid.shareSquared(column, row, x, z, radius));
+                double fraction = brush.strength() * TerrainBrush.falloff(grid.shareSquared(column, row, x, z, radius));
                 int at = row * grid.columns() + column;
-                covered[at] = (float) (1 - (1 - covered[at]) * (1 - share));
+                covered[at] = (float) (1 - (1 - covered[at]) * (1 - fraction));
             }
         }
         unshown = unshown == null ? part : unshown.union(part);
@@ -86,17 +86,17 @@ public final class LayerStroke implements TerrainStroke {
 
     private void write(int column, int row, byte[] texels) {
         int texel = row * grid.columns() + column;
-        double share = covered[texel];
+        double fraction = covered[texel];
         int layer = before.layer(column, row);
         double weight = before.weight(column, row) / (double) LayerMap.FULL_WEIGHT;
         if (brush.effect() == Effect.ERASE) {
-            write(texel, layer, weight * (1 - share), texels);
+            write(texel, layer, weight * (1 - fraction), texels);
         } else if (layer == brush.layer() || weight == 0) {
-            write(texel, brush.layer(), 1 - (1 - weight) * (1 - share), texels);
-        } else if (share >= weight * (1 - share)) {
-            write(texel, brush.layer(), weight * (1 - share) + share, texels);
+            write(texel, brush.layer(), 1 - (1 - weight) * (1 - fraction), texels);
+        } else if (fraction >= weight * (1 - fraction)) {
+            write(texel, brush.layer(), weight * (1 - fraction) + fraction, texels);
         } else {
-            isTooWeak |= share > 0;
+            isTooWeak |= fraction > 0;
         }
     }
 
@@ -129,18 +129,18 @@ public final class LayerStroke implements TerrainStroke {
     }
 
     @Override
-    public Terrain on(Terrain said, String file) {
-        return said.withLayerMap(file);
+    public Terrain on(Terrain authored, String file) {
+        return authored.withLayerMap(file);
     }
 
     @Override
-    public String name(Terrain said) {
-        return fileName(said);
+    public String name(Terrain authored) {
+        return fileName(authored);
     }
 
     /** Returns the beginning of the name of a terrain's layer maps. */
-    static String fileName(Terrain said) {
-        return said.id() + "-layers";
+    static String fileName(Terrain authored) {
+        return authored.id() + "-layers";
     }
 
     @Override

@@ -86,8 +86,8 @@ public record TerrainBrush(Effect effect, double radiusMetres, double strength, 
     }
 
     /** Returns a brush of another strength. */
-    public TerrainBrush ofStrength(double share) {
-        return new TerrainBrush(effect, radiusMetres, share, layer);
+    public TerrainBrush ofStrength(double fraction) {
+        return new TerrainBrush(effect, radiusMetres, fraction, layer);
     }
 
     /** Returns a brush that paints another layer. */

@@ -11,12 +11,12 @@ import nephele.engine.math.heightfield.SampleRange;
  * @param cellX distance of columns in metres
  */
 record TerrainGrid(double leastX, double leastZ, double cellX, double cellZ, int columns, int rows) {
-    static TerrainGrid of(Terrain said, int columns, int rows) {
+    static TerrainGrid of(Terrain authored, int columns, int rows) {
         return new TerrainGrid(
-                said.centre().x() - said.sizeMetres().x() / 2,
-                said.centre().z() - said.sizeMetres().z() / 2,
-                said.sizeMetres().x() / (columns - 1),
-                said.sizeMetres().z() / (rows - 1),
+                authored.centre().x() - authored.sizeMetres().x() / 2,
+                authored.centre().z() - authored.sizeMetres().z() / 2,
+                authored.sizeMetres().x() / (columns - 1),
+                authored.sizeMetres().z() / (rows - 1),
                 columns,
                 rows);
     }

@@ -54,50 +54,51 @@ public final class TerrainPainting {
      *
      * @throws EditorRefusal if the terrain cannot be painted; nothing has changed then
      */
-    public void begin(Terrain said, AssetSource assets, TerrainBrush with, double x, double z) throws EditorRefusal {
-        if (document.level().editor().locked().contains(SECTION + "/" + said.id())) {
-            throw new EditorRefusal(TerrainText.LOCKED.with(said.id()));
+    public void begin(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)
+            throws EditorRefusal {
+        if (document.level().editor().locked().contains(SECTION + "/" + authored.id())) {
+            throw new EditorRefusal(TerrainText.LOCKED.with(authored.id()));
         }
         if (!maps.canKeep()) {
             throw new EditorRefusal(TerrainText.SAVE_FIRST.words());
         }
-        stroke = background.get(() -> stroke(said, assets, with, x, z));
+        stroke = background.get(() -> stroke(authored, assets, with, x, z));
         brush = with;
-        painted = said;
+        painted = authored;
         show();
     }
 
-    private static TerrainStroke stroke(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+    private static TerrainStroke stroke(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)
             throws EditorRefusal {
         try {
-            return with.effect().isPaint() ? paint(said, assets, with, x, z) : shape(said, assets, with, x, z);
+            return with.effect().isPaint() ? paint(authored, assets, with, x, z) : shape(authored, assets, with, x, z);
         } catch (AssetException unusable) {
             throw new EditorRefusal(TerrainText.UNUSABLE.with(unusable.getMessage()));
         }
     }
 
-    private static TerrainStroke shape(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+    private static TerrainStroke shape(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)
             throws EditorRefusal {
-        if (said.heightRangeMetres().low() == said.heightRangeMetres().high()) {
-            throw new EditorRefusal(TerrainText.NO_RANGE.with(said.id()));
+        if (authored.heightRangeMetres().low() == authored.heightRangeMetres().high()) {
+            throw new EditorRefusal(TerrainText.NO_RANGE.with(authored.id()));
         }
-        return new HeightStroke(said, heights(said, assets), with, x, z);
+        return new HeightStroke(authored, heights(authored, assets), with, x, z);
     }
 
-    private static HeightMap heights(Terrain said, AssetSource assets) {
-        return assets.decoded(said.heightMap(), HeightMap.class, HeightMapFile::read);
+    private static HeightMap heights(Terrain authored, AssetSource assets) {
+        return assets.decoded(authored.heightMap(), HeightMap.class, HeightMapFile::read);
     }
 
-    private static TerrainStroke paint(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
+    private static TerrainStroke paint(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)
             throws EditorRefusal {
-        if (said.layers().size() < 2) {
-            throw new EditorRefusal(TerrainText.FEW_LAYERS.with(said.id()));
+        if (authored.layers().size() < 2) {
+            throw new EditorRefusal(TerrainText.FEW_LAYERS.with(authored.id()));
         }
-        if (with.effect() == Effect.PAINT && with.layer() >= said.layers().size()) {
-            throw new EditorRefusal(TerrainText.NO_LAYER.with(said.id(), with.layer()));
+        if (with.effect() == Effect.PAINT && with.layer() >= authored.layers().size()) {
+            throw new EditorRefusal(TerrainText.NO_LAYER.with(authored.id(), with.layer()));
         }
-        Optional<LayerMap> before = LayerPaint.read(said, assets);
-        return new LayerStroke(said, before.orElseGet(() -> blank(heights(said, assets))), with, x, z);
+        Optional<LayerMap> before = LayerPaint.read(authored, assets);
+        return new LayerStroke(authored, before.orElseGet(() -> blank(heights(authored, assets))), with, x, z);
     }
 
     /** Returns the map of a terrain that was never painted: a texel for each sample of the heights. */
@@ -122,8 +123,8 @@ public final class TerrainPainting {
 
     private Snapshot withMap(Snapshot start, String id) {
         EntityRef ref = new EntityRef(SECTION, painted.id());
-        return start.with((Level)
-                document.entities().changed(start.level(), List.of(ref), said -> stroke.on((Terrain) said, id)));
+        return start.with((Level) document.entities()
+                .changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
     }
 
     /**

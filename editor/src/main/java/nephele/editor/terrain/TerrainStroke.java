@@ -20,10 +20,10 @@ interface TerrainStroke {
     PaintedMaps.PaintedMap painted();
 
     /** Returns a terrain with a map of this stroke. */
-    Terrain on(Terrain said, String map);
+    Terrain on(Terrain authored, String map);
 
     /** Returns the beginning of the file's name. */
-    String name(Terrain said);
+    String name(Terrain authored);
 
     /** Returns the height of a place above the terrain's centre; empty if the stroke changes no heights. */
     OptionalDouble height(double x, double z);

@@ -37,14 +37,14 @@ public final class FacesUnderPointer {
 
     /** Returns the faces from one place of the pointer to the next, in order. */
     public static Set<FaceRef> between(ToolContext context, Pointer from, Pointer to) {
-        double way = Math.hypot(to.x() - from.x(), to.y() - from.y());
+        double pixels = Math.hypot(to.x() - from.x(), to.y() - from.y());
         boolean isSameView = from.camera().equals(to.camera());
-        int steps = isSameView ? (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(way / STEP_PIXELS))) : 1;
+        int steps = isSameView ? (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(pixels / STEP_PIXELS))) : 1;
         Set<FaceRef> faces = new LinkedHashSet<>();
         for (int i = 1; i <= steps; i++) {
-            double share = i / (double) steps;
-            double x = from.x() + share * (to.x() - from.x());
-            double y = from.y() + share * (to.y() - from.y());
+            double fraction = i / (double) steps;
+            double x = from.x() + fraction * (to.x() - from.x());
+            double y = from.y() + fraction * (to.y() - from.y());
             at(context, placed(to, x, y)).ifPresent(faces::add);
         }
         return faces;

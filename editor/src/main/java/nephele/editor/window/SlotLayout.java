@@ -36,7 +36,7 @@ final class SlotLayout extends JPanel {
         shares.put("left", LEFT_SHARE);
         shares.put("right", RIGHT_SHARE);
         shares.put("bottom", BOTTOM_SHARE);
-        kept.forEach((name, share) -> shares.computeIfPresent(name, (known, before) -> share));
+        kept.forEach((name, fraction) -> shares.computeIfPresent(name, (known, before) -> fraction));
         chosen.addAll(kept.keySet());
         JComponent middle = viewport;
         if (slots.bottom() != null) {
@@ -83,17 +83,17 @@ final class SlotLayout extends JPanel {
 
     /** Returns the user's choice, or else a place at which the texts have room. */
     private double share(String name, int length) {
-        double share = shares.get(name);
+        double fraction = shares.get(name);
         if (chosen.contains(name)) {
-            return share;
+            return fraction;
         }
         return switch (name) {
             case "left" ->
-                Math.min(1 - LEAST_VIEWPORT_SHARE, Math.max(share, UIScale.scale(LEFT_POINTS) / (double) length));
+                Math.min(1 - LEAST_VIEWPORT_SHARE, Math.max(fraction, UIScale.scale(LEFT_POINTS) / (double) length));
             case "right" ->
-                Math.max(LEAST_VIEWPORT_SHARE, Math.min(share, 1 - UIScale.scale(RIGHT_POINTS) / (double) length));
+                Math.max(LEAST_VIEWPORT_SHARE, Math.min(fraction, 1 - UIScale.scale(RIGHT_POINTS) / (double) length));
             default ->
-                Math.max(LEAST_VIEWPORT_SHARE, Math.min(share, 1 - UIScale.scale(BOTTOM_POINTS) / (double) length));
+                Math.max(LEAST_VIEWPORT_SHARE, Math.min(fraction, 1 - UIScale.scale(BOTTOM_POINTS) / (double) length));
         };
     }
 

@@ -34,9 +34,9 @@ public final class WaitingLoop implements Executor {
         var patient = new PatientQueue();
         Toolkit.getDefaultToolkit().getSystemEventQueue().push(patient);
         SecondaryLoop loop = patient.createSecondaryLoop();
-        Timer told = new Timer(LONG_MILLIS, tick -> whenLong.run());
-        told.setRepeats(false);
-        told.start();
+        Timer reported = new Timer(LONG_MILLIS, tick -> whenLong.run());
+        reported.setRepeats(false);
+        reported.start();
         Thread thread = new Thread(
                 () -> {
                     try {
@@ -53,7 +53,7 @@ public final class WaitingLoop implements Executor {
         thread.setDaemon(true);
         thread.start();
         loop.enter();
-        told.stop();
+        reported.stop();
         patient.end();
     }
 

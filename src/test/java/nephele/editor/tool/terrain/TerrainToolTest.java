@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
@@ -178,7 +178,7 @@ class TerrainToolTest {
         session.drag().release(at(39, 29));
         assertEquals(TerrainText.NO_TERRAIN.words(), session.status());
         EntityRef hills = new EntityRef("terrains", "hills");
-        session.document().edit(session.status(), before -> Notes.locked(before, List.of(hills)));
+        session.document().edit(session.status(), before -> NoteEdits.locked(before, List.of(hills)));
         stroke(-4, 4);
         assertEquals(TerrainText.LOCKED.with("hills"), session.status());
         assertEquals("flat.png", map());

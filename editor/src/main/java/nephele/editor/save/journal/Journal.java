@@ -171,15 +171,15 @@ public final class Journal implements AutoCloseable {
     }
 
     private void writeAll() {
-        boolean told = false;
+        boolean reported = false;
         for (Pending work = next(); work != null; work = next()) {
             String problem = attempt(work);
-            if (problem != null && !told) {
+            if (problem != null && !reported) {
                 listener.failed(SaveText.NOT_RECORDED.with(folder, problem));
             } else if (problem == null && work.state != null) {
                 listener.recorded(work.state.number());
             }
-            told = problem != null;
+            reported = problem != null;
             finish(work, problem);
         }
     }

@@ -13,7 +13,7 @@ import nephele.editor.brush.BrushClip.Keep;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushText;
 import nephele.editor.brush.VertexEdit;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
@@ -233,7 +233,7 @@ public final class ClipTool implements Tool {
     private List<EntityRef> targets() {
         List<EntityRef> refs = context.document().selection().entities();
         List<EntityRef> from = refs.isEmpty() ? context.picker().touching(reach()) : refs;
-        return Notes.free(context.document().level(), from).stream()
+        return NoteEdits.free(context.document().level(), from).stream()
                 .filter(ref -> ref.section().equals(Picker.SOLIDS))
                 .filter(this::hasVolume)
                 .toList();

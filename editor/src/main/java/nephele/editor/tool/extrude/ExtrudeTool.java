@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
@@ -174,7 +174,7 @@ public final class ExtrudeTool implements Tool {
 
     private boolean isFree(Brush brush) {
         EntityRef solid = new EntityRef(Picker.SOLIDS, brush.solidId());
-        return !Notes.free(context.document().level(), List.of(solid)).isEmpty();
+        return !NoteEdits.free(context.document().level(), List.of(solid)).isEmpty();
     }
 
     private static boolean isSame(Plane a, Plane b) {

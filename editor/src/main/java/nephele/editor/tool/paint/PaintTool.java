@@ -220,9 +220,9 @@ public final class PaintTool implements Tool {
 
     /** Returns the solid with a face of the material, {@code null} for grey; the same object if it has it already. */
     public static Solid withFace(Solid solid, String face, String material) {
-        Solid.Face said = SolidFaces.said(solid, face);
-        String now = said.material() == null ? solid.material() : said.material();
-        return Objects.equals(now, material) ? solid : with(solid, face, material, said.texture());
+        Solid.Face authored = SolidFaces.said(solid, face);
+        String now = authored.material() == null ? solid.material() : authored.material();
+        return Objects.equals(now, material) ? solid : with(solid, face, material, authored.texture());
     }
 
     /** Returns the solid with a face of the material and another placement of its picture. */
@@ -248,9 +248,9 @@ public final class PaintTool implements Tool {
     private static Solid greyed(Solid solid) {
         Solid grey = withMaterial(solid, null);
         for (String name : SolidFaces.names(solid)) {
-            Solid.Face said = SolidFaces.said(solid, name);
-            String material = said.material() == null ? solid.material() : said.material();
-            grey = SolidFaces.with(grey, name, new Solid.Face(material, said.portalable(), said.texture()));
+            Solid.Face authored = SolidFaces.said(solid, name);
+            String material = authored.material() == null ? solid.material() : authored.material();
+            grey = SolidFaces.with(grey, name, new Solid.Face(material, authored.portalable(), authored.texture()));
         }
         return grey;
     }
@@ -259,9 +259,10 @@ public final class PaintTool implements Tool {
     private static Solid whole(Solid solid, String material) {
         Solid painted = withMaterial(solid, material);
         for (String name : SolidFaces.names(solid)) {
-            Solid.Face said = SolidFaces.said(solid, name);
-            if (said.material() != null) {
-                painted = SolidFaces.with(painted, name, new Solid.Face(null, said.portalable(), said.texture()));
+            Solid.Face authored = SolidFaces.said(solid, name);
+            if (authored.material() != null) {
+                painted =
+                        SolidFaces.with(painted, name, new Solid.Face(null, authored.portalable(), authored.texture()));
             }
         }
         return painted.equals(solid) ? solid : painted;

@@ -76,8 +76,8 @@ public final class PortalableTool implements Tool {
     }
 
     private static boolean isPortalable(Solid solid, String face) {
-        Boolean said = SolidFaces.said(solid, face).portalable();
-        return said == null ? solid.portalable() : said;
+        Boolean authored = SolidFaces.said(solid, face).portalable();
+        return authored == null ? solid.portalable() : authored;
     }
 
     @Override
@@ -102,9 +102,10 @@ public final class PortalableTool implements Tool {
         if (isPortalable(solid, face.face()) == isPermitting) {
             return;
         }
-        Solid.Face said = SolidFaces.said(solid, face.face());
+        Solid.Face authored = SolidFaces.said(solid, face.face());
         Boolean wanted = solid.portalable() == isPermitting ? null : (Boolean) isPermitting;
-        Solid other = SolidFaces.with(solid, face.face(), new Solid.Face(said.material(), wanted, said.texture()));
+        Solid other =
+                SolidFaces.with(solid, face.face(), new Solid.Face(authored.material(), wanted, authored.texture()));
         changed = (Level) context.document().entities().changed(changed, List.of(face.solid()), same -> (Record) other);
     }
 

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.EntityTransform;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.Mark;
@@ -97,7 +97,8 @@ public final class SelectTool implements Tool {
             context.document()
                     .drag(before -> before.with(EntityTransform.moved(
                             before.level(),
-                            Notes.unlocked(before.level(), before.selection().entities()),
+                            NoteEdits.unlocked(
+                                    before.level(), before.selection().entities()),
                             snapped,
                             context.options().isTextureLocked())));
         });

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.EntityTransform;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
@@ -126,7 +126,7 @@ public final class TransformTool implements Tool {
     private Aabb bounds() {
         Snapshot now = context.document().now();
         return EntityBounds.of(
-                now.level(), Notes.unlocked(now.level(), now.selection().entities()));
+                now.level(), NoteEdits.unlocked(now.level(), now.selection().entities()));
     }
 
     @Override
@@ -141,7 +141,7 @@ public final class TransformTool implements Tool {
                         .entities()
                         .changed(
                                 before.level(),
-                                Notes.unlocked(
+                                NoteEdits.unlocked(
                                         before.level(), before.selection().entities()),
                                 change))));
     }

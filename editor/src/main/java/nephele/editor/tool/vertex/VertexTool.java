@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.VertexEdit;
-import nephele.editor.document.Notes;
+import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
@@ -79,7 +79,7 @@ public final class VertexTool implements Tool {
     private List<VertexGrip> grips() {
         Snapshot now = context.document().now();
         List<VertexGrip> grips = new ArrayList<>();
-        for (EntityRef ref : Notes.free(now.level(), now.selection().entities())) {
+        for (EntityRef ref : NoteEdits.free(now.level(), now.selection().entities())) {
             Solid solid = solid(now.level(), ref);
             if (solid != null && context.shapes().brush(solid).isPresent()) {
                 VertexEdit.vertices(solid).forEach(vertex -> grips.add(new VertexGrip(ref, List.of(vertex))));

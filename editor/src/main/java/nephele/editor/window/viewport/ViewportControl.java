@@ -76,7 +76,7 @@ final class ViewportControl extends MouseAdapter {
             told(pointer);
         } else {
             camera = CameraDrag.of(pointer, pointers.grabbed(pointer));
-            if (camera.way() == CameraDrag.Way.LOOK) {
+            if (camera.motion() == CameraDrag.Motion.LOOK) {
                 flight.begin();
             }
         }
@@ -234,11 +234,11 @@ final class ViewportControl extends MouseAdapter {
      *
      * @param grabbed the point under the pointer when the button was pressed
      */
-    private record CameraDrag(Way way, Vec3 grabbed, PaneSize size) {
+    private record CameraDrag(Motion motion, Vec3 grabbed, PaneSize size) {
         private static final double DEGREES_PER_POINT = 0.2;
 
         /** The kind of movement. */
-        enum Way {
+        enum Motion {
             LOOK,
             ORBIT,
             PAN
@@ -246,8 +246,8 @@ final class ViewportControl extends MouseAdapter {
 
         static CameraDrag of(Pointer pointer, Vec3 grabbed) {
             boolean pans = pointer.isPlan() || pointer.button() == Button.MIDDLE;
-            Way way = pans ? Way.PAN : pointer.isHeld(Modifier.ALT) ? Way.ORBIT : Way.LOOK;
-            return new CameraDrag(way, grabbed, pointer.size());
+            Motion motion = pans ? Motion.PAN : pointer.isHeld(Modifier.ALT) ? Motion.ORBIT : Motion.LOOK;
+            return new CameraDrag(motion, grabbed, pointer.size());
         }
 
         /** Returns the camera after a movement of the pointer by pixels to the right and down. */
@@ -257,7 +257,7 @@ final class ViewportControl extends MouseAdapter {
             }
             PerspectiveCamera eye = (PerspectiveCamera) camera;
             double degrees = DEGREES_PER_POINT / pixelsPerPoint;
-            return switch (way) {
+            return switch (motion) {
                 case LOOK -> PerspectiveCamera.look(eye, across, down, degrees);
                 case ORBIT -> PerspectiveCamera.orbit(eye, grabbed, across * degrees * 2, down * degrees * 2);
                 case PAN -> PerspectiveCamera.pan(eye, across, down, grabbed, size);

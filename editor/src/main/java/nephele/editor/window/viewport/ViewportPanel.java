@@ -38,17 +38,17 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     public record Told(Consumer<Optional<Vec3>> pointed, Consumer<String> report) {}
 
     /** Creates a viewport that follows the session. */
-    public ViewportPanel(EditorSession session, Told told) {
-        this(session, told, ForkJoinPool.commonPool());
+    public ViewportPanel(EditorSession session, Told reported) {
+        this(session, reported, ForkJoinPool.commonPool());
     }
 
     /** @param background runs what takes long, such as the light of the sky */
-    ViewportPanel(EditorSession session, Told told, Executor background) {
+    ViewportPanel(EditorSession session, Told reported, Executor background) {
         super(new BorderLayout());
-        scene = new ViewportScene(session, background, this::repaintSoon, told.report());
+        scene = new ViewportScene(session, background, this::repaintSoon, reported.report());
         surface = new ViewportSurface(scene, GlContext::offscreen);
         control = new ViewportControl(session, surface::size, place -> {
-            told.pointed().accept(place);
+            reported.pointed().accept(place);
             surface.repaintSoon();
         });
         surface.listen(control, new KeyAdapter() {});

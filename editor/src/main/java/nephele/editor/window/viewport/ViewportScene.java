@@ -46,7 +46,7 @@ final class ViewportScene implements SurfacePainter {
     private final Executor background;
     private final Runnable repaintSoon;
     private final Consumer<String> report;
-    private List<String> told = List.of();
+    private List<String> reported = List.of();
     private boolean isComplete;
     /** The files of the level whose pictures have begun; {@code null} before the first. */
     private AssetSource begun;
@@ -96,9 +96,9 @@ final class ViewportScene implements SurfacePainter {
     }
 
     private void tell(List<String> messages) {
-        if (!messages.equals(told)) {
-            told = messages;
-            told.forEach(report);
+        if (!messages.equals(reported)) {
+            reported = messages;
+            reported.forEach(report);
         }
     }
 

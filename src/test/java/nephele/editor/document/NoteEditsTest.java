@@ -14,7 +14,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Hiding and locking, and what is left of an entity that is gone or has another name. */
 @Execution(ExecutionMode.CONCURRENT)
-class NotesTest {
+class NoteEditsTest {
     private static final EntityRef A = EntityRef.of("exits/a");
     private static final EntityRef B = EntityRef.of("exits/b");
 
@@ -27,28 +27,29 @@ class NotesTest {
 
     @Test
     void hidingTogglesOnlyWhenAllAreHidden() {
-        Level one = Notes.hiddenToggled(level(), List.of(A));
-        Level both = Notes.hiddenToggled(one, List.of(A, B));
+        Level one = NoteEdits.hiddenToggled(level(), List.of(A));
+        Level both = NoteEdits.hiddenToggled(one, List.of(A, B));
         assertEquals(List.of(A.text(), B.text()), both.editor().hidden());
         assertEquals(
                 List.of(B.text()),
-                Notes.hiddenToggled(both, List.of(A)).editor().hidden());
+                NoteEdits.hiddenToggled(both, List.of(A)).editor().hidden());
         assertEquals(
-                List.of(), Notes.hiddenToggled(both, List.of(A, B)).editor().hidden());
+                List.of(), NoteEdits.hiddenToggled(both, List.of(A, B)).editor().hidden());
     }
 
     @Test
     void lockingTogglesOnlyWhenAllAreLocked() {
-        Level one = Notes.lockedToggled(level(), List.of(B));
-        Level both = Notes.lockedToggled(one, List.of(A, B));
+        Level one = NoteEdits.lockedToggled(level(), List.of(B));
+        Level both = NoteEdits.lockedToggled(one, List.of(A, B));
         assertEquals(List.of(B.text(), A.text()), both.editor().locked());
         assertEquals(
-                List.of(), Notes.lockedToggled(both, List.of(A, B)).editor().locked());
+                List.of(), NoteEdits.lockedToggled(both, List.of(A, B)).editor().locked());
     }
 
     @Test
     void aRemovedOrRenamedEntityIsSoInLevelNotesAndSelection() {
-        Level noted = Notes.grouped(Notes.locked(Notes.hidden(level(), List.of(A)), List.of(A, B)), "g", List.of(A, B));
+        Level noted = NoteEdits.grouped(
+                NoteEdits.locked(NoteEdits.hidden(level(), List.of(A)), List.of(A, B)), "g", List.of(A, B));
         var all = new Snapshot(noted, Selection.of(List.of(A, B)));
         Snapshot without = all.without(List.of(A));
         assertEquals(1, without.level().exits().size());

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A heat map follows edits: what it keeps is what a fresh map computes. */
 @Execution(ExecutionMode.CONCURRENT)
-class HeatMemoryTest {
+class HeatMapTest {
     private static final PlacementHeatMap.Settings COARSE = new PlacementHeatMap.Settings(0.8, 0, 40_000);
 
     private static Level hall() {
@@ -33,7 +33,7 @@ class HeatMemoryTest {
                 .level();
     }
 
-    private static HeatMemory computed(PlacementHeatMap map) {
+    private static HeatMap computed(PlacementHeatMap map) {
         assertTrue(map.compute(() -> false, part -> {}));
         return map.memory();
     }
@@ -60,7 +60,7 @@ class HeatMemoryTest {
     @Test
     void afterEachEditTheMapIsTheOneOfTheWholeLevel() {
         PlacedLevel placed = PlacedLevel.of(hall(), NoFiles.AT_ALL);
-        HeatMemory memory = computed(new PlacementHeatMap(placed, COARSE));
+        HeatMap memory = computed(new PlacementHeatMap(placed, COARSE));
         Random random = new Random(3);
         int kept = 0;
         for (int i = 0; i < 6; i++) {
@@ -75,7 +75,7 @@ class HeatMemoryTest {
 
     @Test
     void aPointOfASurfaceHasTheNearestCell() {
-        HeatMemory memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
+        HeatMap memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
         assertEquals(HeatText.NOT_PORTALABLE, memory.at(new Vec3(3.5, 1.5, -7)).text());
         assertEquals(HeatText.FITS, memory.at(new Vec3(8, 3.1, 0.2)).text());
         assertEquals(null, memory.at(new Vec3(0, 2, 0)));
@@ -83,7 +83,7 @@ class HeatMemoryTest {
 
     @Test
     void regionsCoverWhatTheirCellsCover() {
-        HeatMemory memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
+        HeatMap memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
         List<Mark> marks = HeatRegions.of(memory);
         double cells = memory.all().stream()
                 .mapToDouble(cell -> FacePieces.areaSquareMetres(cell.mark().corners()))

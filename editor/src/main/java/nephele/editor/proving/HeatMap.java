@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
 /**
  * A computed heat map. After an edit, only the surfaces near a changed surface or portal are shot at again. Immutable.
  */
-public final class HeatMemory {
+public final class HeatMap {
     /** Above this number of changed places, one box around all of them is compared. */
     private static final int MOST_PLACES = 64;
 
@@ -25,7 +25,7 @@ public final class HeatMemory {
     private final Map<HeatSurface, List<HeatCell>> cells;
 
     /** @param cells by surface, in the order of the level; not changed any more */
-    HeatMemory(PlacedLevel placed, double spacingMetres, Map<HeatSurface, List<HeatCell>> cells) {
+    HeatMap(PlacedLevel placed, double spacingMetres, Map<HeatSurface, List<HeatCell>> cells) {
         this.placed = placed;
         this.spacingMetres = spacingMetres;
         this.cells = cells;

@@ -6,7 +6,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /** Collects the lines of one symbol in one colour. */
-record Wires(List<Mark> marks, MarkColour colour, Visibility visibility) {
+record SymbolLines(List<Mark> marks, MarkColour colour, Visibility visibility) {
     private static final int CIRCLE_SEGMENTS = 48;
     private static final Vec3 X = new Vec3(1, 0, 0);
     private static final Vec3 Y = new Vec3(0, 1, 0);

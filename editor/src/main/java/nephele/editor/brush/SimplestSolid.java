@@ -16,14 +16,14 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /** The simplest record for a solid of planes: a box, a wedge or a prism where it has the shape of one. */
-public final class Simplified {
+public final class SimplestSolid {
     /** Components of unit normals below this are noise of rotations. */
     private static final double NO_COMPONENT = 1e-12;
 
     /** Difference of planes, relative to 1 m or the distance, below which a wedge or prism is taken for the planes. */
     private static final double SAME_PLANE = 1e-11;
 
-    private Simplified() {}
+    private SimplestSolid() {}
 
     /**
      * Returns the same shape with the same id, defaults and faces as a box, a wedge or a prism, or the given solid. Its
@@ -60,9 +60,9 @@ public final class Simplified {
         return sides;
     }
 
-    private static Optional<Solid.Face> said(PlaneFace face) {
-        Solid.Face said = new Solid.Face(face.material(), face.portalable(), face.texture());
-        return said.equals(Solid.Face.INHERITED) ? Optional.empty() : Optional.of(said);
+    private static Optional<Solid.Face> authored(PlaneFace face) {
+        Solid.Face authored = new Solid.Face(face.material(), face.portalable(), face.texture());
+        return authored.equals(Solid.Face.INHERITED) ? Optional.empty() : Optional.of(authored);
     }
 
     private static double at(Map<BoxFace, PlaneFace> sides, BoxFace side) {
@@ -83,7 +83,7 @@ public final class Simplified {
                 at(sides, BoxFace.PLUS_Y),
                 at(sides, BoxFace.PLUS_Z));
         Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
-        sides.forEach((side, face) -> said(face).ifPresent(said -> faces.put(side, said)));
+        sides.forEach((side, face) -> authored(face).ifPresent(authored -> faces.put(side, authored)));
         return Optional.of(new Solid.Box(
                 solid.id(),
                 solid.material(),
@@ -135,8 +135,8 @@ public final class Simplified {
         double noise = ExactNumber.OF_INTERSECTIONS / Math.min(-along, slope.ny());
         Aabb box = bounds(sides, rising, new double[] {bottom, top, lowAt, highAt});
         Map<String, Solid.Face> faces = new LinkedHashMap<>();
-        sides.forEach((side, face) -> said(face).ifPresent(said -> faces.put(side.text(), said)));
-        said(slopeFace).ifPresent(said -> faces.put("slope", said));
+        sides.forEach((side, face) -> authored(face).ifPresent(authored -> faces.put(side.text(), authored)));
+        authored(slopeFace).ifPresent(authored -> faces.put("slope", authored));
         Solid.Wedge wedge = new Solid.Wedge(
                 solid.id(),
                 solid.material(),
@@ -227,8 +227,8 @@ public final class Simplified {
             solid.planes().stream()
                     .filter(plane -> isSame(PlaneForm.plane(plane), face.plane()))
                     .findFirst()
-                    .flatMap(Simplified::said)
-                    .ifPresent(said -> faces.put(face.name(), said));
+                    .flatMap(SimplestSolid::authored)
+                    .ifPresent(authored -> faces.put(face.name(), authored));
         }
         return prism.withFaces(Collections.unmodifiableMap(faces));
     }

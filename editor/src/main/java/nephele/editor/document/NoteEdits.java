@@ -16,13 +16,13 @@ import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Level;
 
 /** Changes of the editor's notes of a level: hiding, locking, grouping, and names that no longer exist. */
-public final class Notes {
+public final class NoteEdits {
     /** Why a locked entity stays as it is; with its name. */
     public static final Words LOCKED = Words.of(
             "%s is locked: unlock it first",
             "%s está bloqueado: desbloqueie antes", "%s está bloqueado: desbloqueia primeiro");
 
-    private Notes() {}
+    private NoteEdits() {}
 
     /** Returns the level with entities hidden. */
     public static Level hidden(Level level, Collection<EntityRef> refs) {

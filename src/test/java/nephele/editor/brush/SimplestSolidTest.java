@@ -18,12 +18,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
-class SimplifiedTest {
+class SimplestSolidTest {
     private static Solid shuffled(Solid solid, long seed) {
         Solid.Planes planes = PlaneForm.of(solid);
         List<PlaneFace> faces = new ArrayList<>(planes.planes());
         Collections.shuffle(faces, new Random(seed));
-        return Simplified.of(PlaneForm.with(planes, planes.id(), faces));
+        return SimplestSolid.of(PlaneForm.with(planes, planes.id(), faces));
     }
 
     @Test
@@ -56,7 +56,7 @@ class SimplifiedTest {
     @Test
     void anObliqueSolidStaysAsItIs() {
         Solid.Planes solid = new RandomSolids(72).planes();
-        assertSame(solid, Simplified.of(solid));
+        assertSame(solid, SimplestSolid.of(solid));
     }
 
     @Test
@@ -66,9 +66,9 @@ class SimplifiedTest {
         List<PlaneFace> faces = new ArrayList<>(planes.planes());
         PlaneFace side = faces.get(3);
         faces.set(3, new PlaneFace(side.normal(), side.distanceMetres() - 0.01, null, null, null));
-        assertInstanceOf(Solid.Planes.class, Simplified.of(PlaneForm.with(planes, "p", faces)));
+        assertInstanceOf(Solid.Planes.class, SimplestSolid.of(PlaneForm.with(planes, "p", faces)));
         faces.set(3, new PlaneFace(side.normal(), side.distanceMetres(), "metal", null, null));
-        Solid.Prism metal = assertInstanceOf(Solid.Prism.class, Simplified.of(PlaneForm.with(planes, "p", faces)));
+        Solid.Prism metal = assertInstanceOf(Solid.Prism.class, SimplestSolid.of(PlaneForm.with(planes, "p", faces)));
         assertEquals("metal", FaceLooks.of(metal).get(3).material());
     }
 }
