@@ -1,5 +1,6 @@
 package nephele.engine.render;
 
+import nephele.engine.render.resource.OpeningMesh;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.RenderSettings.Deepest;
@@ -14,7 +15,6 @@ import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.PixelRectangle;
 import nephele.engine.scene.Scene;

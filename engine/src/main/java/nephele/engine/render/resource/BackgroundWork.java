@@ -1,10 +1,10 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.SharedResource;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.function.Supplier;
-import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlObject;
 
 /** Threads of one renderer that compute tables beside its frames, on all processors but one. They end with it. */

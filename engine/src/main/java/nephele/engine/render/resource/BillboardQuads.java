@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Quality.SpriteCoverage;
+import nephele.engine.scene.Scene;
+import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -10,14 +13,11 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.scene.Scene;
 
 /**
  * The images of a level's billboards on the GPU, in clusters of near ones. A crossed billboard has two images. Nothing of

@@ -1,9 +1,10 @@
 package nephele.engine.render.resource;
 
-import java.nio.FloatBuffer;
-import nephele.engine.math.Vec3;
+import nephele.engine.scene.Scene;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
+import java.nio.FloatBuffer;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -14,7 +15,6 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Whole;
 import nephele.engine.scene.FrameState;
-import nephele.engine.scene.Scene;
 import nephele.engine.scene.dynamic.DynamicInstances;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.dynamic.VisibleInstances;

@@ -1,9 +1,9 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.LightMaps;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.LightMaps;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;

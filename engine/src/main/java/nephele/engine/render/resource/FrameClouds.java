@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -7,14 +10,11 @@ import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.cloud.field.LoadedClouds;
-import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.scene.FrameState;
@@ -51,12 +51,15 @@ public final class FrameClouds implements GlObject {
     /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
     static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
         Quality quality = context.quality();
-        var sampling = new Sampling(quality.cloudLightCell(), quality.proceduralNoise(), optics -> context.owner()
-                .lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        var sampling = new Sampling(
+                quality.cloudLightCell(),
+                quality.proceduralNoise(),
+                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
         return context.share(
                 FrameClouds.class,
                 Source.of(context.scene(), quality, techniques),
-                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+                () -> new FrameClouds(
+                        context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
     }
 
     private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {

@@ -1,7 +1,7 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -17,7 +17,8 @@ import nephele.engine.scene.FrameState;
  * it is what the picture calls for.
  */
 public final class MeteredExposure implements GlObject {
-    public static final SharedResource<MeteredExposure> RESOURCE = SharedResource.of("exposure", MeteredExposure::of);
+    public static final SharedResource<MeteredExposure> RESOURCE =
+            SharedResource.of("exposure", MeteredExposure::of);
 
     private static final String NAME = "metered exposure";
 

@@ -1,5 +1,6 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.placed.PlacedModel;
@@ -9,7 +10,6 @@ import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -68,7 +68,8 @@ public final class PlantedScene implements GlObject {
                 context.output().pictures(),
                 context.output().decoding(),
                 context.quality().impostorPixels());
-        return context.share(PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
+        return context.share(
+                PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
     }
 
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */

@@ -1,5 +1,8 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Sun;
@@ -7,9 +10,6 @@ import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.light.LightRequirements;

@@ -1,5 +1,13 @@
 package nephele.engine.render.resource;
 
+import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.LightMaps;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.cloud.drawn.CloudInterval;
@@ -15,15 +23,8 @@ import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.LightMaps;
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.ShadowSampling;
-import nephele.engine.render.frame.SharedResource;
-import nephele.engine.render.frame.Target;
-import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
@@ -34,7 +35,6 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
-import nephele.engine.scene.light.SkyProbes;
 import org.joml.Vector3d;
 
 /**
@@ -185,8 +185,7 @@ public final class SurfaceLight implements GlObject {
 
     private SkyIrradiance irradiance(Sky.Atmosphere sky, Sun sun) {
         if (airTables == null || !airTables.air().equals(Daylight.air(sky))) {
-            airTables =
-                    context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
+            airTables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         }
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         SmoothSky smooth = new SmoothSky(airTables, towardsSun);

@@ -1,6 +1,7 @@
 package nephele.engine.render.resource;
 
 import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;

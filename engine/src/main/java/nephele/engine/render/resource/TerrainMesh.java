@@ -1,23 +1,23 @@
 package nephele.engine.render.resource;
 
+import java.util.List;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import java.util.List;
 import java.util.Optional;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.math.heightfield.SampleRange;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -30,7 +30,8 @@ import org.lwjgl.system.MemoryUtil;
  * the column and row within the chunk. {@code terrain-position.glsl} places a vertex.
  */
 public final class TerrainMesh implements GlObject {
-    public static final SharedResource<List<TerrainMesh>> RESOURCE = SharedResource.of("terrains", TerrainMesh::of);
+    public static final SharedResource<List<TerrainMesh>> RESOURCE =
+            SharedResource.of("terrains", TerrainMesh::of);
 
     /** Cells along a side of a chunk. */
     public static final int CHUNK_CELLS = 64;
@@ -76,7 +77,9 @@ public final class TerrainMesh implements GlObject {
     private static List<TerrainMesh> of(LoadContext context) {
         return context.scene().statics().ground().stream()
                 .map(grid -> context.share(
-                        TerrainMesh.class, new Same(grid.field()), () -> new TerrainMesh(context.gl(), grid.field())))
+                        TerrainMesh.class,
+                        new Same(grid.field()),
+                        () -> new TerrainMesh(context.gl(), grid.field())))
                 .toList();
     }
 

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.cloud;
 
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
@@ -16,7 +17,6 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 

@@ -4,12 +4,12 @@ import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.DynamicMeshes.RunUniforms;
-import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.ViewTree;
 

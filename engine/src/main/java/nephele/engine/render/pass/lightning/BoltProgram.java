@@ -8,6 +8,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
@@ -16,7 +17,7 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.View;
 import org.lwjgl.system.MemoryUtil;
 

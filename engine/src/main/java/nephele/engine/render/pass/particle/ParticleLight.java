@@ -1,5 +1,8 @@
 package nephele.engine.render.pass.particle;
 
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.RendererClouds;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
@@ -12,10 +15,7 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.RendererClouds;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 
@@ -38,7 +38,6 @@ final class ParticleLight {
     private final RendererClouds clouds;
     /** {@code null} under a constant light from all sides. */
     private final SurfaceLight light;
-
     private final double[] skyShare;
     private final Vector3d[] ofLamps;
     /** Scattered radiance by emitter, RGB. */

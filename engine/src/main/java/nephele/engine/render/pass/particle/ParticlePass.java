@@ -24,8 +24,8 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 

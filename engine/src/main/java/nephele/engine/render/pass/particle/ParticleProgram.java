@@ -6,13 +6,14 @@ import nephele.engine.particle.ParticlePicture;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** The shaders of particles, with the pictures that the level's kinds need. */
 final class ParticleProgram {

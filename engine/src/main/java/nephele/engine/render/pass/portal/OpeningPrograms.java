@@ -8,6 +8,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** Programs that place openings at exactly the same depth. */
 final class OpeningPrograms {

@@ -4,10 +4,10 @@ import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.MeteredExposure;
 
 /** The programs of a rim's parts; all have the same uniforms. */
 final class RimPrograms {

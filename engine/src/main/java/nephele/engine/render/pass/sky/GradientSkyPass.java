@@ -16,6 +16,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.frame.FrameUniforms;
 
 /**
  * Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn; behind fog that ends with

@@ -18,6 +18,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code atmosphere.frag} with its numbers, which are set when they change. */
 final class SkyProgram {

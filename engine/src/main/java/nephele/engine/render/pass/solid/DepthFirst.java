@@ -11,6 +11,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 
 /**

@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.terrain;
 
+import nephele.engine.render.resource.PictureArrays;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
@@ -9,6 +10,8 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
@@ -16,9 +19,6 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
-import nephele.engine.render.resource.PictureArrays;
-import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;

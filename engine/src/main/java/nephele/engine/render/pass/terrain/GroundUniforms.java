@@ -9,11 +9,11 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Quality.TerrainDetail;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainUniforms;
 
 /**
