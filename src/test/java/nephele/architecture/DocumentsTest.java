@@ -46,6 +46,28 @@ class DocumentsTest {
             "Weld",
             "PlaneSide");
 
+    /** Names in comments that are no types of ours: people, formats, keys, programs, and the placeholder of a name. */
+    private static final Set<String> WORDS = Set.of(
+            "MiB",
+            "KiB",
+            "AltGr",
+            "AxisAngle4",
+            "PageUp",
+            "PageDown",
+            "SplitMix64",
+            "NaNs",
+            "TwelveMonkeys",
+            "OpenImageIO",
+            "HyAB",
+            "YyCxCz",
+            "FidelityFX",
+            "McGuire",
+            "McTaggart",
+            "WxH");
+
+    private static final Pattern COMMENT = Pattern.compile("//[^\n]*|/\\*[^*]*+\\*++(?:[^/*][^*]*+\\*++)*+/");
+    private static final Pattern TEXT = Pattern.compile("\"(?:\\\\.|[^\"\\\\\n])*+\"");
+
     @Test
     void linksLeadToFiles() throws IOException {
         List<String> broken = new ArrayList<>();
@@ -118,6 +140,41 @@ class DocumentsTest {
         return types.getOrDefault(words[first], List.of()).stream()
                 .anyMatch(file -> file.path().contains(folder)
                         && member.matcher(file.text()).find());
+    }
+
+    /** Types, files of shaders and pages that comments name; a type that code uses exists. */
+    @Test
+    void namesInCommentsExist() throws IOException {
+        List<SourceFile> sources = SourceFile.all();
+        Set<String> used = new TreeSet<>();
+        Set<String> paths = new TreeSet<>();
+        for (SourceFile file : sources) {
+            paths.add("/" + file.path());
+            used.addAll(
+                    groups("\\b([A-Z]\\w+)", COMMENT.matcher(withoutTexts(file)).replaceAll(" ")));
+        }
+        List<String> unknown = new ArrayList<>();
+        for (SourceFile file : sources) {
+            for (String comment : groups("(" + COMMENT.pattern() + ")", withoutTexts(file))) {
+                Stream<String> types = CAMEL_CASE.matcher(comment).results().map(MatchResult::group);
+                types.filter(type -> !used.contains(type) && !WORDS.contains(type))
+                        .forEach(type -> unknown.add(file.path() + ": " + type));
+                Stream<String> files = Stream.of(
+                                groups("/?([\\w-][\\w/-]*\\.(?:glsl|vert|frag|geom))\\b", comment).stream(),
+                                groups("\\bnephele\\.((?:[a-z]\\w*\\.)+[A-Z]\\w*)", comment).stream()
+                                        .map(type -> type.replace('.', '/') + ".java"),
+                                groups("\\b(docs/[\\w./-]+\\w)", comment).stream())
+                        .flatMap(found -> found);
+                files.filter(name -> !Files.exists(Path.of(name))
+                                && paths.stream().noneMatch(path -> path.endsWith("/" + name)))
+                        .forEach(name -> unknown.add(file.path() + ": " + name));
+            }
+        }
+        assertEquals(List.of(), unknown);
+    }
+
+    private static String withoutTexts(SourceFile file) {
+        return TEXT.matcher(file.text()).replaceAll("\"\"");
     }
 
     private static List<Path> pages() throws IOException {

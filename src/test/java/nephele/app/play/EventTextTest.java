@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;

@@ -20,7 +20,6 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.ground.GroundSeat;
-import nephele.engine.portal.ground.GroundStep;
 import org.junit.jupiter.api.Test;
 
 /** The world opened at a portal on uneven ground is the ground itself beside the aperture. */
@@ -39,7 +38,7 @@ class GroundOpeningTest {
         Vec3 on = new Vec3(0, HeightFieldSurface.y(MESA, 0, 0), 0);
         Portal ground =
                 GroundSeat.over(MESA, on, "g", APERTURE, normal -> NORTH).portal();
-        assertTrue(GroundStep.below(List.of(MESA), ground) > 0.015, "the ground is uneven");
+        assertTrue(GroundSeat.stepMetres(List.of(MESA), ground) > 0.015, "the ground is uneven");
         Portal wall =
                 new Portal("w", new Vec3(20, 1.05, 0), Portal.facing(new Vec3(0, 0, 1), new Vec3(0, 1, 0)), APERTURE);
         CollisionWorld statics = CollisionWorld.of(new StaticShapes(

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
@@ -14,7 +15,6 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.TextureUnit;
 
 /**
  * A trial pass that reads its view: red is the distance along the view's axis in units of 16 m, green the previous red,
@@ -28,11 +28,8 @@ final class DistancePass implements Pass {
 
     private DistancePass(LoadContext context) {
         targets = context.targets();
-        var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
-        drawing = new FullScreenDrawing(context, "/nephele/engine/render/trial/", stages, uniforms -> {
-            uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-            uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-        });
+        String folder = "/nephele/engine/render/trial/";
+        drawing = new FullScreenDrawing(context, Defines.of(context), folder + "trial.vert", folder + "distance.frag");
     }
 
     static RenderFeature of(Stage stage) {

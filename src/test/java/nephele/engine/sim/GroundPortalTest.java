@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 

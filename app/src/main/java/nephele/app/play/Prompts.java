@@ -14,7 +14,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.TickEvent;

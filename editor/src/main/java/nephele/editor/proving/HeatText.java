@@ -4,7 +4,7 @@ import java.util.Locale;
 import nephele.editor.text.Text;
 import nephele.editor.text.Words;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /** A text of the heat map in English, Brazilian and European Portuguese. */
 public enum HeatText implements Text {

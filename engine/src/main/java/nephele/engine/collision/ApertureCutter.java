@@ -12,7 +12,7 @@ import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
-import nephele.engine.portal.ground.GroundStep;
+import nephele.engine.portal.ground.GroundSeat;
 
 /**
  * Cuts solids at the apertures and puts the other side's solids into the aperture volumes. The other side may have
@@ -29,7 +29,7 @@ final class ApertureCutter {
 
     private final CollisionWorld statics;
     private final Portals portals;
-    /** The height of each portal above the ground around it, {@link GroundStep}; NaN before it is asked for. */
+    /** The height of each portal above the ground around it, {@link GroundSeat#stepMetres}; NaN before it is asked for. */
     private final double[] groundSteps;
 
     private final ItemList found = new ItemList();
@@ -75,7 +75,7 @@ final class ApertureCutter {
     /** Returns how far the ground around a portal lies below it, found on the first call. */
     double groundStepMetres(int portal) {
         if (Double.isNaN(groundSteps[portal])) {
-            groundSteps[portal] = GroundStep.below(statics.grounds(), portals.portal(portal));
+            groundSteps[portal] = GroundSeat.stepMetres(statics.grounds(), portals.portal(portal));
         }
         return groundSteps[portal];
     }

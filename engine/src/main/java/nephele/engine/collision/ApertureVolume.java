@@ -9,7 +9,7 @@ import nephele.engine.math.PolyhedronCut;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
-import nephele.engine.portal.ground.GroundStep;
+import nephele.engine.portal.ground.GroundSeat;
 
 /**
  * The aperture volume: the hole in this side's solids behind an open portal. It is the aperture's own prism for the
@@ -51,7 +51,7 @@ final class ApertureVolume {
 
     /**
      * @param reachMetres depth of the volume, and its margin around the aperture
-     * @param stepMetres how far the ground around lies below the portal, see {@link GroundStep}
+     * @param stepMetres how far the ground around lies below the portal, see {@link GroundSeat#stepMetres}
      * @param shared planes that separate it from the volumes of other portals; it is on their negative side
      */
     static ApertureVolume behind(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {

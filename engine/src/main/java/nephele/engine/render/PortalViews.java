@@ -1,6 +1,5 @@
 package nephele.engine.render;
 
-import nephele.engine.render.resource.OpeningMesh;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.RenderSettings.Deepest;
@@ -15,6 +14,7 @@ import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.PixelRectangle;
 import nephele.engine.scene.Scene;
@@ -29,7 +29,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final RenderSettings settings;
     private final RenderResources resources;
     private final Scene scene;
-    private final ViewPasses passes;
+    private final FramePasses passes;
     private final List<Pass> skies;
     private final ViewCopies copies;
     /** Copies for views with pictures of their own, which may have another size. */
@@ -53,7 +53,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
             RenderSettings settings,
             RenderResources resources,
             Scene scene,
-            ViewPasses passes,
+            FramePasses passes,
             ViewCopies copies) {
         this.gl = gl;
         this.settings = settings;
@@ -242,7 +242,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         FrameContext context = context(node.depth());
         context.begin(frameState, surface);
         context.setView(node.view(), node, seen, settings.limits(node));
-        passes.draw(context, viewCopies);
+        passes.drawView(context, viewCopies);
     }
 
     private FrameContext context(int depth) {

@@ -1,27 +1,25 @@
 package nephele.engine.render;
 
-import nephele.engine.render.resource.RendererClouds;
-import nephele.engine.render.gl.OwnedObjects;
-import nephele.engine.render.frame.DrawnScene;
-import nephele.engine.render.frame.RenderResources;
 import java.util.List;
 import java.util.OptionalDouble;
-import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
+import nephele.engine.render.frame.DrawnScene;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
@@ -39,9 +37,8 @@ public final class Renderer implements AutoCloseable {
     private final VisibleSet visible;
     private final FrameState start;
     // Set when the passes are known.
-    private PassOrder passes;
+    private FramePasses passes;
     private List<Pass> onceAFrame;
-    private ViewPasses views;
     private List<Pass> afterViews;
     private List<Pass> afterAll;
     private PictureChain chain;
@@ -142,9 +139,8 @@ public final class Renderer implements AutoCloseable {
 
     private void buildPasses() {
         RenderFeatures.OF_EVERY_VIEW.forEach(resources::get);
-        passes = new PassOrder(resources, settings.decoration(), features);
+        passes = new FramePasses(resources, settings.decoration(), features);
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
-        views = passes.views();
         afterViews = passes.of(Stage.AFTER_VIEWS);
         afterAll = passes.of(Stage.AFTER_ALL);
         exposure = resources.get(MeteredExposure.RESOURCE);
@@ -157,7 +153,7 @@ public final class Renderer implements AutoCloseable {
             resources.uniforms().samplePositions(multisampling.positions());
         }
         if (ViewTree.mayGrow(scene.level())) {
-            portals = new PortalViews(gl, settings, resources, scene, views, copies);
+            portals = new PortalViews(gl, settings, resources, scene, passes, copies);
         }
         frame = new FrameContext(portals);
     }
@@ -230,7 +226,7 @@ public final class Renderer implements AutoCloseable {
             }
         }
         clear(frameState, surface, drawn);
-        if (views.passes().isEmpty()) {
+        if (passes.inViews().isEmpty()) {
             average(surface);
         }
         listener.submitted(onceAFrame.size());
@@ -252,8 +248,8 @@ public final class Renderer implements AutoCloseable {
     /** Draws the views only to meter them: what shows values of the display in them needs the exposure. */
     private void meterBefore(FrameState frameState, RenderTarget surface, RenderTarget drawn) {
         clear(frameState, surface, drawn);
-        for (int i = 0; i < views.passes().size(); i++) {
-            views.draw(i, frame, copies);
+        for (int i = 0; i < passes.inViews().size(); i++) {
+            passes.drawInView(i, frame, copies);
         }
         multisampling.resolve(surface);
         drawAfterViews(surface, StepListener.NONE);
@@ -281,9 +277,9 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void drawView(RenderTarget surface, StepListener listener) {
-        int size = views.passes().size();
+        int size = passes.inViews().size();
         for (int i = 0; i < size; i++) {
-            views.draw(i, frame, copies);
+            passes.drawInView(i, frame, copies);
             if (i + 1 == size) {
                 average(surface);
             }
@@ -295,12 +291,12 @@ public final class Renderer implements AutoCloseable {
         for (int i = 0; i < afterViews.size(); i++) {
             frame.setPictures(surface, null);
             afterViews.get(i).draw(frame);
-            listener.submitted(onceAFrame.size() + 1 + views.passes().size() + i);
+            listener.submitted(onceAFrame.size() + 1 + passes.inViews().size() + i);
         }
     }
 
     private void drawAfterAll(RenderTarget picture, StepListener listener) {
-        int first = onceAFrame.size() + 1 + views.passes().size() + afterViews.size();
+        int first = onceAFrame.size() + 1 + passes.inViews().size() + afterViews.size();
         for (int i = 0; i < afterAll.size(); i++) {
             frame.setPictures(chain.before(i, picture), chain.before(i + 1, picture));
             afterAll.get(i).draw(frame);

@@ -6,7 +6,7 @@ import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.scene.FrameState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.GunPortals;

@@ -12,8 +12,6 @@ import nephele.engine.render.gl.LineMesh;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
@@ -39,21 +37,14 @@ final class AxesCross implements AutoCloseable {
     private final LineMesh lines;
     private final GlProgram<Inputs> program;
 
-    private record Inputs(Matrix4 clipFromRelative, Vector3 clipPerPixel) {
-        static Inputs of(Uniforms uniforms) {
-            return new Inputs(uniforms.matrix4("clipFromRelative"), uniforms.vector3("clipPerPixel"));
-        }
-    }
+    private record Inputs(Matrix4 clipFromRelative, Vector3 clipPerPixel) {}
 
     AxesCross(GlContext gl) {
         this.gl = gl;
         var format = VertexFormat.of(Attribute.FLOAT3, Attribute.FLOAT3, Attribute.FLOAT2);
         lines = new LineMesh(gl, "cross of axes", format, vertices());
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FixedProgram.FOLDER + "axes-cross.vert", Map.of()),
-                ShaderSource.load(FixedProgram.FOLDER + "axes.frag", Map.of()),
-                Inputs::of);
+        program = GlProgram.of(
+                gl, FixedProgram.FOLDER + "axes-cross.vert", FixedProgram.FOLDER + "axes.frag", Map.of(), Inputs.class);
     }
 
     private static float[] vertices() {

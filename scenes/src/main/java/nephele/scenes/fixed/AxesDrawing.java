@@ -9,8 +9,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.LineMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
@@ -26,21 +24,13 @@ final class AxesDrawing implements AutoCloseable {
     private final LineMesh lines;
     private final GlProgram<Inputs> program;
 
-    private record Inputs(Vector3 eye, Scalar length, Matrix4 clipFromRelative) {
-        static Inputs of(Uniforms uniforms) {
-            return new Inputs(
-                    uniforms.vector3("eye"), uniforms.scalar("halfLength"), uniforms.matrix4("clipFromRelative"));
-        }
-    }
+    private record Inputs(Vector3 eye, Scalar halfLength, Matrix4 clipFromRelative) {}
 
     AxesDrawing(GlContext gl) {
         this.gl = gl;
         lines = new LineMesh(gl, "axes", VertexFormat.of(Attribute.FLOAT3, Attribute.FLOAT3), vertices());
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FixedProgram.FOLDER + "axes.vert", Map.of()),
-                ShaderSource.load(FixedProgram.FOLDER + "axes.frag", Map.of()),
-                Inputs::of);
+        program = GlProgram.of(
+                gl, FixedProgram.FOLDER + "axes.vert", FixedProgram.FOLDER + "axes.frag", Map.of(), Inputs.class);
     }
 
     private static float[] vertices() {
@@ -60,7 +50,7 @@ final class AxesDrawing implements AutoCloseable {
         inputs.eye().set(eye.x(), eye.y(), eye.z());
         double distance =
                 Math.sqrt((double) eye.x() * eye.x() + (double) eye.y() * eye.y() + (double) eye.z() * eye.z());
-        inputs.length().set(Math.max(LEAST_LENGTH_UNITS, LENGTH_PER_DISTANCE * (float) distance));
+        inputs.halfLength().set(Math.max(LEAST_LENGTH_UNITS, LENGTH_PER_DISTANCE * (float) distance));
         inputs.clipFromRelative().set(eye.clipFromRelative());
         program.use();
         lines.draw();

@@ -9,7 +9,6 @@ import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 
 /** Draws a picture that fills the window behind the scene. */
@@ -17,20 +16,14 @@ final class BackgroundDrawing implements AutoCloseable {
     private final GlContext gl;
     private final Texture picture;
     private final FullScreenTriangle triangle;
-    private final GlProgram<Object> program;
+    private final GlProgram<?> program;
 
     BackgroundDrawing(GlContext gl, Picture picture) {
         this.gl = gl;
         this.picture = PictureTexture.of(gl, "background", picture);
         triangle = new FullScreenTriangle(gl, "background");
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FixedProgram.FOLDER + "background.vert", Map.of()),
-                ShaderSource.load(FixedProgram.FOLDER + "background.frag", Map.of()),
-                uniforms -> {
-                    uniforms.sampler("picture", TextureUnit.SCENE_PICTURE);
-                    return uniforms;
-                });
+        program = GlProgram.of(
+                gl, FixedProgram.FOLDER + "background.vert", FixedProgram.FOLDER + "background.frag", Map.of());
     }
 
     void draw() {

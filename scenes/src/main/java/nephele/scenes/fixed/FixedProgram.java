@@ -4,7 +4,6 @@ import java.util.Map;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
@@ -20,8 +19,6 @@ final class FixedProgram {
     /** @param light {@code null} without lighting */
     record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
         static Inputs of(Uniforms uniforms, Shading shading) {
-            uniforms.sampler("visibleModels", TextureUnit.SCENE_VISIBLE);
-            uniforms.sampler("places", TextureUnit.SCENE_PLACES);
             return new Inputs(
                     uniforms.whole("firstVisible"),
                     uniforms.whole("firstPlace"),
@@ -33,9 +30,6 @@ final class FixedProgram {
 
     record LightInputs(Vector3 towardsViewer, Vector4 lightTerms) {
         static LightInputs of(Uniforms uniforms) {
-            uniforms.sampler("looks", TextureUnit.SCENE_LOOKS);
-            uniforms.sampler("fixedLights", TextureUnit.SCENE_LIGHTS);
-            uniforms.sampler("picture", TextureUnit.SCENE_PICTURE);
             return new LightInputs(uniforms.vector3("towardsViewer"), uniforms.vector4("lightTerms"));
         }
     }

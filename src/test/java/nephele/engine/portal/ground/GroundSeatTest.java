@@ -100,7 +100,7 @@ class GroundSeatTest {
                             + 0.004 * Math.sin(2.1 * column + row)
                             + 0.3 * Math.cos(0.04 * row));
             GroundSeat seat = seat(field, -1 + 0.1 * place, 0.07 * place);
-            double step = GroundStep.below(List.of(field), seat.portal());
+            double step = GroundSeat.stepMetres(List.of(field), seat.portal());
             assertTrue(seat.isEven(), seat.toString());
             assertEquals(2 * seat.unevenMetres(), step, 1e-9);
             assertEquals(0, ApertureGround.under(field, seat.portal()).highest(), 1e-12);
@@ -146,7 +146,7 @@ class GroundSeatTest {
         var wall = nephele.engine.portal.Portal.facing(new Vec3(0, 0, 1), new Vec3(0, 1, 0));
         for (double y = -1.3; y < 1.3; y += 0.1) {
             var portal = new nephele.engine.portal.Portal("w", new Vec3(0.1, y, 0), wall, APERTURE);
-            assertEquals(GroundStep.NO_GROUND, GroundStep.below(List.of(field), portal));
+            assertEquals(GroundSeat.NO_GROUND, GroundSeat.stepMetres(List.of(field), portal));
         }
     }
 }

@@ -14,6 +14,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

@@ -17,6 +17,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

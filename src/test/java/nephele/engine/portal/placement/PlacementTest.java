@@ -8,6 +8,7 @@ import nephele.engine.level.PortalShape;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.api.Test;
 
 /** Placement of portals that overlap or barely fit, and every reason for a refusal. */

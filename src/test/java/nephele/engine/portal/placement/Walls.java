@@ -13,6 +13,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /** Boxes around a wall in the plane z = 0 that faces +z, and shots at it along −z. */
 final class Walls {

@@ -4,7 +4,7 @@ import nephele.engine.math.Vec3;
 
 /**
  * The three views of an atlas that are nearest to a direction, with their weights: the corners of a triangle of the grid,
- * weighted so that they change continuously. The twin of {@code impostor.glsl}.
+ * weighted so that they change continuously. The twin of {@code impostor-views.glsl}.
  *
  * @param views column + side · row of each
  * @param weights at least 0; their sum is 1

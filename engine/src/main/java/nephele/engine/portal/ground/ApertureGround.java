@@ -11,8 +11,9 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * The ground under an aperture and a rim around it: the triangles of a terrain, clipped along the portal's normal.
- * Heights above a plane are linear on each, so their extremes are at the corners kept here, in the portal's axes.
+ * The ground under an aperture and a rim around it: the triangles of a terrain, clipped along the portal's normal, and
+ * the plane nearest to them. Heights above a plane are linear on each triangle, so their extremes are at the corners kept
+ * here, in the portal's axes.
  */
 final class ApertureGround {
     /** Width of the rim around the aperture; the drawn rim is as wide. */
@@ -24,6 +25,16 @@ final class ApertureGround {
     private static final int SAMPLE_COLUMNS = 4;
     private static final int SAMPLE_ROWS = 6;
 
+    private static final int MOST_ROUNDS = 16;
+    private static final int MOST_STEPS = 60;
+    private static final double EXACT_METRES = 1e-5;
+
+    /** Least fraction of the greatest deviation with which a weight is multiplied, so that none vanishes for good. */
+    private static final double LEAST_FACTOR = 1e-6;
+
+    /** Determinant, relative to the product of the diagonal, below which the corners lie on a line. */
+    private static final double ON_LINE = 1e-12;
+
     private final Portal portal;
     private final Aperture aperture;
     /** For each corner: across, upward, in front. */
@@ -32,6 +43,20 @@ final class ApertureGround {
     private int count;
     private double[] piece = new double[3 * (Aperture.MOST_CORNERS + 4)];
     private double[] clipped = new double[3 * (Aperture.MOST_CORNERS + 4)];
+
+    /** The corners that decide the nearest plane, and their weights. */
+    private int[] few = new int[16];
+
+    private int fewCount;
+    private double[] weights = new double[16];
+
+    private double slopeX;
+    private double slopeY;
+    private double atLeast;
+
+    private double trialX;
+    private double trialY;
+    private double trialHeight;
 
     private ApertureGround(Portal portal) {
         this.portal = portal;
@@ -118,10 +143,10 @@ final class ApertureGround {
                     System.arraycopy(piece, 3 * i, clipped, 3 * kept++, 3);
                 }
                 if (here < 0 && there > 0 || here > 0 && there < 0) {
-                    double share = here / (here - there);
+                    double fraction = here / (here - there);
                     for (int axis = 0; axis < 3; axis++) {
                         double from = piece[3 * i + axis];
-                        clipped[3 * kept + axis] = from + share * (piece[3 * next + axis] - from);
+                        clipped[3 * kept + axis] = from + fraction * (piece[3 * next + axis] - from);
                     }
                     kept++;
                 }
@@ -183,5 +208,186 @@ final class ApertureGround {
             greatest = Math.max(greatest, inFront(i));
         }
         return greatest;
+    }
+
+    /**
+     * Finds the plane nearest to the ground in the greatest deviation; the accessors below refer to it. A few corners
+     * decide it: it is found for a few, and those farthest from it join them, until no corner is farther than the few. For
+     * the few it is the limit of weighted least-squares planes, whose weights are multiplied by the deviations (Lawson
+     * 1961). The root mean square of each is a lower bound, so ground that is too uneven is recognised early.
+     *
+     * @param enoughMetres deviation beyond which no plane is wanted
+     */
+    ApertureGround fit(double enoughMetres) {
+        fewCount = 0;
+        slopeX = 0;
+        slopeY = 0;
+        atLeast = 0;
+        beginWithEnds();
+        for (int round = 0; round < MOST_ROUNDS; round++) {
+            double deviation = fitFew(enoughMetres);
+            if (atLeast > enoughMetres || !addFarthest(deviation)) {
+                break;
+            }
+        }
+        return this;
+    }
+
+    /** Returns the rise of the plane along the portal's x. */
+    double slopeX() {
+        return slopeX;
+    }
+
+    /** Returns the rise of the plane along the portal's y. */
+    double slopeY() {
+        return slopeY;
+    }
+
+    /** Returns the plane's greatest deviation from the  */
+    double greatestMetres() {
+        double least = Double.POSITIVE_INFINITY;
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            least = Math.min(least, above(i));
+            greatest = Math.max(greatest, above(i));
+        }
+        return (greatest - least) / 2;
+    }
+
+    /** Returns a lower bound of every plane's greatest deviation. */
+    double atLeastMetres() {
+        return atLeast;
+    }
+
+    /** Chooses the ends of the ground in eight directions. */
+    private void beginWithEnds() {
+        for (int direction = 0; direction < 8; direction++) {
+            double x = new int[] {1, 1, 0, -1}[direction & 3];
+            double y = new int[] {0, 1, 1, 1}[direction & 3];
+            double sign = direction < 4 ? 1 : -1;
+            int best = 0;
+            double farthest = Double.NEGATIVE_INFINITY;
+            for (int i = 0; i < count; i++) {
+                double along = sign * (x * across(i) + y * upward(i));
+                if (along > farthest) {
+                    farthest = along;
+                    best = i;
+                }
+            }
+            choose(best);
+        }
+    }
+
+    private boolean choose(int corner) {
+        for (int i = 0; i < fewCount; i++) {
+            if (few[i] == corner) {
+                return false;
+            }
+        }
+        if (fewCount == few.length) {
+            few = Arrays.copyOf(few, 2 * fewCount);
+            weights = Arrays.copyOf(weights, 2 * fewCount);
+        }
+        few[fewCount++] = corner;
+        return true;
+    }
+
+    /** Adds the corners farthest above and below; returns false if they are no farther than the few. */
+    private boolean addFarthest(double deviation) {
+        int lowest = 0;
+        int highest = 0;
+        for (int i = 1; i < count; i++) {
+            double height = above(i);
+            lowest = height < above(lowest) ? i : lowest;
+            highest = height > above(highest) ? i : highest;
+        }
+        if ((above(highest) - above(lowest)) / 2 <= deviation + EXACT_METRES) {
+            return false;
+        }
+        boolean isNew = choose(lowest);
+        return choose(highest) || isNew;
+    }
+
+    private double above(int corner) {
+        return inFront(corner) - slopeX * across(corner) - slopeY * upward(corner);
+    }
+
+    /** Finds the slopes of the plane nearest to the few; returns its greatest deviation from them. */
+    private double fitFew(double enoughMetres) {
+        Arrays.fill(weights, 0, fewCount, 1.0 / fewCount);
+        double best = Double.POSITIVE_INFINITY;
+        for (int step = 0; step < MOST_STEPS && best - atLeast > EXACT_METRES; step++) {
+            if (!fitWeighted()) {
+                return 0;
+            }
+            double greatest = 0;
+            double square = 0;
+            for (int i = 0; i < fewCount; i++) {
+                double off = Math.abs(off(few[i]));
+                greatest = Math.max(greatest, off);
+                square += weights[i] * off * off;
+            }
+            if (greatest < best) {
+                best = greatest;
+                slopeX = trialX;
+                slopeY = trialY;
+            }
+            atLeast = Math.max(atLeast, Math.sqrt(square));
+            if (atLeast > enoughMetres) {
+                break;
+            }
+            reweigh(greatest);
+        }
+        return best;
+    }
+
+    private double off(int corner) {
+        return inFront(corner) - trialHeight - trialX * across(corner) - trialY * upward(corner);
+    }
+
+    private void reweigh(double greatest) {
+        double sum = 0;
+        for (int i = 0; i < fewCount; i++) {
+            weights[i] *= Math.max(Math.abs(off(few[i])), LEAST_FACTOR * greatest);
+            sum += weights[i];
+        }
+        for (int i = 0; i < fewCount; i++) {
+            weights[i] = sum > 0 ? weights[i] / sum : 1.0 / fewCount;
+        }
+    }
+
+    /** Fits a plane by weighted least squares; returns false if the few lie on a line. */
+    private boolean fitWeighted() {
+        double x = 0;
+        double y = 0;
+        double height = 0;
+        for (int i = 0; i < fewCount; i++) {
+            x += weights[i] * across(few[i]);
+            y += weights[i] * upward(few[i]);
+            height += weights[i] * inFront(few[i]);
+        }
+        double xx = 0;
+        double xy = 0;
+        double yy = 0;
+        double xh = 0;
+        double yh = 0;
+        for (int i = 0; i < fewCount; i++) {
+            double dx = across(few[i]) - x;
+            double dy = upward(few[i]) - y;
+            double dh = inFront(few[i]) - height;
+            xx += weights[i] * dx * dx;
+            xy += weights[i] * dx * dy;
+            yy += weights[i] * dy * dy;
+            xh += weights[i] * dx * dh;
+            yh += weights[i] * dy * dh;
+        }
+        double determinant = xx * yy - xy * xy;
+        if (!(determinant > ON_LINE * xx * yy)) {
+            return false;
+        }
+        trialX = (yy * xh - xy * yh) / determinant;
+        trialY = (xx * yh - xy * xh) / determinant;
+        trialHeight = height - trialX * x - trialY * y;
+        return true;
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.portal.ground;
 
+import java.util.List;
 import java.util.function.UnaryOperator;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
@@ -21,11 +22,19 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     /** Greatest deviation over the aperture with which ground takes a portal. */
     public static final double MOST_UNEVEN_METRES = 0.01;
 
+    /** The step of a portal that is not on ground. */
+    public static final double NO_GROUND = -1;
+
+    /** Allowance for rounding and for portals that follow flat ground by least squares. */
+    private static final double STEP_TOLERANCE_METRES = 1.1e-3;
+
+    private static final double MOST_STEP_METRES = 2 * MOST_UNEVEN_METRES + STEP_TOLERANCE_METRES;
+
     private static final double ROUNDING_METRES = 1e-6;
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
     /** Distance from the border, in cells, at which rounding leaves a place on the field. */
-    private static final double BORDER_SHARE = 1e-6;
+    private static final double BORDER_CELLS = 1e-6;
 
     /** Deviation of a few points, in greatest ones, that does not follow from differing axes. */
     private static final double CERTAIN = 1.1;
@@ -48,15 +57,15 @@ public record GroundSeat(Portal portal, double unevenMetres) {
         for (int turn = 0; turn < MOST_TURNS; turn++) {
             ApertureGround ground = ApertureGround.under(field, portal);
             double enough = turn == 0 ? HOPELESS * MOST_UNEVEN_METRES : MOST_UNEVEN_METRES + ROUNDING_METRES;
-            NearestPlane plane = NearestPlane.to(ground, enough);
-            if (plane.atLeastMetres() > enough) {
-                return new GroundSeat(portal, plane.atLeastMetres());
+            ground.fit(enough);
+            if (ground.atLeastMetres() > enough) {
+                return new GroundSeat(portal, ground.atLeastMetres());
             }
-            if (Math.abs(plane.slopeX()) + Math.abs(plane.slopeY()) < SAME_SLOPE) {
+            if (Math.abs(ground.slopeX()) + Math.abs(ground.slopeY()) < SAME_SLOPE) {
                 break;
             }
             Basis axes = portal.frame();
-            Vec3 tilt = Directions.combined(axes.right(), -plane.slopeX(), axes.up(), -plane.slopeY());
+            Vec3 tilt = Directions.combined(axes.right(), -ground.slopeX(), axes.up(), -ground.slopeY());
             portal = facing(id, on, axes.back().addScaled(1, tilt), aperture, upright);
         }
         return raised(field, portal);
@@ -95,12 +104,12 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     }
 
     private static double withinX(HeightField field, double x) {
-        double margin = BORDER_SHARE * field.cellX();
+        double margin = BORDER_CELLS * field.cellX();
         return Math.max(field.x(0) + margin, Math.min(field.x(field.cellColumns()) - margin, x));
     }
 
     private static double withinZ(HeightField field, double z) {
-        double margin = BORDER_SHARE * field.cellZ();
+        double margin = BORDER_CELLS * field.cellZ();
         return Math.max(field.z(0) + margin, Math.min(field.z(field.cellRows()) - margin, z));
     }
 
@@ -113,19 +122,32 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     public static boolean isPossible(HeightField field, Portal near) {
         ApertureGround few = ApertureGround.sampled(field, near);
         return few.size() < 4
-                || NearestPlane.to(few, MOST_UNEVEN_METRES * CERTAIN).atLeastMetres() <= MOST_UNEVEN_METRES * CERTAIN;
+                || few.fit(MOST_UNEVEN_METRES * CERTAIN).atLeastMetres() <= MOST_UNEVEN_METRES * CERTAIN;
     }
 
     /** Returns the greatest deviation from the nearest plane also for ground that takes no portal. */
     public double measuredUneven(HeightField field) {
         return isEven()
                 ? unevenMetres
-                : NearestPlane.to(ApertureGround.under(field, portal), Double.POSITIVE_INFINITY)
-                        .greatestMetres();
+                : ApertureGround.under(field, portal).fit(Double.POSITIVE_INFINITY).greatestMetres();
     }
 
     /** Returns true if the ground takes a portal here. */
     public boolean isEven() {
         return unevenMetres <= MOST_UNEVEN_METRES + ROUNDING_METRES;
+    }
+
+    /**
+     * Returns the greatest distance in metres of the ground under aperture and rim from the portal's plane, or {@link
+     * #NO_GROUND} if the portal does not lie on one of the terrains.
+     */
+    public static double stepMetres(List<HeightField> terrains, Portal portal) {
+        for (HeightField field : terrains) {
+            ApertureGround ground = ApertureGround.under(field, portal);
+            if (ground.size() > 0 && ground.highest() <= STEP_TOLERANCE_METRES && ground.lowest() >= -MOST_STEP_METRES) {
+                return Math.max(0, -ground.lowest());
+            }
+        }
+        return NO_GROUND;
     }
 }

@@ -15,6 +15,7 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.ground.GroundSeat;
 import nephele.engine.portal.placement.Placement.Shot;
 import nephele.engine.portal.placement.PlacementResult.Fits;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
  * Fits portals on terrains, at a {@link GroundSeat} that nothing bars: over the aimed point if possible, otherwise over

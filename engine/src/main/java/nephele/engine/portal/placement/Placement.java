@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
  * Decides where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. A place

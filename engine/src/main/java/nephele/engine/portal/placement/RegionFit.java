@@ -8,6 +8,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /**
  * Fits an aperture on a region at the legal place nearest to a point. A {@link CentreSearch} is given the obstacles: the

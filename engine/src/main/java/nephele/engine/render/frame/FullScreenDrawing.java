@@ -1,6 +1,5 @@
 package nephele.engine.render.frame;
 
-import java.util.function.Consumer;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -8,42 +7,28 @@ import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /** Runs one shader over a whole target. */
 public final class FullScreenDrawing {
     private final GlContext gl;
     private final FullScreenTriangle triangle;
-    private final GlProgram<?> program;
-
-    /** The file names of a program's two shaders. */
-    public record Stages(String vertex, String fragment) {}
+    private final GlProgram<Uniforms> program;
 
     /**
-     * Compiles for the output of {@code context}.
+     * Compiles two shaders.
      *
-     * @param folder the folder of both resources, ending in a slash
-     * @param tie binds the program's samplers and blocks permanently
+     * @param vertex path of the resource; {@code fragment} likewise
      */
-    public FullScreenDrawing(LoadContext context, String folder, Stages stages, Consumer<Uniforms> tie) {
-        this(context, Defines.of(context), folder, stages, tie);
+    public FullScreenDrawing(LoadContext context, Defines defines, String vertex, String fragment) {
+        gl = context.gl();
+        triangle = context.own(new FullScreenTriangle(gl, fragment));
+        program = GlProgram.of(gl, vertex, fragment, defines.values());
     }
 
-    /** Compiles with other defines. */
-    public FullScreenDrawing(
-            LoadContext context, Defines choices, String folder, Stages stages, Consumer<Uniforms> tie) {
-        gl = context.gl();
-        triangle = context.own(new FullScreenTriangle(gl, stages.fragment()));
-        var defines = choices.values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(folder + stages.vertex(), defines),
-                ShaderSource.load(folder + stages.fragment(), defines),
-                uniforms -> {
-                    tie.accept(uniforms);
-                    return uniforms;
-                });
+    /** Returns the program's uniforms. */
+    public <R extends Record> R uniforms(Class<R> type) {
+        return program.uniforms().record(type);
     }
 
     /** Replaces the content of the target; the caller has bound the textures. */

@@ -44,6 +44,12 @@ public final class GlProgram<U> {
                 found -> found.record(uniforms));
     }
 
+    /** Links the program or takes the linked one, without uniforms but samplers and blocks. */
+    public static GlProgram<Uniforms> of(GlContext gl, String vertex, String fragment, Map<String, String> defines) {
+        return new GlProgram<>(
+                gl, ShaderSource.load(vertex, defines), ShaderSource.load(fragment, defines), found -> found);
+    }
+
     public U uniforms() {
         return uniforms;
     }

@@ -11,8 +11,9 @@ import nephele.engine.render.gl.LineMesh;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Matrix4;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 
 /** Many lines of the world that stay on the GPU, a pixel wide, in one colour. */
 public final class WorldEdges implements AutoCloseable {
@@ -21,14 +22,7 @@ public final class WorldEdges implements AutoCloseable {
     private final LineMesh lines;
     private final GlProgram<Inputs> program;
 
-    private record Inputs(Uniforms.Matrix4 clipFromRelative, Uniforms.Vector3 fromEye, Uniforms.Vector4 colour) {
-        static Inputs of(Uniforms uniforms) {
-            return new Inputs(
-                    uniforms.matrix4("clipFromRelative"),
-                    uniforms.vector3("originFromEye"),
-                    uniforms.vector4("lineColour"));
-        }
-    }
+    private record Inputs(Matrix4 clipFromRelative, Vector3 originFromEye, Vector4 lineColour) {}
 
     /**
      * Uploads lines.
@@ -40,11 +34,8 @@ public final class WorldEdges implements AutoCloseable {
         this.gl = gl;
         this.origin = origin;
         lines = ends.length == 0 ? null : new LineMesh(gl, "edges", VertexFormat.of(Attribute.FLOAT3), ends);
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(LineDrawing.FOLDER + "edges.vert", Map.of()),
-                ShaderSource.load(LineDrawing.FOLDER + "edges.frag", Map.of()),
-                Inputs::of);
+        program = GlProgram.of(
+                gl, LineDrawing.FOLDER + "edges.vert", LineDrawing.FOLDER + "edges.frag", Map.of(), Inputs.class);
     }
 
     /** Draws over a picture, whose depth may hide what is behind its surfaces. */
@@ -56,10 +47,9 @@ public final class WorldEdges implements AutoCloseable {
         Depth depth = layer == LineLayer.BEHIND_SURFACES ? Depth.LESS_OR_EQUAL : Depth.OFF;
         gl.state().set(depth, Blend.OVER, Cull.NONE);
         program.use();
-        Vec3 fromEye = projection.fromEye(origin);
         program.uniforms().clipFromRelative().set(projection.matrix());
-        program.uniforms().fromEye().set((float) fromEye.x(), (float) fromEye.y(), (float) fromEye.z());
-        program.uniforms().colour().set(colour.red(), colour.green(), colour.blue(), colour.alpha());
+        program.uniforms().originFromEye().set(projection.fromEye(origin));
+        program.uniforms().lineColour().set(colour.red(), colour.green(), colour.blue(), colour.alpha());
         lines.draw();
     }
 

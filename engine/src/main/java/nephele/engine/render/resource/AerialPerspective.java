@@ -1,8 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.level.appearance.ShaftLight;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.util.Arrays;
 import nephele.engine.atmosphere.AerialTable;
 import nephele.engine.atmosphere.Air;
@@ -11,7 +8,10 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.ShaftLight;
 import nephele.engine.level.appearance.SunAndMoon;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
@@ -24,10 +24,9 @@ import nephele.engine.scene.View;
  * views at a height share it.
  */
 public final class AerialPerspective implements GlObject {
-    public static final SharedResource<AerialPerspective> RESOURCE =
-            SharedResource.of("air", AerialPerspective::of)
-                    .following((air, frame) -> air.follow(frame.frameState().environment()))
-                    .inViews(AerialPerspective::setView);
+    public static final SharedResource<AerialPerspective> RESOURCE = SharedResource.of("air", AerialPerspective::of)
+            .following((air, frame) -> air.follow(frame.frameState().environment()))
+            .inViews(AerialPerspective::setView);
 
     private final LoadContext context;
     /** Whether clouds shade the air. */
@@ -54,8 +53,14 @@ public final class AerialPerspective implements GlObject {
         int slices = (hasShafts ? 4 : 2) * AerialTable.SLICES;
         var extent = new Texture.Extent(AerialTable.AZIMUTHS, AerialTable.ROWS, slices);
         return new SunAndMoonTables(
-                new Texture(context.gl(), "air table", Texture.Shape.VOLUME, PixelFormat.RGBA32F, extent, Sampling.LINEAR_CLAMP),
-                context.get(BackgroundWork.RESOURCE),
+                new Texture(
+                        context.gl(),
+                        "air table",
+                        Texture.Shape.VOLUME,
+                        PixelFormat.RGBA32F,
+                        extent,
+                        Sampling.LINEAR_CLAMP),
+                context.get(SunAndMoonTables.THREADS),
                 heightMetres,
                 sine -> texels(air, heightMetres, sine));
     }

@@ -1,10 +1,9 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.scene.Scene;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.nio.FloatBuffer;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -12,9 +11,9 @@ import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Whole;
 import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.dynamic.DynamicInstances;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.dynamic.VisibleInstances;
@@ -55,7 +54,7 @@ public final class DynamicMeshes implements GlObject {
         DynamicObjects all = DynamicObjects.of(
                 scene.level(), scene.materials(), context.request().character());
         Vec3 anchor = context.get(SurfaceLight.RESOURCE).anchor();
-        return context.own(new DynamicMeshes(context.gl(), all, anchor, context.get(SurfaceLight.SKY_PROBES)));
+        return context.own(new DynamicMeshes(context.gl(), all, anchor, context.get(AmbientLight.PROBES)));
     }
 
     public DynamicObjects dynamicObjects() {
@@ -85,12 +84,7 @@ public final class DynamicMeshes implements GlObject {
     }
 
     /** The uniforms of a program that includes {@code dynamic-position.glsl}, for each run of instances. */
-    public record RunUniforms(Whole firstInstance, Whole partsPerDynamicObject) {
-        public static RunUniforms of(Uniforms uniforms) {
-            uniforms.sampler("dynamicInstances", TextureUnit.DYNAMIC_INSTANCES);
-            return new RunUniforms(uniforms.whole("firstInstance"), uniforms.whole("partsPerDynamic"));
-        }
-    }
+    public record RunUniforms(Whole firstInstance, Whole partsPerDynamic) {}
 
     public void bind() {
         instances.bind(TextureUnit.DYNAMIC_INSTANCES);
@@ -100,7 +94,7 @@ public final class DynamicMeshes implements GlObject {
     public void draw(VisibleInstances visible, int run, RunUniforms uniforms) {
         int parts = dynamicObjects.groups().get(visible.group(run)).parts();
         uniforms.firstInstance().set(visible.first(run));
-        uniforms.partsPerDynamicObject().set(parts);
+        uniforms.partsPerDynamic().set(parts);
         mesh.drawInstanced(visible.mesh(run).first(), visible.mesh(run).count(), visible.count(run) / parts);
     }
 

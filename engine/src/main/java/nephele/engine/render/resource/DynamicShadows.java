@@ -1,15 +1,13 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.Target;
-import nephele.engine.render.frame.LightMaps;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LightMaps;
+import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.UniformBlock;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.dynamic.DynamicSunProjection;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -47,15 +45,6 @@ public final class DynamicShadows implements GlObject {
 
     Defines addTo(Defines defines) {
         return defines.withIf(sun, "DYNAMIC_SUN_SHADOW").withIf(lights, "DYNAMIC_LIGHT_SHADOW");
-    }
-
-    void tie(Uniforms uniforms) {
-        if (sun) {
-            uniforms.sampler("dynamicSunMap", TextureUnit.DYNAMIC_SUN_SHADOW);
-        }
-        if (lights) {
-            uniforms.sampler("dynamicLightMaps", TextureUnit.DYNAMIC_LIGHT_SHADOW);
-        }
     }
 
     /** Sets the current projection of the sun's map. */

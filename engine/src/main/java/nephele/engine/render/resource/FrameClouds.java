@@ -1,8 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Quality;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -10,11 +7,15 @@ import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.cloud.field.LoadedClouds;
+import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.scene.FrameState;
@@ -22,6 +23,9 @@ import nephele.engine.scene.Scene;
 
 /** The clouds of a level at the time of the frame. */
 public final class FrameClouds implements GlObject {
+    /** Bodies can leave the static shapes by this distance and still find the shade of their place. */
+    private static final double SHADE_MARGIN_METRES = 10;
+
     /** {@code null} without clouds. */
     private final CloudTimeline timeline;
 
@@ -41,7 +45,7 @@ public final class FrameClouds implements GlObject {
             return new Source(
                     new Same(scene.assets()),
                     CloudTimeline.causes(scene.level().environment()),
-                    CloudShadeRegion.of(scene.statics()),
+                    shadeRegion(scene.statics()),
                     quality.cloudLightCell(),
                     quality.proceduralNoise(),
                     techniques);
@@ -51,22 +55,24 @@ public final class FrameClouds implements GlObject {
     /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
     static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
         Quality quality = context.quality();
-        var sampling = new Sampling(
-                quality.cloudLightCell(),
-                quality.proceduralNoise(),
-                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        var sampling = new Sampling(quality.cloudLightCell(), quality.proceduralNoise(), optics -> context.owner()
+                .lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
         return context.share(
                 FrameClouds.class,
                 Source.of(context.scene(), quality, techniques),
-                () -> new FrameClouds(
-                        context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
     }
 
     private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
         timeline = loaded.clouds().isEmpty()
                 ? null
-                : new CloudTimeline(
-                        scene.level().environment(), loaded, CloudShadeRegion.of(scene.statics()), sampling);
+                : new CloudTimeline(scene.level().environment(), loaded, shadeRegion(scene.statics()), sampling);
+    }
+
+    /** Returns the region in which surfaces can be in the shade of clouds; beyond it, its border's shade holds. */
+    public static Aabb shadeRegion(StaticShapes statics) {
+        Aabb bounds = statics.bounds();
+        return (bounds.isEmpty() ? new Aabb(0, 0, 0, 0, 0, 0) : bounds).grown(SHADE_MARGIN_METRES);
     }
 
     /** Takes the clouds of a frame, sampled finely around its eye. */

@@ -1,14 +1,13 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.FrameState;
 
 /**
@@ -17,8 +16,7 @@ import nephele.engine.scene.FrameState;
  * it is what the picture calls for.
  */
 public final class MeteredExposure implements GlObject {
-    public static final SharedResource<MeteredExposure> RESOURCE =
-            SharedResource.of("exposure", MeteredExposure::of);
+    public static final SharedResource<MeteredExposure> RESOURCE = SharedResource.of("exposure", MeteredExposure::of);
 
     private static final String NAME = "metered exposure";
 
@@ -43,14 +41,12 @@ public final class MeteredExposure implements GlObject {
     }
 
     /**
-     * Ties a program that draws values of the display in a view, see {@code exposure.glsl}; does nothing if no exposure is
+     * Notes that a program draws values of the display in a view, see {@code exposure.glsl}; does nothing if no exposure is
      * metered. It reads the exposure of the last picture, so a picture without history has to be metered before.
      */
-    public static void tieInView(LoadContext context, Uniforms uniforms) {
+    public static void readInViews(LoadContext context) {
         if (context.request().metersExposure()) {
-            MeteredExposure exposure = context.get(RESOURCE);
-            exposure.isReadInViews = true;
-            exposure.tie(uniforms);
+            context.get(RESOURCE).isReadInViews = true;
         }
     }
 
@@ -62,11 +58,6 @@ public final class MeteredExposure implements GlObject {
     /** Returns the blending that adds display values to a view. */
     public static Blend added(LoadContext context) {
         return context.request().metersExposure() ? Blend.ADD_UNMETERED : Blend.ADD;
-    }
-
-    /** Ties a program that reads the exposure of this picture. */
-    public void tie(Uniforms uniforms) {
-        uniforms.sampler("exposure", TextureUnit.EXPOSURE);
     }
 
     /**

@@ -2,6 +2,7 @@ package nephele.engine.render.resource;
 
 import java.nio.FloatBuffer;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
 import nephele.engine.render.gl.Texture;
@@ -24,7 +25,7 @@ public final class MovingTable {
     private final Texture texture;
     private final int firstLayer;
     private final int layers;
-    private final BackgroundWork background;
+    private final Executor threads;
     private final DoubleFunction<float[]> make;
     private Known before;
     private Known after;
@@ -38,12 +39,11 @@ public final class MovingTable {
     /**
      * @param make computes the RGBA texels of all layers from the sine of the light's elevation
      */
-    public MovingTable(
-            Texture texture, int firstLayer, int layers, BackgroundWork background, DoubleFunction<float[]> make) {
+    public MovingTable(Texture texture, int firstLayer, int layers, Executor threads, DoubleFunction<float[]> make) {
         this.texture = texture;
         this.firstLayer = firstLayer;
         this.layers = layers;
-        this.background = background;
+        this.threads = threads;
         this.make = make;
     }
 
@@ -68,7 +68,7 @@ public final class MovingTable {
     public void prepare(double sine) {
         boolean isKnown = after != null && after.sine == sine;
         if (first == null && !isKnown) {
-            first = background.start(() -> known(sine));
+            first = CompletableFuture.supplyAsync(() -> known(sine), threads);
         }
     }
 
@@ -103,7 +103,7 @@ public final class MovingTable {
         }
         if (coming == null) {
             double next = sineAfter.applyAsDouble(share < 1 ? 2 * stepSeconds : stepSeconds);
-            coming = next == after.sine ? null : background.start(() -> known(next));
+            coming = next == after.sine ? null : CompletableFuture.supplyAsync(() -> known(next), threads);
         }
         upload((float) share);
     }

@@ -85,10 +85,14 @@ public record PictureArrays(List<Texture> textures) {
                         anisotropy));
     }
 
-    /** Mesa's llvmpipe 22.3 takes minutes for some pixels that have both several samples and anisotropic textures. */
+    /**
+     * Mesa's llvmpipe 22.3 takes minutes for some pixels that have both several samples and anisotropic textures, and for
+     * grounds, which sample theirs with explicit gradients.
+     */
     private static int anisotropy(LoadContext context) {
-        boolean isTooSlow =
-                context.gl().limits().software() && context.quality().samples() > 1;
+        boolean isTooSlow = context.gl().limits().software()
+                && (context.quality().samples() > 1
+                        || !context.scene().statics().ground().isEmpty());
         return isTooSlow ? 1 : context.quality().anisotropy();
     }
 

@@ -1,15 +1,18 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.LoadContext;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Pcg3d;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -20,6 +23,7 @@ import nephele.engine.scene.impostor.KindShape;
 /** The models of a level that are drawn as impostors, on the GPU. Nothing of them changes from frame to frame. */
 public final class PlantedScene implements GlObject {
     private static final int FLOATS = 8;
+    private static final int PER_CLUSTER = 64;
 
     private final Vec3 anchor;
     private final PlantedKinds kinds;
@@ -49,7 +53,7 @@ public final class PlantedScene implements GlObject {
         float[] values = new float[FLOATS * Math.max(1, count)];
         BillboardSky sky = new BillboardSky(surroundings(scene.statics()), source.isSkyLit(), count);
         int at = 0;
-        for (List<Plant> cluster : PlantClusters.of(planted.plants())) {
+        for (List<Plant> cluster : clustered(planted.plants())) {
             int first = at;
             for (Plant plant : cluster) {
                 put(plant, sky, at, (at - first + 0.5) / cluster.size(), values);
@@ -68,8 +72,7 @@ public final class PlantedScene implements GlObject {
                 context.output().pictures(),
                 context.output().decoding(),
                 context.quality().impostorPixels());
-        return context.share(
-                PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
+        return context.share(PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
     }
 
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */
@@ -78,6 +81,36 @@ public final class PlantedScene implements GlObject {
                 .filter(model -> !model.said().impostor())
                 .toList();
         return statics.with(new PlacedModels(others));
+    }
+
+    /**
+     * Returns the plants in clusters of near ones; within a cluster their order is random, so that its first ones stand
+     * everywhere.
+     */
+    private static List<List<Plant>> clustered(List<Plant> plants) {
+        Aabb box = Aabb.of(plants.stream().map(Plant::foot).toList());
+        double area = box.isEmpty() ? 1 : (box.maxX() - box.minX()) * (box.maxZ() - box.minZ());
+        double side = Math.max(1, Math.sqrt(area * PER_CLUSTER / Math.max(1, plants.size())));
+        List<Integer> sorted = IntStream.range(0, plants.size())
+                .boxed()
+                .sorted(Comparator.comparingLong(i -> cell(plants.get(i).foot(), box, side)))
+                .toList();
+        List<List<Plant>> clusters = new ArrayList<>();
+        for (int first = 0; first < sorted.size(); first += PER_CLUSTER) {
+            clusters.add(sorted.subList(first, Math.min(first + PER_CLUSTER, sorted.size())).stream()
+                    .sorted(Comparator.comparingInt(
+                            number -> Pcg3d.of(number, 0, 0).x()))
+                    .map(plants::get)
+                    .toList());
+        }
+        return clusters;
+    }
+
+    /** Numbers cells row by row, every second row backwards, so that clusters which reach into the next cell stay compact. */
+    private static long cell(Vec3 foot, Aabb box, double side) {
+        long column = (long) ((foot.x() - box.minX()) / side);
+        long row = (long) ((foot.z() - box.minZ()) / side);
+        return (row << 32) + ((row & 1) == 0 ? column : (1L << 31) - column);
     }
 
     private void put(Plant plant, BillboardSky sky, int at, double rank, float[] values) {

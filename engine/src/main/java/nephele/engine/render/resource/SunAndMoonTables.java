@@ -1,13 +1,20 @@
 package nephele.engine.render.resource;
 
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.function.DoubleFunction;
 import nephele.engine.level.appearance.SunAndMoon;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 
 /** Tables of the light that the air scatters, as seen from a height: the sun's and the moon's, one texture. */
 public final class SunAndMoonTables implements GlObject {
+    /** Threads of one renderer that compute tables beside its frames, on all processors but one. They end with it. */
+    public static final SharedResource<ForkJoinPool> THREADS = SharedResource.of("threads", SunAndMoonTables::threads);
+
     /** Simulated time by which the moon's table is begun before the moon gives light. */
     private static final double AHEAD_SECONDS = 1;
 
@@ -20,13 +27,26 @@ public final class SunAndMoonTables implements GlObject {
      * @param texture the first half of its layers is the sun's, the second the moon's; closed with this object
      * @param make computes the RGBA texels of one half from the sine of the light's elevation
      */
-    public SunAndMoonTables(
-            Texture texture, BackgroundWork background, double heightMetres, DoubleFunction<float[]> make) {
+    public SunAndMoonTables(Texture texture, ForkJoinPool threads, double heightMetres, DoubleFunction<float[]> make) {
         this.heightMetres = heightMetres;
         this.texture = texture;
         int half = texture.extent().layers() / 2;
-        sun = new MovingTable(texture, 0, half, background, make);
-        moon = new MovingTable(texture, half, half, background, make);
+        sun = new MovingTable(texture, 0, half, threads, make);
+        moon = new MovingTable(texture, half, half, threads, make);
+    }
+
+    private static ForkJoinPool threads(LoadContext context) {
+        ForkJoinPool threads = new ForkJoinPool(
+                Math.max(1, Runtime.getRuntime().availableProcessors() - 1),
+                pool -> {
+                    ForkJoinWorkerThread thread = ForkJoinPool.defaultForkJoinWorkerThreadFactory.newThread(pool);
+                    thread.setName("nephele-tables-" + thread.getPoolIndex());
+                    return thread;
+                },
+                null,
+                false);
+        context.own(threads::shutdownNow);
+        return threads;
     }
 
     /** Returns true if no table of a light that shines has to be waited for. */

@@ -1,12 +1,9 @@
 package nephele.engine.render.resource;
 
 import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
-import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.SolidBatch;
 
 /** The variant of the material code in a shader, for solids or dynamic objects. */
@@ -49,15 +46,5 @@ public record SurfaceVariant(Reflection reflection, boolean textured, boolean no
                 .with(reflection.name())
                 .withIf(textured, "TEXTURED")
                 .withIf(normalMapped, "NORMAL_MAP");
-    }
-
-    /** Binds the samplers and blocks of a program compiled with {@link #addTo} permanently. */
-    public void set(Uniforms uniforms) {
-        if (textured) {
-            uniforms.sampler("colours", TextureUnit.COLOURS);
-        }
-        if (normalMapped) {
-            uniforms.sampler("normals", TextureUnit.NORMALS);
-        }
     }
 }

@@ -1,23 +1,24 @@
 package nephele.engine.render.resource;
 
-import java.util.List;
-import nephele.engine.render.gl.SharedObjects.Same;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.math.heightfield.SampleRange;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -30,8 +31,7 @@ import org.lwjgl.system.MemoryUtil;
  * the column and row within the chunk. {@code terrain-position.glsl} places a vertex.
  */
 public final class TerrainMesh implements GlObject {
-    public static final SharedResource<List<TerrainMesh>> RESOURCE =
-            SharedResource.of("terrains", TerrainMesh::of);
+    public static final SharedResource<List<TerrainMesh>> RESOURCE = SharedResource.of("terrains", TerrainMesh::of);
 
     /** Cells along a side of a chunk. */
     public static final int CHUNK_CELLS = 64;
@@ -77,16 +77,14 @@ public final class TerrainMesh implements GlObject {
     private static List<TerrainMesh> of(LoadContext context) {
         return context.scene().statics().ground().stream()
                 .map(grid -> context.share(
-                        TerrainMesh.class,
-                        new Same(grid.field()),
-                        () -> new TerrainMesh(context.gl(), grid.field())))
+                        TerrainMesh.class, new Same(grid.field()), () -> new TerrainMesh(context.gl(), grid.field())))
                 .toList();
     }
 
     /** Copies what an earlier mesh has on the GPU, and uploads what differs. */
     private void fill(GlContext gl) {
         SampleRange all = new SampleRange(0, 0, field.cellColumns(), field.cellRows());
-        Optional<TerrainMesh> similar = Similar.of(gl.shared().all(TerrainMesh.class), TerrainMesh::field, field);
+        Optional<TerrainMesh> similar = mostSimilar(gl.shared().all(TerrainMesh.class), TerrainMesh::field, field);
         SampleRange changed =
                 similar.flatMap(known -> field.difference(known.field)).orElse(all);
         if (similar.isEmpty() || 2 * changed.count() > all.count()) {
@@ -99,6 +97,25 @@ public final class TerrainMesh implements GlObject {
             // The rise at a sample follows from its neighbours.
             upload(changed.grown(1).intersection(all));
         }
+    }
+
+    /**
+     * Returns what was made of the field that differs least from another one, as of the terrain before an edit; of those
+     * with a grid of the same size, empty if there is none.
+     */
+    public static <T> Optional<T> mostSimilar(List<T> made, Function<T, HeightField> madeFrom, HeightField field) {
+        long least = Long.MAX_VALUE;
+        T found = null;
+        for (T each : made) {
+            long samples = field.difference(madeFrom.apply(each))
+                    .map(range -> range.count())
+                    .orElse(Long.MAX_VALUE);
+            if (samples < least) {
+                least = samples;
+                found = each;
+            }
+        }
+        return Optional.ofNullable(found);
     }
 
     private void upload(SampleRange samples) {

@@ -65,7 +65,7 @@ public final class TerrainTiles implements GlObject {
 
     /** Measures a field; only where it differs from one of the same size that is on the GPU, as after an edit. */
     private static HeightFieldDetail detail(GlContext gl, HeightField field) {
-        return Similar.of(gl.shared().all(TerrainTiles.class), tiles -> tiles.detail.field(), field)
+        return TerrainMesh.mostSimilar(gl.shared().all(TerrainTiles.class), tiles -> tiles.detail.field(), field)
                 .map(tiles -> HeightFieldDetail.edited(tiles.detail, field))
                 .orElseGet(() -> HeightFieldDetail.of(field));
     }

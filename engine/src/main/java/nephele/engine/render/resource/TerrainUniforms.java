@@ -2,8 +2,6 @@ package nephele.engine.render.resource;
 
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
-import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.gl.shader.Uniforms.WholeVector4;
@@ -13,25 +11,15 @@ import nephele.engine.render.gl.shader.Uniforms.WholeVector4;
  * near the eye and the same in all chunks: the higher float of a cell's length has few enough bits for its products with
  * column numbers to be exact.
  */
-public record TerrainUniforms(WholeVector4 chunk, Vector4 cell, Vector3 eyeHigh, Vector3 eyeLow) {
+public record TerrainUniforms(WholeVector4 chunk, Vector4 cellHighLow, Vector3 eyeHigh, Vector3 eyeLow) {
     /** Bits of a float that are zero in the higher part of a cell's length: columns have up to 14 bits. */
     private static final int FREE_BITS = 14;
-
-    /** Looks up the uniforms and binds the samplers. */
-    public static TerrainUniforms of(Uniforms uniforms) {
-        uniforms.sampler("terrainHeights", TextureUnit.TERRAIN_HEIGHTS);
-        return new TerrainUniforms(
-                uniforms.wholeVector4("chunk"),
-                uniforms.vector4("cellHighLow"),
-                uniforms.vector3("eyeHigh"),
-                uniforms.vector3("eyeLow"));
-    }
 
     /** Sets the field and the eye, in world metres. */
     public void set(HeightField field, double eyeX, double eyeY, double eyeZ) {
         float highX = high(field.cellX());
         float highZ = high(field.cellZ());
-        cell.set(highX, highZ, (float) (field.cellX() - highX), (float) (field.cellZ() - highZ));
+        cellHighLow.set(highX, highZ, (float) (field.cellX() - highX), (float) (field.cellZ() - highZ));
         Vec3 origin = field.origin();
         double x = eyeX - origin.x();
         double y = eyeY - origin.y();

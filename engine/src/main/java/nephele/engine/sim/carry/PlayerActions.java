@@ -14,7 +14,7 @@ import nephele.engine.portal.PortalCrossing;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.portal.placement.ShotRay;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;

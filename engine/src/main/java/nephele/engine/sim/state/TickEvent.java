@@ -2,7 +2,7 @@ package nephele.engine.sim.state;
 
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 
 /** Something that happened in a tick and that the player sees or hears. Bodies and portals are given by their index. */
 public sealed interface TickEvent {

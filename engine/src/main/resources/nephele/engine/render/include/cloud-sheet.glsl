@@ -1,6 +1,6 @@
 // A cloud as a sheet at the middle of its heights. Where a ray meets it the column above and below is read, and counts as
 // even from the cloud's base to its top: the optical depth of the ray is that of the column divided by the cosine, and ends
-// where a curved layer does. Its light is that of a march of two steps. Twin of the mesh: nephele.engine.cloud.sheet.CurvedMesh.
+// where a curved layer does. Its light is that of a march of two steps. Twin of the mesh: CurvedMesh in the tests.
 #include "cloud-span.glsl"
 #include "cloud-light.glsl"
 

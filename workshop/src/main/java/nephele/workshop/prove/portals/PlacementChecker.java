@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.lab.placement.ClippedAreas;
 import nephele.lab.placement.WallPlace;
 import nephele.lab.placement.WallShot;

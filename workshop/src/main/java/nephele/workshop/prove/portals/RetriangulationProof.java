@@ -12,7 +12,7 @@ import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.portal.placement.ShotRay;
 import nephele.lab.placement.WallPlace;
 import nephele.workshop.prove.proof.Claim;

@@ -18,7 +18,7 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
-import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.PlacementResult.Refusal;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.GunPortals;

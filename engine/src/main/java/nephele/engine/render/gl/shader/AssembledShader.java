@@ -15,9 +15,9 @@ import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 
 /**
- * The assembled text of a {@link ShaderSource}, with the origin of each line. In place of {@code java(cloud.Slab.DEPTH)}
- * stands the value of the constant {@code DEPTH} of class {@code nephele.engine.cloud.Slab}: a number, a vector for a
- * {@link Vec3} or a row of an array, the ordinal of a constant of an enum.
+ * The assembled text of a {@link ShaderSource}, with the origin of each line. In place of {@code
+ * java(scene.impostor.ImpostorAtlas.SIDE)} stands the value of that constant of a class of the engine: a number, a vector
+ * for a {@link Vec3} or a row of an array, the ordinal of a constant of an enum.
  */
 final class AssembledShader {
     private static final String INCLUDE_FOLDER = "/nephele/engine/render/include/";

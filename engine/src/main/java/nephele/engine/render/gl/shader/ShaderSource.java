@@ -9,8 +9,8 @@ import java.util.function.UnaryOperator;
 /**
  * The parts of a shader's GLSL: a file, its includes and defines. A value; files are read when it is compiled.
  *
- * <p>{@code #include "name.glsl"} inserts {@code nephele/engine/render/include/name.glsl}, each file once; a name that
- * begins with a slash is the path of a resource of another module.
+ * <p>{@code #include "NAME"} inserts that file of {@code nephele/engine/render/include}, once; a name that begins with
+ * a slash is the path of a resource of another module.
  *
  * @param read returns the text of a file by its path
  */

@@ -5,17 +5,14 @@ import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
-import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 
@@ -26,13 +23,12 @@ final class BillboardProgram {
     /** The defines of what varies over a billboard and is interpolated between vertices. */
     private static final Set<String> VARYING = Set.of("SUN SKY_AMBIENT FLASH FOG AIR".split(" "));
 
-    /** @param observer {@code null} if billboards face the eye */
     private record Numbers(
-            Uniforms.Vector3 high,
-            Uniforms.Vector3 low,
-            Uniforms.Vector3 observer,
+            Uniforms.Vector3 eyeHigh,
+            Uniforms.Vector3 eyeLow,
+            @IfRead Uniforms.Vector3 observer,
             Uniforms.Whole perSheet,
-            Uniforms.Whole vertices) {}
+            Uniforms.Whole verticesEach) {}
 
     private final GlProgram<Numbers> program;
     private final Vec3 anchor;
@@ -46,6 +42,7 @@ final class BillboardProgram {
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
         boolean fades = kind == Kind.BLENDED && context.request().fadesAtSurfaces();
         boolean isObserved = context.scene().level().observerStart() != null;
+        MeteredExposure.readInViews(context);
         Defines lit = light.addForDynamicObjects(Defines.of(context));
         varies = !Collections.disjoint(lit.values().keySet(), VARYING);
         var defines = lit.with("LAMBERT")
@@ -54,24 +51,8 @@ final class BillboardProgram {
                 .withIf(fades, "SURFACES")
                 .withIf(isObserved, "OBSERVER")
                 .values();
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "billboard.vert", defines),
-                ShaderSource.load(FOLDER + "billboard.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    light.tieForDynamicObjects(uniforms);
-                    BillboardQuads.tie(uniforms);
-                    if (fades) {
-                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    }
-                    return new Numbers(
-                            uniforms.vector3("eyeHigh"),
-                            uniforms.vector3("eyeLow"),
-                            isObserved ? uniforms.vector3("observer") : null,
-                            uniforms.whole("perSheet"),
-                            uniforms.whole("verticesEach"));
-                });
+        program = GlProgram.of(
+                context.gl(), FOLDER + "billboard.vert", FOLDER + "billboard.frag", defines, Numbers.class);
     }
 
     /** Returns true if the light at the vertices of a billboard, or the air before them, can differ. */
@@ -82,18 +63,17 @@ final class BillboardProgram {
     /** Prepares for the images of a list. */
     void follow(BillboardList list) {
         program.uniforms().perSheet().set(list.perSheet());
-        program.uniforms().vertices().set(list.vertices());
+        program.uniforms().verticesEach().set(list.vertices());
     }
 
     /** @param observer {@code null} if billboards face the eye */
     void use(View view, ObserverSphere observer) {
         program.use();
         SolidMesh.eyeInCell(view, anchor, eye);
-        program.uniforms().high().set(eye[0], eye[1], eye[2]);
-        program.uniforms().low().set(eye[3], eye[4], eye[5]);
-        if (program.uniforms().observer() != null && observer != null) {
-            Vec3 place = observer.centre().minus(anchor);
-            program.uniforms().observer().set((float) place.x(), (float) place.y(), (float) place.z());
+        program.uniforms().eyeHigh().set(eye[0], eye[1], eye[2]);
+        program.uniforms().eyeLow().set(eye[3], eye[4], eye[5]);
+        if (observer != null) {
+            program.uniforms().observer().set(observer.centre().minus(anchor));
         }
     }
 }

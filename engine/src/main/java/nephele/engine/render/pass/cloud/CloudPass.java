@@ -24,9 +24,9 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.RendererClouds;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**
@@ -87,7 +87,7 @@ public final class CloudPass implements Pass {
     /** Returns the feature with these techniques, the one for {@code auto} first. */
     public static RenderFeature feature(List<CloudTechniqueDrawer.Registered> techniques) {
         return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques))
-                .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE);
+                .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, AmbientLight.RESOURCE);
     }
 
     private static List<Required> requiredBy(FrameRequest request, List<CloudTechniqueDrawer.Registered> techniques) {

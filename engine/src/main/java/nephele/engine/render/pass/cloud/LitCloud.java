@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
@@ -17,12 +16,13 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 
 /** The cells of a cloud on the GPU at the time of the frame, and the light around it: the numbers of {@link CellUniforms}. */
 public final class LitCloud {
-    private final SurfaceLight light;
+    private final AmbientLight light;
     private final PlacedCloud placed;
     private final CloudSource cloud;
     private final CloudTextures textures;
@@ -56,7 +56,7 @@ public final class LitCloud {
     }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
-        light = context.get(SurfaceLight.RESOURCE);
+        light = context.get(AmbientLight.RESOURCE);
         this.placed = placed;
         cloud = placed.source();
         textures = new CloudTextures(context, cloud);

@@ -1,17 +1,12 @@
 package nephele.engine.render.pass.dynamic;
 
-import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.SurfaceVariant;
-import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.DynamicMeshes.RunUniforms;
 import nephele.engine.scene.SolidBatch;
-import nephele.engine.scene.ViewTree;
 
 /**
  * The code of a group's shader; equal variants share a program. Surfaces without texture receive procedural details,
@@ -33,22 +28,11 @@ record DynamicVariant(SurfaceVariant surface, boolean detailed, DynamicBlending 
         if (look == DynamicBlending.SEE_THROUGH) {
             defines.with("SEE_THROUGH").with("FACE_OPACITY", DynamicPass.HELD_FACE_OPACITY);
         }
-        return new GlProgram<>(
+        return GlProgram.of(
                 context.gl(),
-                ShaderSource.load(FOLDER + "dynamic.vert", defines.values()),
-                ShaderSource.load(FOLDER + "dynamic.frag", defines.values()),
-                uniforms -> uniforms(
-                        uniforms, light, ViewTree.mayGrow(context.scene().level())));
-    }
-
-    private DynamicUniforms uniforms(Uniforms uniforms, SurfaceLight light, boolean cut) {
-        surface.set(uniforms);
-        light.tieForDynamicObjects(uniforms);
-        return new DynamicUniforms(
-                uniforms.vector3("eyeHigh"),
-                uniforms.vector3("eyeLow"),
-                cut ? Optional.of(uniforms.scalar("seamPerMetre")) : Optional.empty(),
-                look == DynamicBlending.SEE_THROUGH ? Optional.of(uniforms.scalar("clarity")) : Optional.empty(),
-                RunUniforms.of(uniforms));
+                FOLDER + "dynamic.vert",
+                FOLDER + "dynamic.frag",
+                defines.values(),
+                DynamicUniforms.class);
     }
 }

@@ -2,7 +2,6 @@ package nephele.engine.render.pass.edge;
 
 import java.util.List;
 import java.util.Set;
-import java.util.function.Consumer;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -15,9 +14,9 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 
 /**
  * Smooths stairs along edges of the displayed picture, before it is scaled up and before anything is written over it;
@@ -29,26 +28,24 @@ public final class EdgeFilterPass implements Pass {
 
     private static final String FOLDER = "/nephele/engine/render/pass/edge/";
 
-    private final EdgePicture edges;
+    private final LoadContext context;
+    /** The edges of a picture, a texel a pixel; {@code null} before the first one. */
+    private RenderTarget edges;
+
     private final FullScreenDrawing find;
     private final FullScreenDrawing copy;
     private final FullScreenDrawing smooth;
 
     private EdgeFilterPass(LoadContext context) {
-        edges = context.own(new EdgePicture(context.gl()));
-        find = drawing(context, "full.vert", "edges.frag", uniforms -> {});
-        copy = drawing(context, "full.vert", "copy.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
-        smooth = drawing(
-                context, "smooth.vert", "smooth.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
+        this.context = context;
+        context.own(this::closeEdges);
+        find = drawing(context, "full.vert", "edges.frag");
+        copy = drawing(context, "full.vert", "copy.frag");
+        smooth = drawing(context, "smooth.vert", "smooth.frag");
     }
 
-    private static FullScreenDrawing drawing(
-            LoadContext context, String vertex, String fragment, Consumer<Uniforms> more) {
-        var stages = new FullScreenDrawing.Stages(vertex, fragment);
-        return new FullScreenDrawing(context, new Defines(), FOLDER, stages, uniforms -> {
-            uniforms.sampler("displayed", TextureUnit.COLOURS);
-            more.accept(uniforms);
-        });
+    private static FullScreenDrawing drawing(LoadContext context, String vertex, String fragment) {
+        return new FullScreenDrawing(context, new Defines(), FOLDER + vertex, FOLDER + fragment);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -69,13 +66,23 @@ public final class EdgeFilterPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        RenderTarget found = edges.ofSizeOf(frame.surface());
-        frame.surface().colour().bind(TextureUnit.COLOURS);
-        find.draw(found, Depth.OFF);
+        RenderTarget picture = frame.surface();
+        if (edges == null || edges.width() != picture.width() || edges.height() != picture.height()) {
+            closeEdges();
+            edges = RenderTarget.picture(context.gl(), "edges", PixelFormat.RGBA8, picture.width(), picture.height());
+        }
+        picture.colour().bind(TextureUnit.COLOURS);
+        find.draw(edges, Depth.OFF);
         edges.colour().bind(TextureUnit.EDGES);
         RenderTarget written = frame.picture();
         written.clear(0, 0, 0);
         copy.draw(written, Depth.LESS_AND_WRITE);
         smooth.draw(written, Depth.LESS_AND_WRITE);
+    }
+
+    private void closeEdges() {
+        if (edges != null) {
+            edges.close();
+        }
     }
 }

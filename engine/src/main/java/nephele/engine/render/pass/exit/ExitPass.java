@@ -3,7 +3,6 @@ package nephele.engine.render.pass.exit;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.IntStream;
 import nephele.engine.level.Exit;
 import nephele.engine.level.appearance.ExitCurtain;
 import nephele.engine.math.Aabb;
@@ -25,8 +24,6 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
@@ -76,19 +73,7 @@ public final class ExitPass implements Pass {
             Uniforms.Whole drawnExit,
             Uniforms.Scalar seconds,
             List<Uniforms.Vector4> feetAndRadius,
-            List<Uniforms.Scalar> heightMetres) {
-        static Places of(Uniforms uniforms, int exits) {
-            return new Places(
-                    uniforms.whole("drawnExit"),
-                    uniforms.scalar("seconds"),
-                    IntStream.range(0, exits)
-                            .mapToObj(i -> uniforms.vector4("feetAndRadius[" + i + "]"))
-                            .toList(),
-                    IntStream.range(0, exits)
-                            .mapToObj(i -> uniforms.scalar("heightMetres[" + i + "]"))
-                            .toList());
-        }
-    }
+            List<Uniforms.Scalar> heightMetres) {}
 
     private ExitPass(LoadContext context, Part part) {
         gl = context.gl();
@@ -101,23 +86,13 @@ public final class ExitPass implements Pass {
         exits = context.scene().level().exits();
         bounds = exits.stream().map(ExitPass::bounds).toList();
         prism = context.own(new PrismMesh(gl));
+        MeteredExposure.readInViews(context);
         Map<String, String> defines = Defines.of(context)
                 .with("SHELL_SHARE", ExitCurtain.SHELL_SHARE)
                 .with("EXITS", exits.size())
                 .withIf(part == Part.VEIL, "VEILS")
                 .values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "exit.vert", defines),
-                ShaderSource.load(FOLDER + "exit.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    if (decodes) {
-                        uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-                    }
-                    return Places.of(uniforms, exits.size());
-                });
+        program = GlProgram.of(gl, FOLDER + "exit.vert", FOLDER + "exit.frag", defines, Places.class);
     }
 
     private static List<Required> requiredBy(FrameRequest request, Part part) {

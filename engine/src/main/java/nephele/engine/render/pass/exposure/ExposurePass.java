@@ -6,6 +6,7 @@ import java.util.Set;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.appearance.AutoExposure;
 import nephele.engine.level.appearance.LuminanceHistogram;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -24,7 +25,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.PointList;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
@@ -41,6 +41,11 @@ public final class ExposurePass implements Pass {
             .using(MeteredExposure.RESOURCE, FrameLightning.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/exposure/";
+    /** Values of cells without luminance, far below any logarithm. */
+    private static final double BLACK = -1000;
+
+    private static final double HIDDEN = -2000;
+
     private static final int CELLS = LuminanceHistogram.COLUMNS * LuminanceHistogram.ROWS;
 
     private final GlContext gl;
@@ -64,34 +69,33 @@ public final class ExposurePass implements Pass {
         lightning = context.get(FrameLightning.RESOURCE);
         cells = context.own(RenderTarget.picture(
                 gl, "cells of luminance", PixelFormat.RGBA32F, LuminanceHistogram.COLUMNS, LuminanceHistogram.ROWS));
-        findCells = new FullScreenDrawing(
-                context,
-                MeteringDefines.all(),
-                FOLDER,
-                new FullScreenDrawing.Stages("full.vert", "cells.frag"),
-                uniforms -> uniforms.sampler("linearPicture", TextureUnit.COLOURS));
+        findCells = new FullScreenDrawing(context, defines(), FOLDER + "full.vert", FOLDER + "cells.frag");
         histogram = context.own(RenderTarget.picture(
                 gl, "histogram of luminance", PixelFormat.RGBA32F, LuminanceHistogram.BINS + 1, 1));
         points = context.own(new PointList(gl, "cells as points", CELLS));
         triangle = context.own(new FullScreenTriangle(gl, "adaption of exposure"));
-        Map<String, String> defines = MeteringDefines.all().values();
-        count = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "histogram.vert", defines),
-                ShaderSource.load(FOLDER + "histogram.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("cells", TextureUnit.COLOURS);
-                    return uniforms;
-                });
-        adapt = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "full.vert", defines),
-                ShaderSource.load(FOLDER + "adapt.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("histogram", TextureUnit.COLOURS);
-                    exposure.tie(uniforms);
-                    return new Adaption(uniforms.vector4("stopsAndShares"), uniforms.scalar("hasHistory"));
-                });
+        Map<String, String> defines = defines().values();
+        count = GlProgram.of(gl, FOLDER + "histogram.vert", FOLDER + "histogram.frag", defines);
+        adapt = GlProgram.of(gl, FOLDER + "full.vert", FOLDER + "adapt.frag", defines, Adaption.class);
+    }
+
+    /** Returns the numbers of the Java twins for their shaders. */
+    private static Defines defines() {
+        return new Defines()
+                .with("COLUMNS", LuminanceHistogram.COLUMNS)
+                .with("ROWS", LuminanceHistogram.ROWS)
+                .with("SAMPLES", LuminanceHistogram.SAMPLES)
+                .with("DARKEST_LOG2", (double) LuminanceHistogram.DARKEST_LOG2)
+                .with("BINS_PER_STOP", (double) LuminanceHistogram.BINS_PER_STOP)
+                .with("BINS", (double) LuminanceHistogram.BINS)
+                .with("STEPS", (double) LuminanceHistogram.STEPS)
+                .with("LOW_SHARE", LuminanceHistogram.LOW_SHARE)
+                .with("HIGH_SHARE", LuminanceHistogram.HIGH_SHARE)
+                .with("DISPLAYED_PER_KEY", AutoExposure.DISPLAYED_PER_KEY)
+                .with("CANDELAS_PER_SQUARE_METRE", AutoExposure.CANDELAS_PER_SQUARE_METRE)
+                .with("BLACK", BLACK)
+                .with("HIDDEN", HIDDEN)
+                .with("EXPOSURE_METERED");
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -23,6 +23,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
@@ -43,13 +44,13 @@ import org.joml.Vector3d;
 public final class GunPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "gun", Stage.IN_VIEWS, Role.DECORATION, request -> requiredBy(request, Turn.FIRST))
-            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
+            .using(SurfaceLight.RESOURCE, AmbientLight.PROBES, MeteredExposure.RESOURCE);
     public static final RenderFeature IN_OPENING = new RenderFeature(
                     "gun.opening",
                     Stage.IN_VIEWS_AFTER_OPAQUE,
                     Role.DECORATION,
                     request -> requiredBy(request, Turn.LAST))
-            .using(SurfaceLight.RESOURCE, SurfaceLight.SKY_PROBES, MeteredExposure.RESOURCE);
+            .using(SurfaceLight.RESOURCE, AmbientLight.PROBES, MeteredExposure.RESOURCE);
 
     private enum Turn {
         FIRST,
@@ -93,7 +94,7 @@ public final class GunPass implements Pass {
                 () -> new GpuMesh(
                         gl, "gun", FORMAT, model.mesh().vertices(), model.mesh().indices()));
         programs = new GunPrograms(context, materials.materialsPerBlock());
-        sky = context.get(SurfaceLight.SKY_PROBES);
+        sky = context.get(AmbientLight.PROBES);
     }
 
     private static List<Required> requiredBy(FrameRequest request, Turn turn) {

@@ -3,15 +3,13 @@ package nephele.engine.render.pass.gun;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.SurfaceVariant;
-import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.SolidBatch;
@@ -27,76 +25,48 @@ final class GunPrograms {
     /** Brightness of a flash at its greatest, as displayed. */
     private static final double FLASH = 1.6;
 
-    private static final String[] DRAWN = {"drawnRight", "drawnUp", "drawnBack", "drawnPlace"};
-    private static final String[] LIT = {"gunRight", "gunUp", "gunBack"};
+    /** The axes and the origin with which the gun is drawn. */
+    private record Drawn(Vector3 drawnRight, Vector3 drawnUp, Vector3 drawnBack, Vector3 drawnPlace) {
+        void set(Vector3d[] axesAndPlace) {
+            put(drawnRight, axesAndPlace[0]);
+            put(drawnUp, axesAndPlace[1]);
+            put(drawnBack, axesAndPlace[2]);
+            put(drawnPlace, axesAndPlace[3]);
+        }
+    }
 
-    /**
-     * The uniforms of the lit surface.
-     *
-     * @param eyeFromAnchor {@code null} if no light depends on the place
-     * @param skyAhead {@code null} without light of the sky, {@code skyBehind} likewise
-     */
+    /** The uniforms of the lit surface. */
     private record Lit(
-            Vector3[] drawn,
-            Vector3[] axes,
+            Drawn drawn,
+            Vector3 gunRight,
+            Vector3 gunUp,
+            Vector3 gunBack,
             Vector3 lamp,
-            Vector4 mark,
+            Vector4 secondMark,
             Vector3 flash,
-            Vector3 eyeFromAnchor,
-            Vector3 skyAhead,
-            Vector3 skyBehind) {}
+            @IfRead Vector3 eyeFromAnchor,
+            @IfRead Vector3 skySeenAhead,
+            @IfRead Vector3 skySeenBehind) {}
 
-    private final GlProgram<Vector3[]> depth;
+    private final GlProgram<Drawn> depth;
     private final GlProgram<Lit> lit;
 
     GunPrograms(LoadContext context, int materialsPerBlock) {
         var onlyDepth = Defines.of(context).with("ONLY_DEPTH").values();
-        depth = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "gun.vert", onlyDepth),
-                ShaderSource.load(FOLDER + "depth.frag", onlyDepth),
-                uniforms -> vectors(uniforms, DRAWN));
+        depth = GlProgram.of(context.gl(), FOLDER + "gun.vert", FOLDER + "depth.frag", onlyDepth, Drawn.class);
+        MeteredExposure.readInViews(context);
         SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         SurfaceVariant surface = SurfaceVariant.of(KIND, context.quality());
         var defines = surface.addTo(light.addForGun(Defines.of(context)), materialsPerBlock)
                 .with("FIRST_LAMP", GunMesh.FIRST_LAMP)
                 .values();
-        lit = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "gun.vert", defines),
-                ShaderSource.load(FOLDER + "gun.frag", defines),
-                uniforms -> {
-                    surface.set(uniforms);
-                    light.tieForGun(uniforms);
-                    MeteredExposure.tieInView(context, uniforms);
-                    return new Lit(
-                            vectors(uniforms, DRAWN),
-                            vectors(uniforms, LIT),
-                            uniforms.vector3("lamp"),
-                            uniforms.vector4("secondMark"),
-                            uniforms.vector3("flash"),
-                            ifRead(uniforms, "eyeFromAnchor"),
-                            ifRead(uniforms, "skySeenAhead"),
-                            ifRead(uniforms, "skySeenBehind"));
-                });
-    }
-
-    private static Vector3[] vectors(Uniforms uniforms, String[] names) {
-        Vector3[] all = new Vector3[names.length];
-        for (int i = 0; i < names.length; i++) {
-            all[i] = uniforms.vector3(names[i]);
-        }
-        return all;
-    }
-
-    private static Vector3 ifRead(Uniforms uniforms, String name) {
-        return uniforms.reads(name) ? uniforms.vector3(name) : null;
+        lit = GlProgram.of(context.gl(), FOLDER + "gun.vert", FOLDER + "gun.frag", defines, Lit.class);
     }
 
     /** Uses the program that draws only depth. */
     void useDepth(Vector3d[] drawn) {
         depth.use();
-        set(depth.uniforms(), drawn);
+        depth.uniforms().set(drawn);
     }
 
     /**
@@ -108,16 +78,13 @@ final class GunPrograms {
     void use(Vector3d[] drawn, Vector3d[] axes, View view, Vec3 anchor, float[] sky) {
         lit.use();
         Lit places = lit.uniforms();
-        set(places.drawn, drawn);
-        set(places.axes, axes);
-        if (places.eyeFromAnchor != null) {
-            places.eyeFromAnchor.set((float) (view.eyeX() - anchor.x()), (float) (view.eyeY() - anchor.y()), (float)
-                    (view.eyeZ() - anchor.z()));
-        }
-        if (places.skyAhead != null) {
-            places.skyAhead.set(sky[0], sky[1], sky[2]);
-            places.skyBehind.set(sky[3], sky[4], sky[5]);
-        }
+        places.drawn.set(drawn);
+        put(places.gunRight, axes[0]);
+        put(places.gunUp, axes[1]);
+        put(places.gunBack, axes[2]);
+        places.eyeFromAnchor.set(view.eyeX() - anchor.x(), view.eyeY() - anchor.y(), view.eyeZ() - anchor.z());
+        places.skySeenAhead.set(sky[0], sky[1], sky[2]);
+        places.skySeenBehind.set(sky[3], sky[4], sky[5]);
     }
 
     /** Sets the colours of the lamps and of a shot's flash. */
@@ -130,15 +97,13 @@ final class GunPrograms {
                 (float) (first.x() + share * (second.x() - first.x())),
                 (float) (first.y() + share * (second.y() - first.y())),
                 (float) (first.z() + share * (second.z() - first.z())));
-        places.mark.set((float) second.x(), (float) second.y(), (float) second.z(), (float) share);
+        places.secondMark.set((float) second.x(), (float) second.y(), (float) second.z(), (float) share);
         Vec3 shot = palette.rim(gun.flashColour());
         double bright = FLASH * gun.flash();
         places.flash.set((float) (bright * shot.x()), (float) (bright * shot.y()), (float) (bright * shot.z()));
     }
 
-    private static void set(Vector3[] uniforms, Vector3d[] values) {
-        for (int i = 0; i < uniforms.length; i++) {
-            uniforms[i].set((float) values[i].x, (float) values[i].y, (float) values[i].z);
-        }
+    private static void put(Vector3 uniform, Vector3d value) {
+        uniform.set(value.x, value.y, value.z);
     }
 }

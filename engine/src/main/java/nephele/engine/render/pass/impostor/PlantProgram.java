@@ -1,18 +1,15 @@
 package nephele.engine.render.pass.impostor;
 
-import java.util.Optional;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.View;
 import nephele.engine.scene.impostor.ImpostorAtlas;
@@ -37,11 +34,11 @@ final class PlantProgram {
     }
 
     private record Numbers(
-            Uniforms.Vector3 high,
-            Uniforms.Vector3 low,
-            Optional<Uniforms.Scalar> pixelsPerRadian,
-            Optional<Uniforms.Vector4> baseColour,
-            Optional<Uniforms.Scalar> pictureLayer) {}
+            Uniforms.Vector3 eyeHigh,
+            Uniforms.Vector3 eyeLow,
+            @IfRead Uniforms.Scalar pixelsPerRadian,
+            @IfRead Uniforms.Vector4 baseColour,
+            @IfRead Uniforms.Scalar pictureLayer) {}
 
     private final GlProgram<Numbers> program;
     private final Vec3 anchor;
@@ -50,6 +47,7 @@ final class PlantProgram {
     PlantProgram(LoadContext context, Kind kind) {
         SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         anchor = light.anchor();
+        MeteredExposure.readInViews(context);
         double pixels = context.quality().impostorPixels();
         var defines = light.addForDynamicObjects(Defines.of(context))
                 .with("LAMBERT")
@@ -60,53 +58,21 @@ final class PlantProgram {
                 .withIf(pixels == 0, "ALWAYS_MESHES")
                 .withIf(kind == Kind.TEXTURED_MESH, "TEXTURED")
                 .values();
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + kind.file + ".vert", defines),
-                ShaderSource.load(FOLDER + kind.file + ".frag", defines),
-                uniforms -> numbers(context, kind, uniforms));
-    }
-
-    private static Numbers numbers(LoadContext context, Kind kind, Uniforms uniforms) {
-        MeteredExposure.tieInView(context, uniforms);
-        context.get(SurfaceLight.RESOURCE).tieForDynamicObjects(uniforms);
-        uniforms.sampler("plants", TextureUnit.PLANTS);
-        uniforms.sampler("plantKinds", TextureUnit.PLANT_KINDS);
-        uniforms.sampler("plantOrder", TextureUnit.PLANT_ORDER);
-        boolean isImpostor = kind == Kind.IMPOSTOR;
-        if (isImpostor) {
-            uniforms.sampler("impostorColours", TextureUnit.COLOURS);
-            uniforms.sampler("impostorShapes", TextureUnit.IMPOSTOR_SHAPES);
-        } else if (kind == Kind.TEXTURED_MESH) {
-            uniforms.sampler("colours", TextureUnit.COLOURS);
-        }
-        return new Numbers(
-                uniforms.vector3("eyeHigh"),
-                uniforms.vector3("eyeLow"),
-                context.quality().impostorPixels() > 0
-                        ? Optional.of(uniforms.scalar("pixelsPerRadian"))
-                        : Optional.empty(),
-                isImpostor ? Optional.empty() : Optional.of(uniforms.vector4("baseColour")),
-                kind == Kind.TEXTURED_MESH ? Optional.of(uniforms.scalar("pictureLayer")) : Optional.empty());
+        program = GlProgram.of(
+                context.gl(), FOLDER + kind.file + ".vert", FOLDER + kind.file + ".frag", defines, Numbers.class);
     }
 
     void use(View view, double pixelsPerRadian) {
         program.use();
         SolidMesh.eyeInCell(view, anchor, eye);
-        program.uniforms().high().set(eye[0], eye[1], eye[2]);
-        program.uniforms().low().set(eye[3], eye[4], eye[5]);
-        program.uniforms().pixelsPerRadian().ifPresent(uniform -> uniform.set((float) pixelsPerRadian));
+        program.uniforms().eyeHigh().set(eye[0], eye[1], eye[2]);
+        program.uniforms().eyeLow().set(eye[3], eye[4], eye[5]);
+        program.uniforms().pixelsPerRadian().set(pixelsPerRadian);
     }
 
     /** Sets the material of the meshes that are drawn next. @param lobe light that is reflected diffusely */
     void material(Surface surface, double lobe) {
-        Vec3 colour = surface.material().baseColour();
-        program.uniforms()
-                .baseColour()
-                .ifPresent(uniform ->
-                        uniform.set((float) colour.x(), (float) colour.y(), (float) colour.z(), (float) lobe));
-        program.uniforms()
-                .pictureLayer()
-                .ifPresent(uniform -> uniform.set(surface.colour().layer()));
+        program.uniforms().baseColour().set(surface.material().baseColour(), lobe);
+        program.uniforms().pictureLayer().set(surface.colour().layer());
     }
 }

@@ -26,8 +26,6 @@ import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
@@ -64,22 +62,10 @@ public final class MuzzleLightPass implements Pass {
         added = MeteredExposure.added(context);
         openings = context.get(OpeningMesh.RESOURCE);
         triangle = context.own(new FullScreenTriangle(gl, "muzzle.frag"));
+        MeteredExposure.readInViews(context);
         var defines = Defines.of(context).values();
-        light = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "muzzle.vert", defines),
-                ShaderSource.load(FOLDER + "muzzle.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-                    return new Places(uniforms.vector4("muzzle"), uniforms.vector4("intensity"));
-                });
-        nothing = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "opening.vert", defines),
-                ShaderSource.load(FOLDER + "opening.frag", defines),
-                uniforms -> uniforms);
+        light = GlProgram.of(gl, FOLDER + "muzzle.vert", FOLDER + "muzzle.frag", defines, Places.class);
+        nothing = GlProgram.of(gl, FOLDER + "opening.vert", FOLDER + "opening.frag", defines);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -98,11 +98,7 @@ public final class OverlayPass implements AutoCloseable {
                 gl,
                 ShaderSource.load(FOLDER + "overlay.vert", defines),
                 ShaderSource.load(FOLDER + "overlay.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("letters", TextureUnit.COLOURS);
-                    uniforms.sampler("overlayPicture", TextureUnit.OVERLAY_PICTURE);
-                    return uniforms.vector4("pictureSize");
-                });
+                uniforms -> uniforms.vector4("pictureSize"));
         quads = new QuadStream(gl, "overlay", FORMAT);
         letters = texture(
                 "letters", PixelFormat.R8, Texture.Extent.flat(FontAtlas.WIDTH_TEXELS, atlas.height()), atlas.texels());

@@ -1,8 +1,5 @@
 package nephele.engine.render.pass.particle;
 
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.RendererClouds;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Emitter;
@@ -15,7 +12,10 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 
@@ -37,7 +37,8 @@ final class ParticleLight {
     private final LevelParticles particles;
     private final RendererClouds clouds;
     /** {@code null} under a constant light from all sides. */
-    private final SurfaceLight light;
+    private final AmbientLight light;
+
     private final double[] skyShare;
     private final Vector3d[] ofLamps;
     /** Scattered radiance by emitter, RGB. */
@@ -60,7 +61,7 @@ final class ParticleLight {
         level = context.scene().level();
         this.particles = particles;
         clouds = context.get(RendererClouds.RESOURCE);
-        light = level.environment().ambient() == null ? context.get(SurfaceLight.RESOURCE) : null;
+        light = level.environment().ambient() == null ? context.get(AmbientLight.RESOURCE) : null;
         List<Emitter> emitters = particles.emitters();
         skyShare = new double[emitters.size()];
         ofLamps = new Vector3d[emitters.size()];

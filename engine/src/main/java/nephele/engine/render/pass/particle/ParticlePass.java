@@ -23,10 +23,10 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.render.resource.MeteredExposure;
-import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
 
 /**
@@ -36,7 +36,7 @@ import nephele.engine.scene.View;
 public final class ParticlePass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy)
-            .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
+            .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, AmbientLight.RESOURCE, MeteredExposure.RESOURCE);
 
     private final GlContext gl;
     private final Map<Target, Texture> targets;

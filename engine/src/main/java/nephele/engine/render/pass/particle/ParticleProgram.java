@@ -6,14 +6,12 @@ import nephele.engine.particle.ParticlePicture;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.MeteredExposure;
 
 /** The shaders of particles, with the pictures that the level's kinds need. */
 final class ParticleProgram {
@@ -28,6 +26,7 @@ final class ParticleProgram {
     /** @param meetSurfaces whether particles fade where they meet surfaces */
     ParticleProgram(LoadContext context, List<Emitter> emitters, boolean meetSurfaces) {
         GlContext gl = context.gl();
+        MeteredExposure.readInViews(context);
         boolean pictured = emitters.stream().anyMatch(emitter -> isPictured(emitter.kind()));
         var defines = Defines.of(context)
                 .withIf(meetSurfaces, "SURFACES")
@@ -38,21 +37,7 @@ final class ParticleProgram {
                 .with("TONGUE", ParticlePicture.TONGUE.first())
                 .values();
         pictures = pictured ? context.own(ParticlePictures.texture(gl)) : null;
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "particle.vert", defines),
-                ShaderSource.load(FOLDER + "particle.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    uniforms.sampler("particles", TextureUnit.DYNAMIC_INSTANCES);
-                    if (meetSurfaces) {
-                        uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-                    }
-                    if (pictured) {
-                        uniforms.sampler("pictures", TextureUnit.COLOURS);
-                    }
-                    return new Places(uniforms.scalar("pixelPerMetre"));
-                });
+        program = GlProgram.of(gl, FOLDER + "particle.vert", FOLDER + "particle.frag", defines, Places.class);
     }
 
     private static boolean isPictured(Emitter.Kind kind) {

@@ -3,9 +3,9 @@ package nephele.engine.render.pass.portal;
 import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -21,8 +21,8 @@ public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "portal.depth",
                     Stage.IN_VIEWS,
-                    request -> OpeningRequirements.of(
-                            request, "where openings hide what is behind", OpeningDepthPass::new))
+                    request ->
+                            Required.ofOpenings(request, "where openings hide what is behind", OpeningDepthPass::new))
             .using(OpeningMesh.RESOURCE);
 
     private final GlContext gl;

@@ -6,9 +6,7 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.frame.FrameUniforms;
 
 /** Programs that place openings at exactly the same depth. */
 final class OpeningPrograms {
@@ -28,10 +26,7 @@ final class OpeningPrograms {
 
     /** Returns a program that looks up a picture. */
     static GlProgram<Object> picture(LoadContext context) {
-        return program(context, "picture.frag", uniforms -> {
-            uniforms.sampler("openingPicture", TextureUnit.COLOURS);
-            return uniforms;
-        });
+        return program(context, "picture.frag", uniforms -> uniforms);
     }
 
     /** Returns a program for the fog between the eye and openings, times the part of light that they absorb. */

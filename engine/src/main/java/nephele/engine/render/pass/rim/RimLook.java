@@ -24,6 +24,10 @@ final class RimLook {
     /** Share of white in a rim when it begins to open. */
     private static final double HOT_WHITE = 0.85;
 
+    private static final double GOLDEN_SHARE = 0.6180339887498949;
+    /** Share of the hues between blue and orange that are greens; these are used first. */
+    private static final double GREENS = 0.45;
+
     private static final double PREVIEW_OPACITY = 0.92;
 
     private final List<Vec3> huesOfPairs = new ArrayList<>();
@@ -116,9 +120,31 @@ final class RimLook {
         int partner = frameState.portals().partner(portal);
         int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
         while (huesOfPairs.size() <= pair) {
-            huesOfPairs.add(RimColours.ofPair(huesOfPairs.size()));
+            huesOfPairs.add(ofPair(huesOfPairs.size()));
         }
         return huesOfPairs.get(pair);
+    }
+
+    /**
+     * Returns the colour of a pair, linear RGB as displayed: a hue away from the blue and orange of the shots, and far from
+     * those of other pairs for any number of them.
+     *
+     * @param pair index among the level's pairs, with gaps
+     */
+    private static Vec3 ofPair(int pair) {
+        double place = 0.2 + GOLDEN_SHARE * pair;
+        place -= Math.floor(place);
+        return hue(place < GREENS ? 0.24 + 0.24 * place / GREENS : 0.72 + 0.25 * (place - GREENS) / (1 - GREENS));
+    }
+
+    /** Returns a bright, slightly unsaturated colour. */
+    private static Vec3 hue(double turns) {
+        return new Vec3(channel(turns), channel(turns + 2 / 3.0), channel(turns + 1 / 3.0));
+    }
+
+    private static double channel(double turns) {
+        double wave = 0.5 + 0.5 * Math.cos(2 * Math.PI * turns);
+        return 0.06 + 0.84 * wave * wave;
     }
 
     /**

@@ -5,6 +5,7 @@ import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import nephele.engine.portal.Aperture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -14,7 +15,7 @@ import org.lwjgl.system.MemoryUtil;
  * The rim of one aperture on the GPU, in the portal's own axes: a band with a raised profile along its edge, a flat
  * band for the glow around it, and the aperture's own area.
  */
-final class RimShape implements AutoCloseable {
+final class RimShape implements GlObject {
     /** Width of the glow outside the aperture. */
     static final double REACH_METRES = 0.23;
 

@@ -10,8 +10,8 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardSource.Kind;
@@ -22,12 +22,11 @@ import nephele.engine.scene.light.ShadowFrame;
 final class BillboardDepth {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
-    /** Either the sun's or the observer's uniforms are {@code null}. */
     private record SunUniforms(
             Uniforms.Matrix4 clipFromAnchor,
-            Uniforms.Vector3 towardsSun,
-            Uniforms.Vector3 mapRight,
-            Uniforms.Vector3 observer) {}
+            @IfRead Uniforms.Vector3 towardsSun,
+            @IfRead Uniforms.Vector3 mapRight,
+            @IfRead Uniforms.Vector3 observer) {}
 
     private final GlContext gl;
     private final BillboardQuads quads;
@@ -44,18 +43,8 @@ final class BillboardDepth {
                 .with("VERTICES", SquareSheet.vertices(1))
                 .withIf(isObserved, "OBSERVER")
                 .values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "billboard-depth.vert", defines),
-                ShaderSource.load(FOLDER + "billboard-depth.frag", Map.of()),
-                uniforms -> {
-                    BillboardQuads.tie(uniforms);
-                    return new SunUniforms(
-                            uniforms.matrix4("clipFromAnchor"),
-                            isObserved ? null : uniforms.vector3("towardsSun"),
-                            isObserved ? null : uniforms.vector3("mapRight"),
-                            isObserved ? uniforms.vector3("observer") : null);
-                });
+        program = GlProgram.of(
+                gl, FOLDER + "billboard-depth.vert", FOLDER + "billboard-depth.frag", defines, SunUniforms.class);
     }
 
     /**
@@ -69,17 +58,12 @@ final class BillboardDepth {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
         program.uniforms().clipFromAnchor().set(frame.clipFromAnchor().get(new float[16]));
-        if (program.uniforms().observer() != null && observer != null) {
-            set(program.uniforms().observer(), observer.minus(frame.anchor()));
-        } else if (program.uniforms().observer() == null) {
-            set(program.uniforms().towardsSun(), Directions.unit(direction));
-            set(program.uniforms().mapRight(), frame.right());
+        if (observer != null) {
+            program.uniforms().observer().set(observer.minus(frame.anchor()));
         }
+        program.uniforms().towardsSun().set(Directions.unit(direction));
+        program.uniforms().mapRight().set(frame.right());
         quads.bind();
         list.draw(quads.clusters(), quads);
-    }
-
-    private static void set(Uniforms.Vector3 uniform, Vec3 value) {
-        uniform.set((float) value.x(), (float) value.y(), (float) value.z());
     }
 }

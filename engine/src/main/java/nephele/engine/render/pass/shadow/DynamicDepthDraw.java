@@ -8,7 +8,6 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.DynamicMeshes;
@@ -37,14 +36,8 @@ final class DynamicDepthDraw {
         this.meshes = meshes;
         clipDistances = ViewTree.mayGrow(context.scene().level()) ? 3 : 0;
         Map<String, String> defines = Defines.of(context).values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "dynamic-depth.vert", defines),
-                ShaderSource.load(FOLDER + "dynamic-depth.frag", Map.of()),
-                uniforms -> new DepthUniforms(
-                        uniforms.matrix4("clipFromAnchor"),
-                        uniforms.scalar("depthPerMetre"),
-                        RunUniforms.of(uniforms)));
+        program = GlProgram.of(
+                gl, FOLDER + "dynamic-depth.vert", FOLDER + "dynamic-depth.frag", defines, DepthUniforms.class);
     }
 
     /** Draws a sun's picture, whose depth is already linear. */

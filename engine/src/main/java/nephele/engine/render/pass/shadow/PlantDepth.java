@@ -11,8 +11,6 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.PlantList;
@@ -79,34 +77,16 @@ final class PlantDepth {
     }
 
     private GlProgram<MeshUniforms> meshes() {
-        return new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "plant-depth.vert", Map.of()),
-                ShaderSource.load(FOLDER + "plant-depth.frag", Map.of()),
-                uniforms -> {
-                    tie(uniforms);
-                    return new MeshUniforms(uniforms.matrix4("clipFromAnchor"));
-                });
+        return GlProgram.of(gl, FOLDER + "plant-depth.vert", FOLDER + "plant-depth.frag", Map.of(), MeshUniforms.class);
     }
 
     private GlProgram<SunUniforms> impostors() {
-        return new GlProgram<>(
+        return GlProgram.of(
                 gl,
-                ShaderSource.load(
-                        FOLDER + "impostor-depth.vert", Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET))),
-                ShaderSource.load(FOLDER + "impostor-depth.frag", Map.of()),
-                uniforms -> {
-                    tie(uniforms);
-                    uniforms.sampler("plantKinds", TextureUnit.PLANT_KINDS);
-                    uniforms.sampler("impostorColours", TextureUnit.COLOURS);
-                    uniforms.sampler("impostorShapes", TextureUnit.IMPOSTOR_SHAPES);
-                    return new SunUniforms(uniforms.matrix4("clipFromAnchor"), uniforms.vector3("towardsSun"));
-                });
-    }
-
-    private static void tie(Uniforms uniforms) {
-        uniforms.sampler("plants", TextureUnit.PLANTS);
-        uniforms.sampler("plantOrder", TextureUnit.PLANT_ORDER);
+                FOLDER + "impostor-depth.vert",
+                FOLDER + "impostor-depth.frag",
+                Map.of("PER_SHEET", Integer.toString(BillboardList.PER_SHEET)),
+                SunUniforms.class);
     }
 
     /** Draws into the bound target. @param direction towards the sun, any length */
@@ -129,7 +109,7 @@ final class PlantDepth {
     private void drawImpostors(float[] clip, Vec3 towards) {
         impostors.use();
         impostors.uniforms().clipFromAnchor().set(clip);
-        impostors.uniforms().towardsSun().set((float) towards.x(), (float) towards.y(), (float) towards.z());
+        impostors.uniforms().towardsSun().set(towards);
         plants.bindAtlases();
         quads.begin();
         for (int plant = 0; plant < plants.count(); plant++) {

@@ -22,7 +22,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
@@ -74,21 +73,9 @@ public final class ShotPass implements Pass {
     private ShotPass(LoadContext context) {
         gl = context.gl();
         over = MeteredExposure.over(context);
+        MeteredExposure.readInViews(context);
         var defines = Defines.of(context).values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "shot.vert", defines),
-                ShaderSource.load(FOLDER + "shot.frag", defines),
-                uniforms -> {
-                    MeteredExposure.tieInView(context, uniforms);
-                    return new Places(
-                            uniforms.vector3("origin"),
-                            uniforms.vector3("along"),
-                            uniforms.vector3("across"),
-                            uniforms.vector2("widths"),
-                            uniforms.vector3("tint"),
-                            uniforms.vector3("ageAndKind"));
-                });
+        program = GlProgram.of(gl, FOLDER + "shot.vert", FOLDER + "shot.frag", defines, Places.class);
         quad = context.own(quad(gl));
     }
 

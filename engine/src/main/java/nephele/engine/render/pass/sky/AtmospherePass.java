@@ -23,7 +23,6 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.BackgroundWork;
 import nephele.engine.render.resource.ByHeight;
 import nephele.engine.render.resource.SunAndMoonTables;
 
@@ -35,7 +34,7 @@ import nephele.engine.render.resource.SunAndMoonTables;
 public final class AtmospherePass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "sky.atmosphere", Stage.IN_VIEWS, Role.SKY, AtmospherePass::requiredBy)
-            .using(BackgroundWork.RESOURCE);
+            .using(SunAndMoonTables.THREADS);
 
     private final SkyProgram day;
     /** With moon and stars; {@code null} until the sun has set, since the software renderer executes every branch. */
@@ -48,7 +47,7 @@ public final class AtmospherePass implements Pass {
 
     private AtmospherePass(LoadContext context, Sky.Atmosphere sky) {
         this.context = context;
-        day = SkyProgram.of(context, false);
+        day = new SkyProgram(context, false);
         tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
         byHeight = context.own(new ByHeight<>(this::tables));
     }
@@ -64,7 +63,7 @@ public final class AtmospherePass implements Pass {
                         PixelFormat.RGBA32F,
                         extent,
                         Sampling.LINEAR_CLAMP),
-                context.get(BackgroundWork.RESOURCE),
+                context.get(SunAndMoonTables.THREADS),
                 heightMetres,
                 sine -> new SkyTable(air, heightMetres, sine).texels());
     }
@@ -97,7 +96,7 @@ public final class AtmospherePass implements Pass {
             return day;
         }
         if (night == null) {
-            night = SkyProgram.of(context, true);
+            night = new SkyProgram(context, true);
         }
         return night;
     }

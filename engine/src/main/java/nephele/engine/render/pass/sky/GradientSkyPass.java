@@ -5,6 +5,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -16,7 +17,6 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.frame.FrameUniforms;
 
 /**
  * Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn; behind fog that ends with
@@ -29,16 +29,13 @@ public final class GradientSkyPass implements Pass {
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
 
     private final FullScreenDrawing drawing;
-    private Colours colours;
+    private final Colours colours;
 
     private record Colours(Vector3 zenith, Vector3 horizon, Vector3 ground) {}
 
     private GradientSkyPass(LoadContext context) {
-        drawing = new FullScreenDrawing(
-                context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), uniforms -> {
-                    colours = new Colours(
-                            uniforms.vector3("zenith"), uniforms.vector3("horizon"), uniforms.vector3("ground"));
-                });
+        drawing = new FullScreenDrawing(context, Defines.of(context), FOLDER + "sky.vert", FOLDER + "gradient.frag");
+        colours = drawing.uniforms(Colours.class);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -71,16 +68,12 @@ public final class GradientSkyPass implements Pass {
         return new Sky.Gradient(even, even, even);
     }
 
-    private static void set(Vector3 uniform, Vec3 v) {
-        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
-    }
-
     @Override
     public void draw(FrameContext frame) {
         Sky.Gradient sky = gradient(frame.frameState().environment().sky());
-        set(colours.zenith, sky.zenith());
-        set(colours.horizon, sky.horizon());
-        set(colours.ground, sky.ground());
+        colours.zenith.set(sky.zenith());
+        colours.horizon.set(sky.horizon());
+        colours.ground.set(sky.ground());
         drawing.draw(frame.surface(), Depth.LESS_OR_EQUAL);
     }
 }

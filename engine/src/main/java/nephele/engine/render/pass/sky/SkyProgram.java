@@ -14,11 +14,10 @@ import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.frame.FrameUniforms;
 
 /** {@code atmosphere.frag} with its numbers, which are set when they change. */
 final class SkyProgram {
@@ -27,64 +26,38 @@ final class SkyProgram {
     private static final double MOST_RADIANCE = 60_000;
 
     private final FullScreenDrawing drawing;
-    private SunNumbers sunNumbers;
-    private NightNumbers nightNumbers;
+    private final Numbers numbers;
+    private final boolean isNight;
     private Sun sunShown;
     private Heights heightsShown;
     private Sky.Atmosphere skyShown;
 
-    private record SunNumbers(
-            Vector3 towards,
+    private record Numbers(
+            Vector3 towardsSun,
             Vector3 irradiance,
             Vector3 disc,
             Scalar discSine,
             Scalar horizon,
             Scalar horizonOfEye,
             Vector2 band,
-            Scalar mieG) {}
+            Scalar mieG,
+            @IfRead Vector3 towardsMoon,
+            @IfRead Vector3 moonlight,
+            @IfRead Vector3 groundAlbedo,
+            @IfRead Vector3 equinox,
+            @IfRead Vector3 eastOfEquinox,
+            @IfRead Vector3 northPole,
+            @IfRead Vector3 zenithDepth) {}
 
-    private record NightNumbers(
-            Vector3 towardsMoon,
-            Vector3 moonlight,
-            Vector3 groundAlbedo,
-            Vector3 equinox,
-            Vector3 east,
-            Vector3 pole,
-            Vector3 depth) {}
-
-    private SkyProgram(LoadContext context, boolean isNight) {
+    SkyProgram(LoadContext context, boolean isNight) {
+        this.isNight = isNight;
         Defines defines = Defines.of(context)
                 .withIf(isNight, "NIGHT")
                 .with("SKY_ROWS", SkyTable.SKY_ROWS)
                 .with("GROUND_ROWS", SkyTable.GROUND_ROWS)
                 .with("AZIMUTHS", SkyTable.AZIMUTHS);
-        drawing = new FullScreenDrawing(
-                context, defines, FOLDER, new FullScreenDrawing.Stages("sky.vert", "atmosphere.frag"), uniforms -> {
-                    uniforms.sampler("skyTable", TextureUnit.COLOURS);
-                    sunNumbers = new SunNumbers(
-                            uniforms.vector3("towardsSun"),
-                            uniforms.vector3("irradiance"),
-                            uniforms.vector3("disc"),
-                            uniforms.scalar("discSine"),
-                            uniforms.scalar("horizon"),
-                            uniforms.scalar("horizonOfEye"),
-                            uniforms.vector2("band"),
-                            uniforms.scalar("mieG"));
-                    nightNumbers = !isNight
-                            ? null
-                            : new NightNumbers(
-                                    uniforms.vector3("towardsMoon"),
-                                    uniforms.vector3("moonlight"),
-                                    uniforms.vector3("groundAlbedo"),
-                                    uniforms.vector3("equinox"),
-                                    uniforms.vector3("eastOfEquinox"),
-                                    uniforms.vector3("northPole"),
-                                    uniforms.vector3("zenithDepth"));
-                });
-    }
-
-    static SkyProgram of(LoadContext context, boolean isNight) {
-        return new SkyProgram(context, isNight);
+        drawing = new FullScreenDrawing(context, defines, FOLDER + "sky.vert", FOLDER + "atmosphere.frag");
+        numbers = drawing.uniforms(Numbers.class);
     }
 
     /**
@@ -104,17 +77,17 @@ final class SkyProgram {
         sunShown = sun;
         heightsShown = heights;
         double heightMetres = heights.ofTable;
-        set(sunNumbers.towards, towardsSun);
-        set(sunNumbers.irradiance, sun.irradiance());
-        set(sunNumbers.disc, disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
-        sunNumbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
-        sunNumbers.horizon.set((float) SkyTable.horizon(heightMetres));
-        sunNumbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, heights.ofEye)));
-        sunNumbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
-        sunNumbers.mieG.set((float) air.mieG());
-        if (nightNumbers != null) {
+        numbers.towardsSun.set(towardsSun);
+        numbers.irradiance.set(sun.irradiance());
+        numbers.disc.set(disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
+        numbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
+        numbers.horizon.set((float) SkyTable.horizon(heightMetres));
+        numbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, heights.ofEye)));
+        numbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
+        numbers.mieG.set((float) air.mieG());
+        if (isNight) {
             Vec3 zenith = air.transmittance(0, 1);
-            set(nightNumbers.depth, new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z())));
+            numbers.zenithDepth.set(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z()));
         }
     }
 
@@ -122,18 +95,17 @@ final class SkyProgram {
     void heavens(SunAndMoon lights) {
         Sky.Atmosphere sky = (Sky.Atmosphere) lights.environment().sky();
         Moonlight moonlight = lights.moonlight();
-        set(nightNumbers.moonlight, moonlight.irradiance());
+        numbers.moonlight.set(moonlight.irradiance());
         if (sky == skyShown) {
             return;
         }
         skyShown = sky;
         Vec3[] axes = Heavens.celestialAxes(sky);
-        set(nightNumbers.towardsMoon, moonlight.towardsMoon());
-        Vec3 groundAlbedo = Daylight.air(sky).groundAlbedo();
-        set(nightNumbers.groundAlbedo, groundAlbedo);
-        set(nightNumbers.equinox, axes[0]);
-        set(nightNumbers.east, axes[1]);
-        set(nightNumbers.pole, axes[2]);
+        numbers.towardsMoon.set(moonlight.towardsMoon());
+        numbers.groundAlbedo.set(Daylight.air(sky).groundAlbedo());
+        numbers.equinox.set(axes[0]);
+        numbers.eastOfEquinox.set(axes[1]);
+        numbers.northPole.set(axes[2]);
     }
 
     /** Returns the mean radiance of the disc; black for a point. */
@@ -152,9 +124,5 @@ final class SkyProgram {
 
     void draw(RenderTarget target) {
         drawing.draw(target, Depth.LESS_OR_EQUAL);
-    }
-
-    private static void set(Vector3 uniform, Vec3 v) {
-        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
     }
 }

@@ -76,10 +76,7 @@ public final class SkyboxPass implements Pass {
                 gl,
                 ShaderSource.load(FOLDER + "skybox.vert", defines),
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
-                uniforms -> {
-                    uniforms.sampler("faces", TextureUnit.COLOURS);
-                    return uniforms.scalar("whiteRadiance");
-                });
+                uniforms -> uniforms.scalar("whiteRadiance"));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

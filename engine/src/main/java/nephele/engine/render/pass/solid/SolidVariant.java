@@ -1,16 +1,13 @@
 package nephele.engine.render.pass.solid;
 
-import java.util.Optional;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.SurfaceVariant;
-import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.SolidBatch;
 
 /**
@@ -39,28 +36,11 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
                 .withIf(form == SolidBatch.Form.TURNED_SOLID, "TURNED_TEXTURE")
                 .withIf(isLitPerFace(light), "FLAT_LIGHT")
                 .values();
-        return new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "solid.vert", defines),
-                ShaderSource.load(FOLDER + "solid.frag", defines),
-                uniforms -> uniforms(uniforms, light));
+        return GlProgram.of(context.gl(), FOLDER + "solid.vert", FOLDER + "solid.frag", defines, SolidUniforms.class);
     }
 
     /** Returns true if light cannot vary over a face. */
     private boolean isLitPerFace(SurfaceLight light) {
         return !form.isModel() && surface.isLambert() && !surface.normalMapped() && !light.variesOverFaces();
-    }
-
-    private SolidUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
-        surface.set(uniforms);
-        if (form.isModel()) {
-            light.tieForModels(uniforms);
-        } else {
-            light.tie(uniforms);
-        }
-        return new SolidUniforms(
-                uniforms.vector3("eyeHigh"),
-                uniforms.vector3("eyeLow"),
-                light.needsPositions() ? Optional.of(uniforms.vector3("cellFromAnchor")) : Optional.empty());
     }
 }

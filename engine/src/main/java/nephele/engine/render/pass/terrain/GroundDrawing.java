@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.terrain;
 
-import nephele.engine.render.resource.PictureArrays;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
@@ -10,15 +9,14 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
-import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;
@@ -112,11 +110,8 @@ final class GroundDrawing {
                                 .with("LAYERS", look.surfaces().size()),
                         materials.materialsPerBlock())
                 .values();
-        return new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "terrain.vert", defines),
-                ShaderSource.load(FOLDER + "terrain.frag", defines),
-                uniforms -> uniforms(context, surface, uniforms));
+        return GlProgram.of(
+                context.gl(), FOLDER + "terrain.vert", FOLDER + "terrain.frag", defines, GroundUniforms.class);
     }
 
     private static Texture baked(LoadContext context, StaticShape.HeightGrid grid) {
@@ -135,22 +130,6 @@ final class GroundDrawing {
         return pictures.array() == LayerPictures.OWN
                 ? PictureArrays.enlargedNormals(context, pictures.own())
                 : context.get(PictureArrays.NORMALS).get(pictures.array());
-    }
-
-    private GroundUniforms uniforms(LoadContext context, SurfaceVariant surface, Uniforms uniforms) {
-        surface.set(uniforms);
-        light.tieForDynamicObjects(uniforms);
-        if (tiles != null) {
-            uniforms.sampler("terrainTiles", TextureUnit.TERRAIN_TILES);
-        }
-        if (LightRequirements.skyShines(context.scene().level())) {
-            uniforms.sampler("terrainSky", TextureUnit.SKY_VISIBILITY);
-        }
-        if (paint != null) {
-            uniforms.sampler("layerMap", TextureUnit.TERRAIN_LAYERS);
-        }
-        return GroundUniforms.of(
-                uniforms, look.surfaces().size(), light, context.quality().terrainDetail());
     }
 
     void draw(FrameContext frame) {

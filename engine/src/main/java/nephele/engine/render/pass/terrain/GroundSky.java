@@ -8,7 +8,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.Similar;
+import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.light.TerrainSky;
 
 /** The sky visibility of a terrain on the GPU. */
@@ -17,7 +17,7 @@ final class GroundSky implements GlObject {
     private final Texture texture;
 
     GroundSky(GlContext gl, HeightField field) {
-        open = Similar.of(gl.shared().all(GroundSky.class), sky -> sky.open.field(), field)
+        open = TerrainMesh.mostSimilar(gl.shared().all(GroundSky.class), sky -> sky.open.field(), field)
                 .map(sky -> TerrainSky.edited(sky.open, field))
                 .orElseGet(() -> TerrainSky.of(field));
         texture = new Texture(

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.tonemap;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.appearance.LinearLight;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -15,12 +16,10 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.MeteredExposure;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("tonemap", Stage.AFTER_ALL, ToneMapPass::requiredBy).using(MeteredExposure.RESOURCE);
+    public static final RenderFeature FEATURE = new RenderFeature("tonemap", Stage.AFTER_ALL, ToneMapPass::requiredBy);
 
     private static final String FOLDER = "/nephele/engine/render/pass/tonemap/";
 
@@ -29,13 +28,7 @@ public final class ToneMapPass implements Pass {
 
     private ToneMapPass(LoadContext context) {
         isMetered = context.request().metersExposure();
-        var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
-        drawing = new FullScreenDrawing(context, FOLDER, stages, uniforms -> {
-            uniforms.sampler("linearPicture", TextureUnit.COLOURS);
-            if (isMetered) {
-                context.get(MeteredExposure.RESOURCE).tie(uniforms);
-            }
-        });
+        drawing = new FullScreenDrawing(context, Defines.of(context), FOLDER + "tonemap.vert", FOLDER + "tonemap.frag");
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -32,10 +32,8 @@ public final class UpscalePass implements Pass {
     private final FullScreenDrawing drawing;
 
     private UpscalePass(LoadContext context) {
-        var stages = new FullScreenDrawing.Stages("upscale.vert", "upscale.frag");
         Defines defines = new Defines().with(context.quality().upscale().name()).with("STEEPNESS", STEEPNESS);
-        drawing = new FullScreenDrawing(
-                context, defines, FOLDER, stages, uniforms -> uniforms.sampler("smallPicture", TextureUnit.COLOURS));
+        drawing = new FullScreenDrawing(context, defines, FOLDER + "upscale.vert", FOLDER + "upscale.frag");
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -17,7 +17,7 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.resource.CloudShadeRegion;
+import nephele.engine.render.resource.FrameClouds;
 import nephele.engine.render.resource.RendererClouds;
 import org.lwjgl.system.MemoryUtil;
 
@@ -36,7 +36,7 @@ public final class CloudShadePass implements Pass {
     private CloudShadePass(LoadContext context) {
         clouds = context.get(RendererClouds.RESOURCE);
         targets = context.targets();
-        size = SunShares.Size.of(CloudShadeRegion.of(context.scene().statics()));
+        size = SunShares.Size.of(FrameClouds.shadeRegion(context.scene().statics()));
         texture = context.own(new Texture(
                 context.gl(),
                 "cloud shade",
