@@ -12,8 +12,8 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.LevelRule.Stage;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Vec3;
+import nephele.engine.rule.LevelRules;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -191,6 +191,6 @@ class LayoutRulesTest {
         for (int i = 0; i < 80; i++) {
             heap.append(",").append(box("in" + i, "0, -0.5, 0", "0.5, 0.5, 0.5"));
         }
-        assertEquals(Told.MOST + 1, problems(heap.toString(), "").size());
+        assertEquals(LimitedReport.MOST + 1, problems(heap.toString(), "").size());
     }
 }

@@ -14,7 +14,7 @@ import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.layout.FacePath;
-import nephele.engine.level.layout.Told;
+import nephele.engine.level.layout.LimitedReport;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -39,11 +39,12 @@ public final class RoomRules {
     /** |N.y| from which a portal's heading follows the shooter's view. */
     private static final double TILTED = 0.8660254037844386;
 
-    public static final LevelRule LARGE_ENOUGH = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
-        if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
-            new RoomRules(level, statics).report(report);
-        }
-    });
+    public static final LevelRule LARGE_ENOUGH =
+            new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
+                if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
+                    new RoomRules(level, statics).report(report);
+                }
+            });
 
     private final Level level;
     private final StaticShapes statics;
@@ -90,7 +91,7 @@ public final class RoomRules {
     }
 
     private void report(Consumer<Problem> report) {
-        Told reported = new Told("solids", report);
+        LimitedReport reported = new LimitedReport("solids", report);
         Map<Integer, List<String>> tight = new LinkedHashMap<>();
         Map<Integer, BrushFace> firstFaces = new LinkedHashMap<>();
         int face = 0;
