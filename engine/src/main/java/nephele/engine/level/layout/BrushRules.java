@@ -24,30 +24,30 @@ public final class BrushRules {
     private static final double SAME_NORMAL = 1 - 1e-9;
 
     public static final LevelRule THICK = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
-        FirstProblems told = new FirstProblems("solids", report);
-        for (int i = 0; i < statics.solids().size() && !told.isFull(); i++) {
+        FirstProblems reported = new FirstProblems("solids", report);
+        for (int i = 0; i < statics.solids().size() && !reported.isFull(); i++) {
             double thickness =
                     PolyhedronMeasure.thicknessMetres(statics.solids().get(i).shape());
             if (thickness < THINNEST_METRES) {
                 String message = "is only " + Math.round(thickness * 1e5) / 100.0
                         + " mm thick, and surfaces closer than 1 mm count as one: make it thicker or delete it";
-                told.accept(Problem.warning(FacePath.of(i), message).about(Topic.TOO_THIN));
+                reported.accept(Problem.warning(FacePath.of(i), message).about(Topic.TOO_THIN));
             }
         }
     });
 
     public static final LevelRule IN_SIGHT = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
-        FirstProblems told = new FirstProblems("solids", report);
+        FirstProblems reported = new FirstProblems("solids", report);
         long pairs = 0;
-        for (int i = 0; i < statics.solids().size() && !told.isFull() && pairs < MOST_PAIRS; i++) {
+        for (int i = 0; i < statics.solids().size() && !reported.isFull() && pairs < MOST_PAIRS; i++) {
             ItemList near = index.near(statics.solids().get(i).shape().bounds());
             pairs += near.size();
             int around = around(index, near, i, statics.solids().size());
             if (around >= 0) {
                 String message = "lies wholly inside " + FacePath.named(level, around)
                         + " and changes nothing: delete it or move it out";
-                told.accept(Problem.warning(FacePath.of(i), message)
+                reported.accept(Problem.warning(FacePath.of(i), message)
                         .about(new Subject(Topic.INSIDE_ANOTHER, List.of(FacePath.of(around)), List.of())));
             }
         }

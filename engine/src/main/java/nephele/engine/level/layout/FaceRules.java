@@ -45,14 +45,14 @@ public final class FaceRules {
     private static final class Search {
         private final Level level;
         private final BrushIndex solids;
-        private final FirstProblems told;
+        private final FirstProblems reported;
         private final List<Place> places = new ArrayList<>();
         private int pairs;
 
         Search(Level level, StaticShapes statics, Consumer<Problem> report) {
             this.level = level;
             solids = new BrushIndex(statics);
-            told = new FirstProblems("solids", report);
+            reported = new FirstProblems("solids", report);
             for (int i = 0; i < statics.solids().size(); i++) {
                 for (BrushFace face : statics.solids().get(i).faces()) {
                     places.add(new Place(i, face));
@@ -66,7 +66,7 @@ public final class FaceRules {
                     .toList();
             SpatialIndex index = SpatialIndex.of(boxes);
             ItemList near = new ItemList();
-            for (int i = 0; i < places.size() && !told.isFull() && pairs < MOST_PAIRS; i++) {
+            for (int i = 0; i < places.size() && !reported.isFull() && pairs < MOST_PAIRS; i++) {
                 near.clear();
                 index.overlapping(boxes.get(i).grown(SAME_PLANE_METRES), near);
                 near.sort();
@@ -108,8 +108,9 @@ public final class FaceRules {
             String message = "lies in one plane with face " + b.face().name() + " of "
                     + FacePath.named(level, b.solid())
                     + ", and the materials differ: they flicker: move one of them, or give both the same material";
-            told.accept(Problem.warning(FacePath.of(level, a.solid(), a.face().name()), message)
-                    .about(new Subject(Topic.FIGHTING_FACES, List.of(other), common)));
+            reported.accept(
+                    Problem.warning(FacePath.of(level, a.solid(), a.face().name()), message)
+                            .about(new Subject(Topic.FIGHTING_FACES, List.of(other), common)));
         }
     }
 

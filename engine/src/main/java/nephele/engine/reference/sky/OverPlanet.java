@@ -10,6 +10,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;

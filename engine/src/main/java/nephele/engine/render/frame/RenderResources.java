@@ -91,11 +91,11 @@ public final class RenderResources implements GlObject {
         return environment;
     }
 
-    /** Returns the block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
+    /** Returns the block of {@code frame.glsl}, bound at {@link nephele.engine.render.gl.shader.UniformBlock#FRAME}. */
     public FrameUniforms uniforms() {
         if (uniforms == null) {
-            uniforms = context.own(new FrameUniforms(
-                    context.gl(), context.scene().level().environment()));
+            uniforms = context.own(
+                    new FrameUniforms(context.gl(), context.scene().level().environment()));
         }
         return uniforms;
     }

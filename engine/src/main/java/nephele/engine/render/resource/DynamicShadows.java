@@ -13,8 +13,9 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * The shadows of dynamic objects for shaders that include {@code surface-light.glsl}: defines, the block {@code
- * DynamicShade} and two depth textures in addition to those of static geometry.
+ * The shadows of dynamic objects for shaders that include {@code surface-light.glsl}: defines, the block {@link
+ * nephele.engine.render.gl.shader.UniformBlock#DYNAMIC_SHADE} and two depth textures in addition to those of static
+ * geometry.
  */
 public final class DynamicShadows implements GlObject {
     /** Layers of the punctual lights' depth texture; one float each, four to a vector. */

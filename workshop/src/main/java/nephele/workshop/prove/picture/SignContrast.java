@@ -29,7 +29,7 @@ final class SignContrast {
     }
 
     /**
-     * Returns the difference of L* by {@link ColourVision#ordinal}; {@code null} if most of the sign is hidden.
+     * Returns the difference of L* by the ordinal of the {@link ColourVision}; {@code null} if most of the sign is hidden.
      *
      * @param centreX where the sign is, in pixels
      * @param reach beyond which changes belong to other signs, in pixels

@@ -4,6 +4,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;
