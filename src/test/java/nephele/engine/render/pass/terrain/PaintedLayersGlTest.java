@@ -12,6 +12,7 @@ import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
@@ -48,7 +49,7 @@ class PaintedLayersGlTest {
                 .ambient(0.2)
                 .sun(new Vec3(0.4, 0.7, 0.5), 3);
         Terrain said = TestTerrain.said("t", "map.r16", layers).withLayerMap(layerMap);
-        return level.level().withTerrains(List.of(said.at(new Vec3(7, 3, -5))));
+        return level.level().withTerrains(List.of(RecordCopy.with(said, "centre", new Vec3(7, 3, -5))));
     }
 
     private static Material material(String id, Vec3 colour, String picture, double roughness, double metallic) {

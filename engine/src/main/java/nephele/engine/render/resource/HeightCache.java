@@ -12,7 +12,7 @@ import nephele.engine.render.gl.GlObject;
  * Objects for heights from which views are drawn: those through openings may be at other heights than the eye's. The
  * object that has not been used for longest makes room for a new one.
  */
-public final class ByHeight<T extends GlObject> implements GlObject {
+public final class HeightCache<T extends GlObject> implements GlObject {
     private static final int MOST = 6;
     /** Shelves between an eye and the tables that stand in for its own. */
     private static final double MOST_APART = 2.5;
@@ -22,7 +22,7 @@ public final class ByHeight<T extends GlObject> implements GlObject {
     private final Map<Double, T> objects = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param make called with a height, metres */
-    public ByHeight(DoubleFunction<T> make) {
+    public HeightCache(DoubleFunction<T> make) {
         this.make = make;
     }
 
