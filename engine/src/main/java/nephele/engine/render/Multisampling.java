@@ -3,7 +3,6 @@ package nephele.engine.render;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.SamplePositions;
 
 /**
  * Draws surfaces with several coverage samples a pixel and averages them. If OpenGL cannot, or if one sample is
@@ -28,7 +27,7 @@ final class Multisampling implements AutoCloseable {
 
     /** Returns x and y of each sample of a pixel, pixels from the pixel's centre. */
     float[] positions() {
-        return SamplePositions.of(gl, samples);
+        return RenderTarget.samplePositions(gl, samples);
     }
 
     /**

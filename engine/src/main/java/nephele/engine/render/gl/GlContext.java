@@ -1,29 +1,54 @@
 package nephele.engine.render.gl;
 
+import static org.lwjgl.glfw.GLFW.*;
+import static org.lwjgl.opengl.GL11C.glEnable;
 import static org.lwjgl.opengl.GL41C.*;
+import static org.lwjgl.opengl.KHRDebug.*;
 
 import nephele.engine.render.gl.shader.GlException;
 import nephele.engine.render.gl.shader.LinkedPrograms;
 import nephele.engine.work.SwingThread;
 import org.lwjgl.opengl.GL;
+import org.lwjgl.opengl.GLDebugMessageCallback;
+import org.lwjgl.system.Configuration;
 import org.lwjgl.system.Platform;
 
 /** One OpenGL context, current on the thread that made it; the first argument of every other object of this package. */
 public final class GlContext implements AutoCloseable {
+    /** Property that enables the driver's messages; they cost start-up time and synchronise every call. */
+    private static final String DEBUG_PROPERTY = "nephele.gl.debug";
+
+    private static final int SIDE_PIXELS = 16;
+
     private final Runnable destroy;
     private final GpuLimits limits;
     private final LiveObjects live = new LiveObjects();
     private final LinkedPrograms programs = new LinkedPrograms();
     private final SharedObjects shared = new SharedObjects();
     private final DrawState state = new DrawState();
-    private final DebugMessages debug;
+    /** {@code null} unless {@link #DEBUG_PROPERTY} is set and the driver has messages. */
+    private final GLDebugMessageCallback messages;
 
     private GlContext(Runnable destroy) {
         SwingThread.refuse("drawing");
         this.destroy = destroy;
         this.limits = GpuLimits.ofCurrent();
-        this.debug = DebugMessages.listen(limits);
+        this.messages = limits.debugMessages() && Boolean.getBoolean(DEBUG_PROPERTY) ? forwardMessages() : null;
         setForAll();
+    }
+
+    /** Forwards the driver's serious messages to standard error. */
+    private static GLDebugMessageCallback forwardMessages() {
+        GLDebugMessageCallback callback =
+                GLDebugMessageCallback.create((source, type, id, severity, length, message, user) -> {
+                    if (severity == GL_DEBUG_SEVERITY_HIGH || type == GL_DEBUG_TYPE_ERROR) {
+                        System.err.println("OpenGL: " + GLDebugMessageCallback.getMessage(length, message));
+                    }
+                });
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(callback, 0);
+        return callback;
     }
 
     /** Sets the state that is the same for all drawing. */
@@ -56,7 +81,35 @@ public final class GlContext implements AutoCloseable {
 
     /** Creates a context as {@link #offscreen} does where there is no EGL; needs a desktop session. */
     static GlContext ofHiddenWindow() {
-        return of(HiddenWindowContext.makeCurrent()::destroy);
+        long window = hiddenWindow();
+        // GLFW stays initialised for other windows of the process.
+        return of(() -> {
+            glfwMakeContextCurrent(0);
+            glfwDestroyWindow(window);
+        });
+    }
+
+    /** Returns the current window, which is never shown. */
+    private static long hiddenWindow() {
+        if (Platform.get() == Platform.MACOSX) {
+            // The window toolkit of Java has the first thread; GLFW draws on another one if it opens nothing visible.
+            Configuration.GLFW_CHECK_THREAD0.set(false);
+        }
+        if (!glfwInit()) {
+            throw new GlUnavailableException("Offscreen rendering requires a desktop session; there is none.");
+        }
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        long window = glfwCreateWindow(SIDE_PIXELS, SIDE_PIXELS, "", 0, 0);
+        if (window == 0) {
+            throw new GlUnavailableException("Offscreen rendering requires OpenGL 4.1: update the graphics driver.");
+        }
+        glfwMakeContextCurrent(window);
+        return window;
     }
 
     private static GlContext of(Runnable destroyContext) {
@@ -143,7 +196,10 @@ public final class GlContext implements AutoCloseable {
     @Override
     public void close() {
         programs.close();
-        debug.close();
+        if (messages != null) {
+            glDebugMessageCallback(null, 0);
+            messages.free();
+        }
         destroy.run();
     }
 }

@@ -10,6 +10,9 @@ import org.lwjgl.BufferUtils;
 
 /** The target of a pass: an offscreen picture with its own textures, one layer of a texture, or the window. */
 public final class RenderTarget implements GlObject {
+    /** The greatest number of positions of samples that are known. */
+    private static final int MOST_POSITIONS = 8;
+
     private final GlContext gl;
     private final GlHandle framebuffer;
     private final Texture colour;
@@ -379,6 +382,27 @@ public final class RenderTarget implements GlObject {
         float[] copy = new float[depths.capacity()];
         depths.get(copy);
         return copy;
+    }
+
+    /**
+     * Returns x and y of each sample, pixels from the pixel's centre; the centre for one sample, or if this OpenGL cannot
+     * draw into such a target.
+     */
+    public static float[] samplePositions(GlContext gl, int samples) {
+        float[] positions = new float[2 * MOST_POSITIONS];
+        RenderTarget target = samples <= 1 ? null : multisampled(gl, PixelFormat.RGBA8, 1, 1, samples);
+        if (target != null) {
+            target.bind();
+            int known = Math.min(glGetInteger(GL_SAMPLES), MOST_POSITIONS);
+            float[] position = new float[2];
+            for (int i = 0; i < known; i++) {
+                glGetMultisamplefv(GL_SAMPLE_POSITION, i, position);
+                positions[2 * i] = position[0] - 0.5f;
+                positions[2 * i + 1] = position[1] - 0.5f;
+            }
+            target.close();
+        }
+        return positions;
     }
 
     @Override

@@ -1,11 +1,13 @@
 package nephele.engine.render.resource;
 
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.level.billboard.Sway;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
@@ -17,6 +19,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.Scene;
+import org.lwjgl.system.MemoryUtil;
 
 /**
  * The images of a level's billboards on the GPU, in clusters of near ones. A crossed billboard has two images. Nothing of
@@ -25,11 +28,20 @@ import nephele.engine.scene.Scene;
 public final class BillboardQuads implements GlObject {
     private static final int PER_CLUSTER = 64;
     private static final int FLOATS = 8;
+    /** Five texels a group. */
+    private static final int GROUP_FLOATS = 20;
+
     private static final int BALL = 4;
 
     private final Vec3 anchor;
     private final BillboardSprites sprites;
-    private final BillboardGroups groups;
+    private final List<Billboards> groups;
+    /** What all billboards of a group share; uploaded again when time moves any of them. */
+    private final BufferTexture groupTexels;
+
+    private final FloatBuffer groupValues;
+    private final boolean moves;
+    private double shown = Double.NaN;
     private final BufferTexture texels;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] arrays;
@@ -60,7 +72,10 @@ public final class BillboardQuads implements GlObject {
         List<Billboards> said =
                 drawn.stream().map(PlantedBillboards.Group::said).toList();
         sprites = new BillboardSprites(gl, said, assets, source);
-        groups = new BillboardGroups(gl, said, sprites);
+        groups = said;
+        moves = groups.stream().anyMatch(Billboards::moves);
+        groupTexels = BufferTexture.changing(gl, "billboard groups");
+        groupValues = MemoryUtil.memAllocFloat(GROUP_FLOATS * Math.max(1, groups.size()));
         List<Image> images = images(drawn);
         arrays = images.stream().mapToInt(Image::array).toArray();
         balls = new float[BALL * images.size()];
@@ -194,13 +209,44 @@ public final class BillboardQuads implements GlObject {
 
     /** Moves them to a time. */
     public void follow(double seconds) {
-        groups.follow(seconds);
+        if (seconds == shown || !moves && !Double.isNaN(shown)) {
+            return;
+        }
+        shown = seconds;
+        groupValues.clear();
+        for (Billboards group : groups) {
+            double wind = group.windMetresPerSecond();
+            put(
+                    group.sizeMetres().width(),
+                    group.sizeMetres().height(),
+                    group.facing().ordinal(),
+                    sprites.place(group).layer());
+            put(frame(group, seconds), group.frames(), group.framesPerSecond() > 0 ? 1 : 0, 0);
+            put(Sway.lean(wind), Sway.SWINGING, Sway.turns(seconds), Sway.turnsPerMetre(wind));
+            put(group.colour() == null ? Vec3.ZERO : group.colour(), group.colour() == null ? 0 : 1);
+            put(group.emission(), 0);
+        }
+        groupTexels.upload(groupValues.flip());
+    }
+
+    /** Returns the frame at a time, from 0 to less than the number of frames; exact after years. */
+    private static double frame(Billboards group, double seconds) {
+        double rounds = seconds * group.framesPerSecond() / group.frames();
+        return (rounds - Math.floor(rounds)) * group.frames();
+    }
+
+    private void put(Vec3 v, double w) {
+        put(v.x(), v.y(), v.z(), w);
+    }
+
+    private void put(double x, double y, double z, double w) {
+        groupValues.put((float) x).put((float) y).put((float) z).put((float) w);
     }
 
     /** Binds the numbers of all images. */
     public void bind() {
         texels.bind(TextureUnit.BILLBOARDS);
-        groups.bind();
+        groupTexels.bind(TextureUnit.BILLBOARD_GROUPS);
     }
 
     /** Binds the pictures of an array. */
@@ -211,7 +257,8 @@ public final class BillboardQuads implements GlObject {
     @Override
     public void close() {
         texels.close();
-        groups.close();
+        groupTexels.close();
+        MemoryUtil.memFree(groupValues);
         sprites.close();
     }
 }

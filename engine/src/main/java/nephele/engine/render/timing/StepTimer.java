@@ -1,30 +1,94 @@
 package nephele.engine.render.timing;
 
+import java.util.Arrays;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GpuTimer;
 
-/** Times the steps of frames. */
-public interface StepTimer extends StepListener, AutoCloseable {
+/**
+ * Times the steps of frames: on hardware one step of each frame in turn by queries, which cannot be nested; in software,
+ * whose timer queries are wrong, all steps by waiting for each to complete.
+ */
+public final class StepTimer implements StepListener, AutoCloseable {
+    private final GlContext gl;
+    /** {@code null} in software. */
+    private final GpuTimer queries;
+
+    private final double[] sumMs;
+    private final long[] times;
+    private int queried = -1;
+    private boolean answerWaits;
+    private long lastNanos;
+
+    private StepTimer(GlContext gl, GpuTimer queries, int steps) {
+        this.gl = gl;
+        this.queries = queries;
+        sumMs = new double[steps];
+        times = new long[steps];
+    }
+
+    public static StepTimer of(GlContext gl, int steps) {
+        GpuTimer queries = gl.limits().software() ? null : new GpuTimer(gl, "a step of a frame");
+        return new StepTimer(gl, queries, steps);
+    }
+
     /** Must be called before each timed frame. */
-    void frameBegins();
-
-    /** Returns the mean time of one step since the last {@link #reset}; 0 before it was timed. */
-    double meanMs(int step);
-
-    /** Discards the measured times. */
-    void reset();
-
-    /** Returns the name of the clock, for readers of the figures. */
-    String clock();
+    public void frameBegins() {
+        if (queries == null) {
+            gl.finish();
+            lastNanos = System.nanoTime();
+            return;
+        }
+        if (answerWaits) {
+            add(queried, queries.nanoseconds());
+            answerWaits = false;
+        }
+        queried = (queried + 1) % times.length;
+        if (queried == 0) {
+            queries.start();
+        }
+    }
 
     @Override
-    void close();
+    public void submitted(int step) {
+        if (queries == null) {
+            gl.finish();
+            long now = System.nanoTime();
+            add(step, now - lastNanos);
+            lastNanos = now;
+        } else if (step == queried) {
+            queries.stop();
+            answerWaits = true;
+        } else if (step == queried - 1) {
+            queries.start();
+        }
+    }
 
-    /**
-     * Returns a timer that uses queries on hardware, and waits with {@code glFinish} after each step if OpenGL runs in
-     * software, where its timer queries are wrong.
-     */
-    static StepTimer of(GlContext gl, int steps) {
-        return gl.limits().software() ? new FinishTimer(gl, steps) : new QueryTimer(gl, steps);
+    private void add(int step, long nanoseconds) {
+        sumMs[step] += nanoseconds / 1e6;
+        times[step]++;
+    }
+
+    /** Returns the mean time of one step since the last {@link #reset}; 0 before it was timed. */
+    public double meanMs(int step) {
+        return sumMs[step] / Math.max(1, times[step]);
+    }
+
+    /** Discards the measured times. */
+    public void reset() {
+        Arrays.fill(sumMs, 0);
+        Arrays.fill(times, 0);
+    }
+
+    /** Returns the name of the clock, for readers of the figures. */
+    public String clock() {
+        return queries == null ? "wall time to glFinish" : "GPU time";
+    }
+
+    @Override
+    public void close() {
+        if (queries != null) {
+            queries.close();
+        }
     }
 }

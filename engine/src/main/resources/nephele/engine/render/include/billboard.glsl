@@ -1,5 +1,5 @@
 // The corner of a billboard's image in the world. The twins are level.billboard.FacingAxes and Sway; the numbers come from
-// render.resource.BillboardQuads, BillboardGroups and BillboardList.
+// render.resource.BillboardQuads and BillboardList.
 
 layout(location = 0) in vec2 corner; // -1 to 1
 

@@ -4,11 +4,13 @@ import java.util.List;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -25,6 +27,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
+import org.joml.Vector3dc;
 
 /**
  * Draws the content of each opening of a view, and of the openings in it. The stencil of a pixel holds the number of
@@ -46,8 +49,8 @@ public final class PortalPass implements Pass {
     private final GlProgram<?> picture;
     private final OpeningMesh openings;
     private final FrameEnvironment surroundings;
-    /** {@code null} if nothing is to be added. */
-    private final MirrorFog fog;
+    /** The fog in front of tinted mirrors; {@code null} if none is to be added. */
+    private final GlProgram<Uniforms.Vector3> fog;
     /** True if the sky covers every pixel, so that the clear colour is never visible. */
     private final boolean skyCovers;
 
@@ -58,7 +61,7 @@ public final class PortalPass implements Pass {
         picture = OpeningPrograms.picture(context);
         openings = context.get(OpeningMesh.RESOURCE);
         surroundings = context.resources().environment();
-        fog = MirrorFog.of(context);
+        fog = hasMirrorFog(context) ? OpeningPrograms.fog(context) : null;
         Environment environment = context.scene().level().environment();
         boolean isFogBefore = FogTransmittance.of(environment).isPresent();
         skyCovers = isFogBefore
@@ -102,9 +105,34 @@ public final class PortalPass implements Pass {
     private void addFog(ViewNode child) {
         if (fog != null) {
             gl.state().depthOf(OpeningMesh.depthOf(child));
-            fog.draw(child);
+            drawFog(child);
             gl.state().depthOf(DepthOf.SURFACE);
         }
+    }
+
+    /** Returns false if no fog is in front of mirrors, or if the output has no linear light to add to. */
+    private static boolean hasMirrorFog(LoadContext context) {
+        return FogTransmittance.of(context.scene().level().environment()).isPresent()
+                && context.output() != Output.DIRECT
+                && !context.scene().mirrors().isEmpty();
+    }
+
+    /**
+     * Adds the fog in front of a tinted mirror to its reflection. A surface's radiance is tinted together with all fog in
+     * front of it; this adds what the tint removed from the fog on this side, in linear light.
+     *
+     * @param child a filled opening whose own depth is the nearest
+     */
+    private void drawFog(ViewNode child) {
+        Vec3 kept = child.opening().tint();
+        if (kept.x() == 1 && kept.y() == 1 && kept.z() == 1) {
+            return;
+        }
+        Vector3dc before = child.parent().view().tint();
+        fog.uniforms().set(before.x() * (1 - kept.x()), before.y() * (1 - kept.y()), before.z() * (1 - kept.z()));
+        gl.state().set(Depth.EQUAL, Blend.ADD, Cull.NONE);
+        fog.use();
+        openings.draw(child);
     }
 
     private void colour(ClearColour c) {

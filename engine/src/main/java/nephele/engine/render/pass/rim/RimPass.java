@@ -2,7 +2,9 @@ package nephele.engine.render.pass.rim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import nephele.engine.portal.Aperture;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -17,6 +19,8 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
 
@@ -31,20 +35,55 @@ public final class RimPass implements Pass {
                     "portal.rim", Stage.IN_VIEWS, Role.DECORATION, RimPass::requiredBy)
             .using(MeteredExposure.RESOURCE);
 
+    private static final String FOLDER = "/nephele/engine/render/pass/rim/";
+    private static final double OPACITY_OVER_WALL = 0.93;
+
     private final GlContext gl;
     /** One for each kind of aperture, created when the first portal of its kind is drawn. */
     private final List<RimShape> shapes = new ArrayList<>();
 
     private final LoadContext context;
-    private final RimPrograms programs;
+    private final GlProgram<Placing> ring;
+    private final GlProgram<Placing> glow;
+    private final GlProgram<Placing> membrane;
     private final RimLook look = new RimLook();
     private final Blend over;
 
     private RimPass(LoadContext context) {
         gl = context.gl();
         this.context = context;
-        programs = new RimPrograms(context);
+        MeteredExposure.readInViews(context);
+        ring = program(context, "ring.frag", Defines.of(context));
+        glow = program(context, "glow.frag", Defines.of(context));
+        membrane = program(context, "membrane.frag", Defines.of(context).with("OPACITY", OPACITY_OVER_WALL));
         over = MeteredExposure.over(context);
+    }
+
+    private static GlProgram<Placing> program(LoadContext context, String fragment, Defines names) {
+        Map<String, String> defines = names.values();
+        return GlProgram.of(context.gl(), FOLDER + "rim.vert", FOLDER + fragment, defines, Placing.class);
+    }
+
+    /** The uniforms for the pose and appearance of one portal. */
+    private record Placing(
+            Vector4 centreAndOpenness,
+            Vector3 portalRight,
+            Vector3 portalUp,
+            Vector3 portalBack,
+            Vector4 tintAndOpacity,
+            Vector4 pattern) {
+        void set(RimLook look) {
+            centreAndOpenness.set(
+                    look.centre.x() - look.view.eyeX(),
+                    look.centre.y() - look.view.eyeY(),
+                    look.centre.z() - look.view.eyeZ(),
+                    look.openness);
+            portalRight.set(look.frame.right());
+            portalUp.set(look.frame.up());
+            portalBack.set(look.frame.back());
+            tintAndOpacity.set(look.tint.x(), look.tint.y(), look.tint.z(), look.opacity);
+            pattern.set(look.kind, look.cells, look.seconds, look.halfMetres);
+        }
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -79,14 +118,14 @@ public final class RimPass implements Pass {
         RimShape shape = shape(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
-        use(programs.ring());
+        use(ring);
         shape.drawRing();
         gl.state().depthOf(DepthOf.OPENING);
         gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
-        use(programs.glow());
+        use(glow);
         shape.drawGlow();
         if (!look.isOpen) {
-            use(programs.membrane());
+            use(membrane);
             shape.drawArea();
         }
         gl.state().depthOf(DepthOf.SURFACE);
@@ -106,11 +145,11 @@ public final class RimPass implements Pass {
         RimShape shape = shape(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_OR_EQUAL, over, Cull.NONE, frame.clipDistances());
-        use(programs.ring());
+        use(ring);
         shape.drawRing();
     }
 
-    private void use(GlProgram<RimPrograms.Placing> program) {
+    private void use(GlProgram<Placing> program) {
         program.use();
         program.uniforms().set(look);
     }

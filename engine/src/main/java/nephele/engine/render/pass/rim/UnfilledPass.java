@@ -1,6 +1,8 @@
 package nephele.engine.render.pass.rim;
 
 import java.util.List;
+import java.util.Map;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -14,6 +16,8 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Opening;
@@ -29,15 +33,32 @@ public final class UnfilledPass implements Pass {
                     "portal.unfilled", Stage.IN_VIEWS, UnfilledPass::requiredBy)
             .using(OpeningMesh.RESOURCE, MeteredExposure.RESOURCE);
 
+    private static final String FOLDER = "/nephele/engine/render/pass/rim/";
+    /** The background is visible through a membrane. */
+    private static final double OPACITY = 0.5;
+
+    private record Places(
+            Uniforms.Vector4 centreFromEye,
+            Uniforms.Vector3 portalRight,
+            Uniforms.Vector3 portalUp,
+            Uniforms.Vector4 tintAndOpacity,
+            Uniforms.Vector4 pattern) {}
+
     private final GlContext gl;
     private final RimLook look = new RimLook();
-    private final OpeningMembrane membrane;
+    /** Draws a membrane with the vertices of the opening, for every distance of the eye. */
+    private final GlProgram<Places> program;
+
     private final OpeningMesh openings;
     private final Blend over;
 
     private UnfilledPass(LoadContext context) {
         gl = context.gl();
-        membrane = new OpeningMembrane(context);
+        MeteredExposure.readInViews(context);
+        Map<String, String> defines =
+                Defines.of(context).with("OPACITY", OPACITY).values();
+        program =
+                GlProgram.of(gl, FOLDER + "membrane-in-opening.vert", FOLDER + "membrane.frag", defines, Places.class);
         openings = context.get(OpeningMesh.RESOURCE);
         over = MeteredExposure.over(context);
     }
@@ -66,8 +87,24 @@ public final class UnfilledPass implements Pass {
         frame.surface().bind();
         gl.state().depthOf(OpeningMesh.depthOf(child));
         gl.state().set(Depth.EQUAL, over, Cull.NONE);
-        membrane.use(look);
+        use();
         openings.draw(child);
         gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    /** Sets the appearance of the openings that are drawn next. */
+    private void use() {
+        program.use();
+        Places places = program.uniforms();
+        places.centreFromEye.set(
+                look.centre.x() - look.view.eyeX(),
+                look.centre.y() - look.view.eyeY(),
+                look.centre.z() - look.view.eyeZ(),
+                0);
+        places.portalRight.set(look.frame.right());
+        places.portalUp.set(look.frame.up());
+        places.tintAndOpacity.set(
+                (float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
+        places.pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres);
     }
 }

@@ -1,8 +1,10 @@
 package nephele.engine.render.pass.shadow;
 
+import java.util.List;
 import java.util.Map;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -15,6 +17,8 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.TerrainMesh;
+import nephele.engine.render.resource.TerrainUniforms;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.VisibleSet;
 import org.joml.Matrix4d;
@@ -25,17 +29,29 @@ final class DepthDraw {
 
     private record DepthUniforms(Matrix4 clipFromCell, Scalar depthPerMetre) {}
 
+    private record TerrainDepthUniforms(TerrainUniforms place, Matrix4 clipFromOrigin, Scalar depthPerMetre) {}
+
     private final LoadContext context;
     private final GlProgram<DepthUniforms> program;
     private final VisibleSet visible;
-    private final TerrainDepthDraw terrains;
+    private final List<TerrainMesh> terrains;
+    /** {@code null} without terrains. */
+    private final GlProgram<TerrainDepthUniforms> terrainProgram;
 
     DepthDraw(LoadContext context) {
         this.context = context;
         program =
                 GlProgram.of(context.gl(), FOLDER + "depth.vert", FOLDER + "depth.frag", Map.of(), DepthUniforms.class);
         visible = new VisibleSet(context.scene().solids());
-        terrains = new TerrainDepthDraw(context);
+        terrains = context.get(TerrainMesh.RESOURCE);
+        terrainProgram = terrains.isEmpty()
+                ? null
+                : GlProgram.of(
+                        context.gl(),
+                        FOLDER + "terrain-depth.vert",
+                        FOLDER + "terrain-depth.frag",
+                        Map.of(),
+                        TerrainDepthUniforms.class);
     }
 
     /** Returns the layers of one kind that all renderers of an opened level share. */
@@ -55,7 +71,7 @@ final class DepthDraw {
     void drawAll(Matrix4d clipFromAnchor, Vec3 anchor) {
         visible.selectAll();
         drawSolids(clipFromAnchor, anchor, 0);
-        terrains.draw(Frustum.everything(), clipFromAnchor, anchor, 0);
+        drawTerrains(Frustum.everything(), clipFromAnchor, anchor, 0);
     }
 
     /**
@@ -68,7 +84,7 @@ final class DepthDraw {
         context.gl().state().scissor(part.x(), part.y(), part.width(), part.height());
         target.clearDepthWithinScissor();
         drawSolids(clipFromAnchor, anchor, 0);
-        terrains.draw(within, clipFromAnchor, anchor, 0);
+        drawTerrains(within, clipFromAnchor, anchor, 0);
     }
 
     /**
@@ -81,7 +97,7 @@ final class DepthDraw {
         visible.find(lit);
         target.clearDepth();
         drawSolids(clipFromAnchor, anchor, depthPerMetre);
-        terrains.draw(lit, clipFromAnchor, anchor, depthPerMetre);
+        drawTerrains(lit, clipFromAnchor, anchor, depthPerMetre);
     }
 
     private void drawSolids(Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
@@ -98,6 +114,23 @@ final class DepthDraw {
             if (visible.size(i) > 0) {
                 mesh.draw(i, visible);
             }
+        }
+    }
+
+    /** Draws the parts of terrains in a frustum, in the state of the solids. */
+    private void drawTerrains(Frustum seen, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
+        for (TerrainMesh mesh : terrains) {
+            HeightField field = mesh.field();
+            Vec3 origin = field.origin();
+            terrainProgram.use();
+            TerrainDepthUniforms uniforms = terrainProgram.uniforms();
+            uniforms.depthPerMetre().set((float) depthPerMetre);
+            Matrix4d clipFromOrigin = clipFromAnchor.translate(
+                    origin.x() - anchor.x(), origin.y() - anchor.y(), origin.z() - anchor.z(), new Matrix4d());
+            uniforms.clipFromOrigin().set(clipFromOrigin.get(new float[16]));
+            uniforms.place().set(field, origin.x(), origin.y(), origin.z());
+            mesh.bind();
+            mesh.draw(seen, (column, row) -> uniforms.place().chunk(field, column, row));
         }
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -34,6 +35,8 @@ public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy)
             .using(SolidMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
 
+    private static final String FOLDER = "/nephele/engine/render/pass/solid/";
+
     private final GlContext gl;
     private final TargetReads reads;
     private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
@@ -45,8 +48,8 @@ public final class SolidPass implements Pass {
     private final PictureArrays colours;
     private final PictureArrays normals;
     private final SurfaceLight light;
-    /** {@code null} if light is constant over each face and costs little. */
-    private final DepthFirst depthFirst;
+    /** Writes only depth; {@code null} if light is constant over each face and costs little. */
+    private final GlProgram<SolidUniforms> depthFirst;
 
     private SolidPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
@@ -55,7 +58,7 @@ public final class SolidPass implements Pass {
         colours = context.get(PictureArrays.COLOURS);
         normals = context.get(PictureArrays.NORMALS);
         light = context.get(SurfaceLight.RESOURCE);
-        depthFirst = light.variesOverFaces() ? new DepthFirst(context) : null;
+        depthFirst = light.variesOverFaces() ? depthProgram(context) : null;
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));
         for (SolidBatch batch : mesh.batches()) {
@@ -87,7 +90,7 @@ public final class SolidPass implements Pass {
         if (depthFirst == null) {
             gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         } else {
-            depthFirst.draw(frame, mesh);
+            drawDepth(frame);
             gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         }
         light.bind(reads);
@@ -95,6 +98,22 @@ public final class SolidPass implements Pass {
             if (frame.visible().size(i) > 0) {
                 drawBatch(frame, i);
             }
+        }
+    }
+
+    private static GlProgram<SolidUniforms> depthProgram(LoadContext context) {
+        Map<String, String> defines = Defines.of(context).values();
+        return GlProgram.of(context.gl(), FOLDER + "depth.vert", FOLDER + "depth.frag", defines, SolidUniforms.class);
+    }
+
+    /** Writes the depth of all solids, so that costly light is computed once a pixel and never for hidden surfaces. */
+    private void drawDepth(FrameContext frame) {
+        gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.BACK, frame.clipDistances());
+        depthFirst.use();
+        for (int i = 0; i < mesh.batches().size(); i++) {
+            SolidMesh.eyeInCell(frame.view(), mesh.batches().get(i).cellOrigin(), eye);
+            depthFirst.uniforms().eye(eye);
+            mesh.draw(i, frame.visible());
         }
     }
 
