@@ -6,8 +6,8 @@ import org.joml.Vector3dc;
 @FunctionalInterface
 public interface Obstacles {
     /** No obstacles. */
-    Obstacles NONE = (from, way) -> 1;
+    Obstacles NONE = (from, displacement) -> 1;
 
-    /** Returns the free share of the displacement {@code way}, 0 to 1; 1 without an obstacle. */
-    double free(Vector3dc from, Vector3dc way);
+    /** Returns the free fraction of a displacement, 0 to 1; 1 without an obstacle. */
+    double free(Vector3dc from, Vector3dc displacement);
 }

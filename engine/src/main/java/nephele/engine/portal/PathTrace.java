@@ -1,6 +1,7 @@
 package nephele.engine.portal;
 
 import java.util.Arrays;
+import java.util.function.BiConsumer;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -24,15 +25,6 @@ public final class PathTrace {
         TOO_MANY_CROSSINGS
     }
 
-    /** Receives each straight piece of a path, in the space that contains it. */
-    @FunctionalInterface
-    public interface Legs {
-        Legs NOBODY = (from, way) -> {};
-
-        /** Receives one piece. The vectors are reused and valid only during the call. */
-        void leg(Vector3dc from, Vector3dc way);
-    }
-
     private final Portals portals;
     private final Obstacles obstacles;
     private final PortalCrossing crossing = new PortalCrossing();
@@ -50,17 +42,21 @@ public final class PathTrace {
         this.obstacles = obstacles;
     }
 
-    /** Follows the segment from a point along {@code way}, through every portal on it, up to the first obstacle. */
-    public End trace(Vector3dc from, Vector3dc way) {
-        return trace(from, way, Legs.NOBODY);
+    /** Follows the segment from a point along a displacement, through every portal on it, up to the first obstacle. */
+    public End trace(Vector3dc from, Vector3dc displacement) {
+        return trace(from, displacement, (start, leg) -> {});
     }
 
-    /** Does the same and reports each piece before the next one. */
-    public End trace(Vector3dc from, Vector3dc way, Legs legs) {
+    /**
+     * Does the same and reports each straight piece before the next one.
+     *
+     * @param legs receives start and displacement of a piece, in the space that contains it; valid only during the call
+     */
+    public End trace(Vector3dc from, Vector3dc displacement, BiConsumer<Vector3dc, Vector3dc> legs) {
         place.set(from);
-        rest.set(way);
+        rest.set(displacement);
         crossings = 0;
-        double length = way.length();
+        double length = displacement.length();
         double walked = 0;
         end = null;
         while (end == null) {
@@ -69,10 +65,10 @@ public final class PathTrace {
             double left = 1 - walked;
             if (crosses && crossing.seconds() <= free + FLUSH_METRES / Math.max(length * left, FLUSH_METRES)) {
                 walked += left * crossing.seconds();
-                legs.leg(place, crossing.place().sub(place, piece));
+                legs.accept(place, crossing.place().sub(place, piece));
                 enter();
             } else {
-                legs.leg(place, rest.mul(free, piece));
+                legs.accept(place, rest.mul(free, piece));
                 place.fma(free, rest);
                 walked += left * free;
                 end = free < 1 ? End.BLOCKED : End.ARRIVED;
@@ -100,7 +96,7 @@ public final class PathTrace {
         return place;
     }
 
-    /** Returns the share of the segment up to its end, 0 to 1. */
+    /** Returns the fraction of the segment up to its end, 0 to 1. */
     public double freeFraction() {
         return freeFraction;
     }

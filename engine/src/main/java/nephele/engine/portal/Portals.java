@@ -105,11 +105,11 @@ public final class Portals {
             return false;
         }
         double before = Math.max(0, portal.inFront(centre.x(), centre.y(), centre.z()));
-        double share = before / (before - behind);
-        double across = portal.across(centre.x(), centre.y(), centre.z()) * (1 - share)
-                + portal.across(point.x(), point.y(), point.z()) * share;
-        double upward = portal.upward(centre.x(), centre.y(), centre.z()) * (1 - share)
-                + portal.upward(point.x(), point.y(), point.z()) * share;
+        double fraction = before / (before - behind);
+        double across = portal.across(centre.x(), centre.y(), centre.z()) * (1 - fraction)
+                + portal.across(point.x(), point.y(), point.z()) * fraction;
+        double upward = portal.upward(centre.x(), centre.y(), centre.z()) * (1 - fraction)
+                + portal.upward(point.x(), point.y(), point.z()) * fraction;
         return portal.aperture().outside(across, upward) <= EDGE_METRES;
     }
 

@@ -60,6 +60,12 @@ final class FallReturn {
     private final Separation separation = new Separation();
     private final Vector3d centre = new Vector3d();
 
+    /** The place of a body in the level, its world, and the portals into which the body would reach there. */
+    private Collider home;
+
+    private PortalWorld world;
+    private long active;
+
     /** @param start the player at the level's start */
     FallReturn(SimLevel level, PortalWorld.Cache worlds, PlayerState start, SimSettings settings) {
         returnsPlayer = settings.assists().contains(Assist.SAFE_RETURN);
@@ -174,50 +180,41 @@ final class FallReturn {
 
     private boolean isHomeFree(SimState state, int body) {
         Vector3d at = table.body(body).centre().toVector();
-        Collider home = table.collider(body, at, new Quaterniond());
-        PortalWorld world = worlds.of(state.world().portals());
-        Place place = new Place(home, world, world.active(table.uprightHull(body), at));
-        if (isIn(place, state.player())) {
+        home = table.collider(body, at, new Quaterniond());
+        world = worlds.of(state.world().portals());
+        active = world.active(table.uprightHull(body), at);
+        if (isHome(state.player())) {
             return false;
         }
         Bodies bodies = state.world().bodies();
         for (int other = 0; other < bodies.size(); other++) {
-            if (other != body && isIn(place, bodies, other)) {
+            if (other != body && isHome(bodies, other)) {
                 return false;
             }
         }
         return true;
     }
 
-    /**
-     * A body's place in the level.
-     *
-     * @param active the portals into which the body would reach there
-     */
-    private record Place(Collider home, PortalWorld world, long active) {
-        /** Returns true if something active on these portals may reach the place through a portal. */
-        boolean isBeyond(int entry, long others) {
-            Portals portals = world.portals();
-            boolean hasBit = entry < PortalWorld.MOST_PORTALS && portals.partner(entry) < PortalWorld.MOST_PORTALS;
-            return hasBit
-                    && portals.isOpen(entry)
-                    && (others & 1L << entry | active & 1L << portals.partner(entry)) != 0;
-        }
+    /** Returns true if something active on these portals may reach the place through a portal. */
+    private boolean isBeyond(int entry, long others) {
+        Portals portals = world.portals();
+        boolean hasBit = entry < PortalWorld.MOST_PORTALS && portals.partner(entry) < PortalWorld.MOST_PORTALS;
+        return hasBit && portals.isOpen(entry) && (others & 1L << entry | active & 1L << portals.partner(entry)) != 0;
     }
 
-    private boolean isIn(Place place, PlayerState player) {
+    private boolean isHome(PlayerState player) {
         Vec3 up = player.tilt().up();
         RoundedHull shape = player.stance().shape(up);
-        return isIn(place, player.centre(new Vector3d()), shape, transform -> {
+        return isHome(player.centre(new Vector3d()), shape, transform -> {
             Vec3 turned = Vec3.of(transform.direction(up.toVector()));
             return player.stance().shape(turned);
         });
     }
 
-    private boolean isIn(Place place, Bodies bodies, int other) {
+    private boolean isHome(Bodies bodies, int other) {
         Quaterniond turn = bodies.orientation(other, new Quaterniond());
         RoundedHull shape = table.hull(other, turn);
-        return isIn(place, bodies.centre(other, new Vector3d()), shape, transform -> {
+        return isHome(bodies.centre(other, new Vector3d()), shape, transform -> {
             Quaterniond turned = transform.orientation(new Quaterniond(turn));
             return table.hull(other, turned);
         });
@@ -228,18 +225,18 @@ final class FallReturn {
      *
      * @param turned the shape as a portal's transform turns it
      */
-    private boolean isIn(Place place, Vector3dc at, RoundedHull shape, Function<PortalTransform, RoundedHull> turned) {
+    private boolean isHome(Vector3dc at, RoundedHull shape, Function<PortalTransform, RoundedHull> turned) {
         centre.set(at);
-        if (isIn(place, shape)) {
+        if (isHome(shape)) {
             return true;
         }
-        Portals portals = place.world.portals();
-        long active = place.world.active(shape, at);
+        Portals portals = world.portals();
+        long others = world.active(shape, at);
         for (int entry = 0; entry < portals.size(); entry++) {
-            if (place.isBeyond(entry, active)) {
+            if (isBeyond(entry, others)) {
                 PortalTransform transform = portals.transform(entry);
                 transform.point(centre.set(at));
-                if (isIn(place, turned.apply(transform))) {
+                if (isHome(turned.apply(transform))) {
                     return true;
                 }
             }
@@ -248,8 +245,8 @@ final class FallReturn {
     }
 
     /** Returns true if a shape at {@link #centre} is in the place. */
-    private boolean isIn(Place place, RoundedHull shape) {
-        separation.measure(shape, centre.x, centre.y, centre.z, place.home);
+    private boolean isHome(RoundedHull shape) {
+        separation.measure(shape, centre.x, centre.y, centre.z, home);
         return separation.metres() < -PortalOccupants.SUNK_METRES;
     }
 }

@@ -8,6 +8,7 @@ import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.collision.rigid.body.ContactCache;
 import nephele.engine.collision.rigid.body.Poses;
 import nephele.engine.collision.rigid.solver.ContactRows;
+import nephele.engine.collision.rigid.solver.Islands;
 import nephele.engine.collision.rigid.solver.SolverState;
 import nephele.engine.collision.rigid.solver.StepSolver;
 import nephele.engine.math.Vec3;
@@ -38,6 +39,11 @@ public final class RigidStep {
     /** Angle of rotation in a step below which the deviation is ignored. */
     private static final double LEAST_RADIANS = 1e-3;
 
+    /** Time for which an island rests before it sleeps. */
+    private static final float SLEEP_SECONDS = 0.5f;
+
+    private static final double REST_METRES_PER_SECOND = 0.03;
+
     private final BodyTable table;
     private final Vec3 gravity;
     private final TickBodies bodies = new TickBodies();
@@ -47,7 +53,9 @@ public final class RigidStep {
     private final ContactSearch search;
     private final StepSolver solver;
     private final ContinuousMotion continuousMotion;
-    private final Sleep sleep = new Sleep(bodies, poses, rows);
+    private final Islands islands = new Islands();
+    private float[] islandRest = new float[0];
+    private boolean[] pressed = new boolean[0];
     private boolean[] hasContactImpulse = new boolean[0];
     /** True for bodies that {@link BodyInfluences} drives: a character holds them. */
     private boolean[] driven = new boolean[0];
@@ -56,6 +64,12 @@ public final class RigidStep {
     private boolean[] hasGravity = new boolean[0];
 
     private int awake;
+
+    /** What the bodies of this tick move in; and whether a part of the tick is over. */
+    private PortalWorld world;
+
+    private BodyInfluences around;
+    private boolean hasBegun;
     /** Speeds of rotation of a body about each of its axes. */
     private final double[] axisSpeeds = new double[3];
 
@@ -75,48 +89,41 @@ public final class RigidStep {
         }
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
         influences.begin();
-        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, MOST_BENT_PARTS), seconds);
+        world = surroundings;
+        around = influences;
+        hasBegun = false;
+        Bodies after = inParts(before, parts, MOST_BENT_PARTS, seconds);
         influences.end();
         return after;
     }
 
     /**
-     * The division of a span of time.
+     * Moves the bodies in parts of equal length.
      *
-     * @param parts of equal length
-     * @param isLater true if the first of them belongs to a tick that has begun
      * @param again greatest number of parts into which each of them may be divided again
      */
-    private record Cut(int parts, boolean isLater, int again) {}
-
-    private Bodies inParts(
-            Bodies before, PortalWorld surroundings, BodyInfluences influences, Cut cut, double seconds) {
-        double part = seconds / cut.parts;
+    private Bodies inParts(Bodies before, int parts, int again, double seconds) {
+        double part = seconds / parts;
         Bodies at = before;
-        for (int i = 0; i < cut.parts; i++) {
-            boolean later = cut.isLater || i > 0;
-            load(at, later);
-            boolean moves = begin(at, surroundings, influences, part);
-            int finer = moves ? Math.min(cut.again, finerParts(part)) : 1;
+        for (int i = 0; i < parts; i++) {
+            load(at);
+            boolean moves = begin(at, part);
+            int finer = moves ? Math.min(again, finerParts(part)) : 1;
             if (finer > 1) {
-                at = inParts(
-                        at,
-                        surroundings,
-                        influences,
-                        new Cut(finer, later, cut.again > PARTS_AGAIN ? PARTS_AGAIN : 1),
-                        part);
+                at = inParts(at, finer, again > PARTS_AGAIN ? PARTS_AGAIN : 1, part);
             } else if (moves) {
-                at = end(at, surroundings, influences, part);
+                at = end(at, part);
             } else {
-                influences.advance(part);
-                at = later ? at : at.at(surroundings.portals());
+                around.advance(part);
+                at = hasBegun ? at : at.at(world.portals());
             }
+            hasBegun = true;
         }
         return at;
     }
 
-    private void load(Bodies before, boolean later) {
-        if (later) {
+    private void load(Bodies before) {
+        if (hasBegun) {
             bodies.loadPart(before);
         } else {
             bodies.load(before);
@@ -142,37 +149,37 @@ public final class RigidStep {
     }
 
     /** Finds and solves the contacts of a part; returns false when nothing moves. */
-    private boolean begin(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
-        drive(influences);
-        place(influences, seconds);
-        search.activity().find(bodies, before.transforms(), surroundings, gravity, seconds);
-        sleep.wakeNeighbours(before.contacts());
-        setMasses(influences);
-        search.activity().addImages(surroundings, influences, motions, seconds);
+    private boolean begin(Bodies before, double seconds) {
+        drive(around);
+        place(around, seconds);
+        search.activity().find(bodies, before.transforms(), world, gravity, seconds);
+        wakeNeighbours(before.contacts());
+        setMasses(around);
+        search.activity().addImages(world, around, motions, seconds);
         search.index(before.contacts());
-        if (search.wakeTouched(bodies, influences, seconds)) {
-            sleep.wakeNeighbours(before.contacts());
-            setMasses(influences);
+        if (search.wakeTouched(bodies, around, seconds)) {
+            wakeNeighbours(before.contacts());
+            setMasses(around);
         }
         countAwake();
         if (awake == 0 && !bodies.hasFrozen) {
             return false;
         }
-        search.findContacts(bodies, surroundings, influences, seconds);
-        solver.solve(bodies.count + influences.characters(), awake, hasGravity, seconds);
+        search.findContacts(bodies, world, around, seconds);
+        solver.solve(bodies.count + around.characters(), awake, hasGravity, seconds);
         findPressed();
         return true;
     }
 
     /** Moves the bodies by the result of {@link #begin}. */
-    private Bodies end(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
-        continuousMotion.begin(surroundings, influences, bodies, hasContactImpulse, motions, seconds);
+    private Bodies end(Bodies before, double seconds) {
+        continuousMotion.begin(world, around, bodies, hasContactImpulse, motions, seconds);
         move(before);
-        sleep.fallAsleep(hasContactImpulse, driven, seconds);
-        giveImpulses(influences);
-        influences.advance(seconds);
+        fallAsleep(seconds);
+        giveImpulses(around);
+        around.advance(seconds);
         ContactCache carried = search.remember(bodies);
-        return new Bodies(bodies.motion, bodies.rest, carried, bodies.transforms(surroundings.portals()));
+        return new Bodies(bodies.motion, bodies.rest, carried, bodies.transforms(world.portals()));
     }
 
     /**
@@ -363,5 +370,72 @@ public final class RigidStep {
             square += axisSpeeds[i] * axisSpeeds[i];
         }
         return Math.sqrt(square);
+    }
+
+    /** Wakes the bodies that were in contact with an awake one, directly or through others. */
+    private void wakeNeighbours(ContactCache memory) {
+        boolean anyAsleep = false;
+        for (int body = 0; body < bodies.count; body++) {
+            anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;
+        }
+        if (!anyAsleep) {
+            return;
+        }
+        if (pressed.length < bodies.count) {
+            pressed = new boolean[bodies.count];
+        }
+        islands.reset(bodies.count);
+        for (int i = 0; i < memory.size(); i++) {
+            int a = ContactCache.first(memory.key(i));
+            int b = ContactCache.second(memory.key(i));
+            if (a < bodies.count && b >= 0 && b < bodies.count) {
+                islands.join(a, b);
+            }
+        }
+        Arrays.fill(pressed, 0, bodies.count, false);
+        for (int body = 0; body < bodies.count; body++) {
+            pressed[islands.root(body)] |= bodies.isAwake(body);
+        }
+        for (int body = 0; body < bodies.count; body++) {
+            if (pressed[islands.root(body)]) {
+                bodies.wake(body);
+            }
+        }
+    }
+
+    /** Counts each body's time at rest, and puts islands to sleep that have rested long enough. */
+    private void fallAsleep(double seconds) {
+        islands.reset(bodies.count);
+        for (int m = 0; m < rows.count; m++) {
+            if (rows.slotA[m] < bodies.count && rows.slotB[m] < bodies.count && rows.carries(m)) {
+                islands.join(rows.slotA[m], rows.slotB[m]);
+            }
+        }
+        for (int body = 0; body < bodies.count; body++) {
+            if (bodies.isAwake(body)) {
+                boolean resting = hasContactImpulse[body] && !driven[body] && isSlow(body);
+                bodies.rest[body] = resting ? Math.min(1, bodies.rest[body] + (float) seconds) : 0;
+            }
+        }
+        if (islandRest.length < bodies.count) {
+            islandRest = new float[bodies.count];
+        }
+        islands.least(bodies.rest, bodies.count, islandRest);
+        for (int body = 0; body < bodies.count; body++) {
+            if (bodies.isAwake(body) && islandRest[islands.root(body)] >= SLEEP_SECONDS) {
+                bodies.halt(body);
+                bodies.rest[body] = Bodies.ASLEEP;
+            }
+        }
+    }
+
+    private boolean isSlow(int body) {
+        double[] m = bodies.motion;
+        int v = Bodies.STRIDE * body + Bodies.VELOCITY;
+        int w = Bodies.STRIDE * body + Bodies.SPIN;
+        double radius = poses.radius(body);
+        double square = m[v] * m[v] + m[v + 1] * m[v + 1] + m[v + 2] * m[v + 2];
+        square += radius * radius * (m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2]);
+        return square < REST_METRES_PER_SECOND * REST_METRES_PER_SECOND;
     }
 }

@@ -2,11 +2,16 @@ package nephele.engine.sim.player;
 
 import static nephele.engine.sim.state.PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED;
 
+import nephele.engine.collision.Collider;
+import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemList;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
@@ -21,6 +26,7 @@ import nephele.engine.sim.state.Tilt;
 import nephele.engine.sim.state.ViewAngles;
 import nephele.engine.sim.state.WorldState;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * Steps the player by one tick: look, stance, jump, walk or flight, through portals too. The working set of one
@@ -44,6 +50,23 @@ public final class PlayerStep {
 
     private static final double TURN_AHEAD_SECONDS = 0.3;
 
+    /** The distance to walls beside an exit that {@link Assist#EXIT_ROOM} makes. */
+    private static final double EXIT_ROOM_METRES = 0.2;
+
+    private static final double MOST_EASING_METRES_PER_SECOND = 1;
+
+    /** The speed for each metre that is missing, 1/s. */
+    private static final double EASING_RATE_PER_SECOND = 8;
+
+    /** The player counts as at the exit up to so far before it, and aside of its aperture. */
+    private static final double BEFORE_EXIT_METRES = 1;
+
+    /** Solids that are nearest at most so far before the exit's plane are its wall and its frame. */
+    private static final double EXIT_FRAME_METRES = 0.05;
+
+    /** Surfaces that are flatter are floors, ceilings and slopes: the least horizontal part of a unit normal. */
+    private static final double LEAST_LEVEL = 0.7;
+
     private final double seconds;
     /** The angles by which body and view turn upright in a tick. */
     private final double uprightRadians;
@@ -58,7 +81,10 @@ public final class PlayerStep {
     /** {@code null} without the assist. */
     private final WalkIn walkIn;
 
-    private final ExitRoom exitRoom = new ExitRoom();
+    private final Separation separation = new Separation();
+    private final ItemList near = new ItemList();
+    private final Vector3d easing = new Vector3d();
+    private final Vector3d axis = new Vector3d();
     private final Depenetration depenetration = new Depenetration();
     private final PlayerMotion player = new PlayerMotion();
     private final Vector3d path = new Vector3d();
@@ -254,7 +280,7 @@ public final class PlayerStep {
     private void ease(Portal exit, PlayerInput input) {
         player.intend(input);
         RoundedHull shape = player.shape();
-        exitRoom.easing(player, exit, mover.world(shape, player.place)).mul(seconds, path);
+        easing(exit, mover.world(shape, player.place)).mul(seconds, path);
         if (path.lengthSquared() == 0) {
             return;
         }
@@ -269,6 +295,72 @@ public final class PlayerStep {
             player.ground.set(walk.ground());
         } else {
             player.place.set(head);
+        }
+    }
+
+    /**
+     * Returns the horizontal velocity, m/s, by which {@link Assist#EXIT_ROOM} eases a player that has come out of a portal
+     * sideways off the walls and edges before it; zero if it has room or is away from the exit. It moves only across the
+     * direction of a held key, and never back towards the portal.
+     */
+    private Vector3dc easing(Portal exit, CollisionWorld world) {
+        easing.zero();
+        if (!isAt(exit)) {
+            return easing;
+        }
+        RoundedHull shape = player.shape();
+        Vector3d at = player.place;
+        world.overlapping(
+                new Aabb(
+                        at.x + shape.least(0) - EXIT_ROOM_METRES,
+                        at.y + shape.least(1),
+                        at.z + shape.least(2) - EXIT_ROOM_METRES,
+                        at.x + shape.greatest(0) + EXIT_ROOM_METRES,
+                        at.y + shape.greatest(1),
+                        at.z + shape.greatest(2) + EXIT_ROOM_METRES),
+                near);
+        for (int i = 0; i < near.size(); i++) {
+            Collider solid = world.collider(near.get(i));
+            separation.measure(shape, at.x, at.y, at.z, solid);
+            double missing = EXIT_ROOM_METRES - separation.metres();
+            axis.set(separation.normal().x(), 0, separation.normal().z());
+            if (missing > 0 && axis.length() > LEAST_LEVEL && isBefore(exit)) {
+                raise(axis.normalize(), missing * EASING_RATE_PER_SECOND);
+            }
+        }
+        axis.set(exit.normal().x(), 0, exit.normal().z());
+        remove(axis, Math.min(0, easing.dot(axis)));
+        remove(axis.set(player.intent), easing.dot(axis));
+        double speed = easing.length();
+        return speed > MOST_EASING_METRES_PER_SECOND ? easing.mul(MOST_EASING_METRES_PER_SECOND / speed) : easing;
+    }
+
+    private boolean isAt(Portal exit) {
+        Vector3d at = player.place;
+        double before = exit.inFront(at.x, at.y, at.z);
+        double across = exit.across(at.x, at.y, at.z);
+        double upward = exit.upward(at.x, at.y, at.z);
+        return before >= 0
+                && before <= BEFORE_EXIT_METRES
+                && exit.aperture().outside(across, upward) <= BEFORE_EXIT_METRES
+                && player.velocity.length() <= PlayerDimensions.RUN_METRES_PER_SECOND + 1e-9;
+    }
+
+    private boolean isBefore(Portal exit) {
+        return exit.inFront(separation.onCollider(0), separation.onCollider(1), separation.onCollider(2))
+                > EXIT_FRAME_METRES;
+    }
+
+    /** Raises the velocity along a unit vector to a least value. */
+    private void raise(Vector3dc along, double least) {
+        easing.fma(Math.max(0, least - easing.dot(along)), along);
+    }
+
+    /** Removes a fraction of a vector from the velocity; {@code dot} is the scalar product of both that is taken out. */
+    private void remove(Vector3dc vector, double dot) {
+        double square = vector.lengthSquared();
+        if (square > 0) {
+            easing.fma(-dot / square, vector);
         }
     }
 
