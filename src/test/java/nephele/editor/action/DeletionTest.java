@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import org.junit.jupiter.api.Test;
@@ -51,7 +52,7 @@ class DeletionTest {
             ScriptedSession session = level().run("select " + used);
             String before = session.json();
             String said = assertThrows(
-                            ActionFailure.class, () -> session.script().run(action))
+                            EditorRefusal.class, () -> session.script().run(action))
                     .getMessage();
             assertTrue(said.contains(user) && said.contains("replace="), said);
             assertEquals(before, session.json());
@@ -70,8 +71,8 @@ class DeletionTest {
         Level lonely = level().run("select portals/a", "delete replace=none").level();
         assertEquals("b", lonely.portals().get(0).linkedTo());
         ScriptedSession wrong = level().run("select materials/red");
-        assertThrows(ActionFailure.class, () -> wrong.script().run("delete replace=red"));
-        assertThrows(ActionFailure.class, () -> wrong.script().run("delete replace=green"));
+        assertThrows(EditorRefusal.class, () -> wrong.script().run("delete replace=red"));
+        assertThrows(EditorRefusal.class, () -> wrong.script().run("delete replace=green"));
     }
 
     @Test
@@ -83,7 +84,7 @@ class DeletionTest {
     }
 
     /** A user who answers one question. */
-    private record Asked(boolean isYes, List<String> questions) implements Desk {
+    private record Asked(boolean isYes, List<String> questions) implements UserInterface {
         @Override
         public java.util.Optional<java.nio.file.Path> fileToOpen() {
             return java.util.Optional.empty();
@@ -121,7 +122,7 @@ class DeletionTest {
     }
 
     @Test
-    void aUserIsAsked() throws ActionFailure {
+    void aUserIsAsked() throws EditorRefusal {
         for (boolean isYes : List.of(false, true)) {
             ScriptedSession session = level().run("select materials/red");
             List<String> questions = new ArrayList<>();

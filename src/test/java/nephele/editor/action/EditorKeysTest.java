@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorKeys.KeyConflict;
-import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
@@ -88,7 +87,7 @@ class EditorKeysTest {
     @Test
     void modifiersTellSignsApart() {
         List<EditorCommand> all = new EditorCommands(
-                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                        ScriptedSession.empty().session(), new ScriptInterface(() -> null), Actions.ALL)
                 .all();
         EditorKeys keys = new EditorKeys(all, Map.of());
         int alt = InputEvent.ALT_DOWN_MASK;
@@ -107,7 +106,7 @@ class EditorKeysTest {
     @Test
     void everyDefaultKeyStartsItsCommand() {
         List<EditorCommand> all = new EditorCommands(
-                        ScriptedSession.empty().session(), new ScriptDesk(() -> null), Actions.ALL, Tools.ALL)
+                        ScriptedSession.empty().session(), new ScriptInterface(() -> null), Actions.ALL)
                 .all();
         EditorKeys keys = new EditorKeys(all, Map.of());
         for (EditorCommand command : all) {
@@ -143,9 +142,10 @@ class EditorKeysTest {
     void searchKnowsWordsWithoutAccentsAndPutsBeginningsFirst() {
         EditorCommand hide = command("hide", "Ocultar seleção");
         EditorCommand select = command("all", "Seleção inteira");
-        List<EditorCommand> found = CommandSearch.find(List.of(hide, select), "selecao", Language.PT_BR);
+        List<EditorCommand> found = EditorCommands.find(List.of(hide, select), "selecao", Language.PT_BR);
         assertEquals(List.of(select, hide), found);
-        assertEquals(List.of(hide), CommandSearch.find(List.of(hide, select), "sel ocu", Language.PT_BR));
-        assertTrue(CommandSearch.find(List.of(hide, select), "zzz", Language.EN).isEmpty());
+        assertEquals(List.of(hide), EditorCommands.find(List.of(hide, select), "sel ocu", Language.PT_BR));
+        assertTrue(
+                EditorCommands.find(List.of(hide, select), "zzz", Language.EN).isEmpty());
     }
 }

@@ -20,8 +20,8 @@ import javax.imageio.ImageIO;
 import nephele.editor.file.FiledSession;
 import nephele.editor.save.DraftLevel;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
-import nephele.editor.session.Filing;
+import nephele.editor.session.FileServices;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
@@ -65,16 +65,16 @@ class FileExchangeTest {
 
     private void use(EditorSession other) {
         session = other;
-        script = new ScriptRunner(session, new ScriptDesk(() -> new BufferedImage(4, 4, 1)));
+        script = new ScriptRunner(session, new ScriptInterface(() -> new BufferedImage(4, 4, 1)));
     }
 
-    private void run(String line) throws ActionFailure {
+    private void run(String line) throws EditorRefusal {
         script.run(line);
     }
 
     private String refused(String line) {
         Level before = session.document().level();
-        String said = assertThrows(ActionFailure.class, () -> run(line)).getMessage();
+        String said = assertThrows(EditorRefusal.class, () -> run(line)).getMessage();
         assertEquals(before, session.document().level());
         return said;
     }
@@ -180,7 +180,8 @@ class FileExchangeTest {
 
     @Test
     void aSceneJoinsTheOpenLevelUnlessItIsToReplaceIt() throws Exception {
-        session.filing(session.filing().with((scene, level, complaints) -> LevelFile.save(level, DraftLevel.after(5))));
+        session.fileServices(
+                session.fileServices().with((scene, level, complaints) -> LevelFile.save(level, DraftLevel.after(5))));
         Path scene = elsewhere.resolve("room.xml");
         Files.writeString(scene, "<scene/>");
         Level before = session.document().level();
@@ -200,7 +201,7 @@ class FileExchangeTest {
 
     @Test
     void aSceneIsImportedBesideTheLevelAndOpened() throws Exception {
-        session.filing(session.filing().with((scene, level, complaints) -> {
+        session.fileServices(session.fileServices().with((scene, level, complaints) -> {
             LevelFile.save(level, DraftLevel.after(5));
             complaints.accept(scene + ":3: a light was left out");
         }));
@@ -210,8 +211,8 @@ class FileExchangeTest {
         assertEquals(DraftLevel.after(5), session.document().level());
         assertEquals(file.resolveSibling("room-2.json"), session.file().path().orElseThrow(), "room.json is there");
         assertTrue(session.status().english().endsWith(":3: a light was left out"));
-        session.filing(session.filing().with((bad, level, complaints) -> {
-            throw new FileRefusal(Words.same("no scene"));
+        session.fileServices(session.fileServices().with((bad, level, complaints) -> {
+            throw new EditorRefusal(Words.same("no scene"));
         }));
         assertEquals("no scene", refused(drop(scene)));
     }
@@ -280,8 +281,8 @@ class FileExchangeTest {
         assertEquals(DraftLevel.after(2), LevelFile.read(file));
     }
 
-    /** The desk of a user who saves elsewhere, once. */
-    private static final class Remedy implements Desk {
+    /** The ui of a user who saves elsewhere, once. */
+    private static final class Remedy implements UserInterface {
         private final List<String> told = new ArrayList<>();
         private final Path instead;
 
@@ -336,21 +337,21 @@ class FileExchangeTest {
         }
     }
 
-    private Remedy savedWith(Path instead) throws ActionFailure {
-        Remedy desk = new Remedy(instead);
+    private Remedy savedWith(Path instead) throws EditorRefusal {
+        Remedy ui = new Remedy(instead);
         FiledSession.edit(session, DraftLevel.after(1));
-        new ScriptRunner(session, desk).run("save");
-        return desk;
+        new ScriptRunner(session, ui).run("save");
+        return ui;
     }
 
     @Test
     void aReadOnlyFileIsToldAndTheLevelSavedElsewhere() throws Exception {
         assertTrue(file.toFile().setReadOnly());
         Path instead = elsewhere.resolve("b.json");
-        Remedy desk = savedWith(instead);
-        assertEquals(1, desk.told.size());
-        assertTrue(desk.told.get(0).contains("room.json is read-only: nothing was saved."), desk.told.get(0));
-        assertTrue(desk.told.get(0).endsWith("|Save As…"));
+        Remedy ui = savedWith(instead);
+        assertEquals(1, ui.told.size());
+        assertTrue(ui.told.get(0).contains("room.json is read-only: nothing was saved."), ui.told.get(0));
+        assertTrue(ui.told.get(0).endsWith("|Save As…"));
         assertEquals(DraftLevel.after(1), LevelFile.read(instead));
         assertEquals(DraftLevel.after(0), LevelFile.read(file));
         assertFalse(session.document().isModified());
@@ -361,7 +362,7 @@ class FileExchangeTest {
         Files.delete(file);
         Files.delete(file.getParent());
         Path nowhere = folder.resolve("none").resolve("b.json");
-        ActionFailure failure = assertThrows(ActionFailure.class, () -> savedWith(nowhere));
+        EditorRefusal failure = assertThrows(EditorRefusal.class, () -> savedWith(nowhere));
         assertTrue(failure.getMessage().contains("The folder " + nowhere.getParent() + " is missing"));
         assertEquals(DraftLevel.after(1), session.document().level());
         assertTrue(session.document().isModified());
@@ -370,12 +371,12 @@ class FileExchangeTest {
     @Test
     void aFullDiskIsToldAndTheLevelSavedElsewhere() throws Exception {
         FullDisk disk = new FullDisk(file.getParent());
-        Filing real = session.filing();
-        session.filing(
-                new Filing(real.backups(), new nephele.editor.save.DocumentSaver(real.backups(), disk), real.scenes()));
+        FileServices real = session.fileServices();
+        session.fileServices(new FileServices(
+                real.backups(), new nephele.editor.save.DocumentSaver(real.backups(), disk), real.scenes()));
         Path instead = elsewhere.resolve("b.json");
-        Remedy desk = savedWith(instead);
-        assertTrue(desk.told.get(0).startsWith("The disk of " + file + " is full: nothing was saved."));
+        Remedy ui = savedWith(instead);
+        assertTrue(ui.told.get(0).startsWith("The disk of " + file + " is full: nothing was saved."));
         assertEquals(DraftLevel.after(1), LevelFile.read(instead));
         assertEquals(DraftLevel.after(0), LevelFile.read(file));
     }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.document.Document;
 import nephele.editor.document.EntityTransform;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
@@ -52,8 +53,8 @@ class OutOfRangeTest {
     void anArgumentOutsideTheWorldIsRefused(String line, String argument) {
         ScriptedSession session = session();
         String before = session.json();
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> session.script().run(line));
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> session.script().run(line));
         assertTrue(failure.getMessage().startsWith(argument + OF_ARGUMENT), failure.getMessage());
         assertEquals(before, session.json());
     }
@@ -71,8 +72,8 @@ class OutOfRangeTest {
     void whateverMakesAPlaceOutsideTheWorldIsRefusedInTheSameWords(String first, String line, String field) {
         ScriptedSession session = session().run(first);
         String before = session.json();
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> session.script().run(line));
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> session.script().run(line));
         assertEquals(field + BEYOND, failure.getMessage().trim());
         assertEquals(before, session.json());
     }

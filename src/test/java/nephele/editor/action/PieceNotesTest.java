@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.TreeSet;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Solid;
 import org.junit.jupiter.api.Test;
@@ -38,7 +39,7 @@ class PieceNotesTest {
         "lock, hollow wall=0.1",
         "hide, hollow wall=0.1"
     })
-    void brushActionsLeaveLockedAndHiddenSolidsAlone(String away, String action) throws ActionFailure {
+    void brushActionsLeaveLockedAndHiddenSolidsAlone(String away, String action) throws EditorRefusal {
         ScriptedSession session = ScriptedSession.empty().run(WALL);
         Solid before = wall(session);
         session.run(away, OTHER, "brush box min=3,1,-1 max=5,2,2 id=hole");
@@ -71,7 +72,7 @@ class PieceNotesTest {
         ScriptedSession session =
                 ScriptedSession.empty().run(WALL, "lock", OTHER, "lock", "select solids/wall,solids/other");
         String before = session.json();
-        assertThrows(ActionFailure.class, () -> session.script().run(action));
+        assertThrows(EditorRefusal.class, () -> session.script().run(action));
         assertEquals(before, session.json());
     }
 

@@ -16,6 +16,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,7 +46,8 @@ class ProvingActionsTest {
         EditorSession session =
                 new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
         return new ScriptedSession(
-                session, new ScriptRunner(session, new ScriptDesk(() -> new java.awt.image.BufferedImage(4, 4, 1))));
+                session,
+                new ScriptRunner(session, new ScriptInterface(() -> new java.awt.image.BufferedImage(4, 4, 1))));
     }
 
     @Test
@@ -94,8 +96,8 @@ class ProvingActionsTest {
         room.run("check");
         assertTrue(room.session().status().english().startsWith("Problems: 0 errors"));
         room.run("brush box min=1,1,1 max=2,2,2 id=crate", "add player at=1.5,1,1.5");
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> room.script().run("check"));
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> room.script().run("check"));
         assertTrue(failure.getMessage().contains("player"), failure.getMessage());
     }
 
@@ -142,7 +144,7 @@ class ProvingActionsTest {
         String said = level.session().status().in(Language.EN);
         assertTrue(said.startsWith("Solved at tick "), said);
         level.run("select-all", "delete");
-        assertThrows(ActionFailure.class, () -> level.script().run("check-solution"));
+        assertThrows(EditorRefusal.class, () -> level.script().run("check-solution"));
         assertFalse(proving(level).marks().isEmpty());
         level.run("undo");
         assertTrue(proving(level).marks().isEmpty());
@@ -152,8 +154,8 @@ class ProvingActionsTest {
     void withoutAFileThereIsNoSolutionAndNoReport() {
         ScriptedSession room = room();
         for (String line : List.of("check-solution", "trade")) {
-            ActionFailure failure =
-                    assertThrows(ActionFailure.class, () -> room.script().run(line));
+            EditorRefusal failure =
+                    assertThrows(EditorRefusal.class, () -> room.script().run(line));
             assertTrue(failure.getMessage().startsWith("save the level first: "), failure.getMessage());
         }
     }

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import nephele.editor.text.EditorRefusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -64,8 +65,8 @@ class ScriptNumbersTest {
         String before = session.json();
         for (String value : NEVER) {
             String hostile = line.replace("#", value);
-            ActionFailure told =
-                    assertThrows(ActionFailure.class, () -> session.script().run(hostile), hostile);
+            EditorRefusal told =
+                    assertThrows(EditorRefusal.class, () -> session.script().run(hostile), hostile);
             assertTrue(
                     told.getMessage().matches(parameter + " must be a (whole )?number from \\S+ to \\S+, not '.*'"),
                     hostile + ": " + told.getMessage());

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import nephele.editor.action.EditorAction.Subject;
+import nephele.editor.text.EditorRefusal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -97,8 +98,8 @@ class ScriptPromiseTest {
         ScriptedSession session = ScriptedSession.empty().run(idle.before().toArray(String[]::new));
         String before = session.json();
         int steps = session.session().document().history().position();
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> session.script().run(idle.line()));
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> session.script().run(idle.line()));
         assertTrue(failure.getMessage().contains(idle.said()), failure.getMessage());
         assertEquals(before, session.json());
         assertEquals(steps, session.session().document().history().position());
@@ -126,7 +127,7 @@ class ScriptPromiseTest {
                 try {
                     session.script().run(action.id());
                     assertEquals(Subject.SESSION, action.subject(), action.id() + " needs a window");
-                } catch (ActionFailure refused) {
+                } catch (EditorRefusal refused) {
                     // It needs a value, a file or a window, and said so.
                 }
                 assertEquals(before, session.json(), action.id());
@@ -138,7 +139,7 @@ class ScriptPromiseTest {
     @MethodSource("unanswered")
     void whatOnlyAUserCouldAnswerFails(String line) {
         ScriptedSession session = ScriptedSession.empty().run(BOX);
-        assertThrows(ActionFailure.class, () -> session.script().run(line));
+        assertThrows(EditorRefusal.class, () -> session.script().run(line));
     }
 
     static Stream<String> unanswered() {
@@ -166,9 +167,9 @@ class ScriptPromiseTest {
     }
 
     @Test
-    void quitEndsTheScript() throws ActionFailure {
-        ScriptDesk desk = new ScriptDesk(() -> null);
-        new ScriptRunner(ScriptedSession.empty().session(), desk).run("quit");
-        assertTrue(desk.isEnded());
+    void quitEndsTheScript() throws EditorRefusal {
+        ScriptInterface ui = new ScriptInterface(() -> null);
+        new ScriptRunner(ScriptedSession.empty().session(), ui).run("quit");
+        assertTrue(ui.isEnded());
     }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.editor.brush.SolidTransform;
 import nephele.editor.record.EntityRef;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
@@ -64,8 +65,8 @@ class ScriptRunnerTest {
     void aLineThatCannotBeDoneSaysWhyAndChangesNothing(String line, String said) {
         ScriptedSession session = ScriptedSession.empty();
         String before = session.json();
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> session.script().run(line));
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> session.script().run(line));
         assertTrue(failure.getMessage().contains(said), failure.getMessage());
         assertEquals(before, session.json());
     }

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
@@ -13,7 +13,7 @@ import nephele.engine.level.json.LevelJson;
 public record ScriptedSession(EditorSession session, ScriptRunner script) {
     /** Returns a session of an empty level. */
     public static ScriptedSession empty() {
-        return of(NewDocument.opened().level());
+        return of(DocumentFile.untitled().level());
     }
 
     public static ScriptedSession of(Level level) {
@@ -23,7 +23,8 @@ public record ScriptedSession(EditorSession session, ScriptRunner script) {
                 LevelAssets.beside(Path.of("levels", "untitled.json")),
                 EditorSettings.DEFAULT);
         return new ScriptedSession(
-                session, new ScriptRunner(session, new ScriptDesk(() -> new java.awt.image.BufferedImage(4, 4, 1))));
+                session,
+                new ScriptRunner(session, new ScriptInterface(() -> new java.awt.image.BufferedImage(4, 4, 1))));
     }
 
     /** Runs lines that must succeed. */
@@ -31,7 +32,7 @@ public record ScriptedSession(EditorSession session, ScriptRunner script) {
         for (String line : lines) {
             try {
                 script.run(line);
-            } catch (ActionFailure problem) {
+            } catch (EditorRefusal problem) {
                 throw new AssertionError(line + ": " + problem.getMessage(), problem);
             }
         }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.util.List;
 import java.util.Map;
 import nephele.editor.paint.PaintedFace;
-import nephele.editor.paint.TextureCoordinates;
 import nephele.editor.paint.TextureFit;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
@@ -66,8 +65,8 @@ class LockableTransformTest {
                     .minus(inside);
             BrushFace moved = SolidShape.towards(after, normal);
             for (Vec3 corner : face.polygon()) {
-                TextureCoordinates uv = TextureFit.uvAt(painted(face), corner);
-                TextureCoordinates now = TextureFit.uvAt(painted(moved), move.point(corner));
+                TextureFit.TextureCoordinates uv = TextureFit.uvAt(painted(face), corner);
+                TextureFit.TextureCoordinates now = TextureFit.uvAt(painted(moved), move.point(corner));
                 assertEquals(0, uv.u() - now.u() - Math.rint(uv.u() - now.u()), 1e-6, face + " of " + before);
                 assertEquals(0, uv.v() - now.v() - Math.rint(uv.v() - now.v()), 1e-6, face + " of " + before);
             }

@@ -178,16 +178,16 @@ class GroundLinesTest {
         HeightField slope = HeightField.of(new Vec3(-50, 3, -50), 1, 1, 101, 101, (c, r) -> c * 0.7);
         PlanCamera camera = new PlanCamera(PaneKind.TOP, Vec3.ZERO, 1);
         ContourLines.add(camera, SIZE, slope, minor, major);
-        List<ContourLabels.Label> labels = ContourLabels.of(major, camera, SIZE, slope);
+        List<GroundLines.Label> labels = GroundLines.of(major, camera, SIZE, slope);
         assertEquals(
                 List.of(25.0, 50.0),
-                labels.stream().map(ContourLabels.Label::metres).toList());
-        for (ContourLabels.Label label : labels) {
+                labels.stream().map(GroundLines.Label::metres).toList());
+        for (GroundLines.Label label : labels) {
             assertEquals(label.metres(), (label.x() - 50) * 0.7, 0.1);
             assertEquals(75, label.y(), 3, "in the middle's row");
         }
-        assertEquals(2, ContourLabels.apart(labels, SIZE, 26).size());
-        assertEquals(1, ContourLabels.apart(labels, SIZE, 40).size(), "they are 36 pixels apart");
-        assertEquals(0, ContourLabels.apart(labels, SIZE, 76).size(), "the border is 75 pixels away");
+        assertEquals(2, GroundLines.apart(labels, SIZE, 26).size());
+        assertEquals(1, GroundLines.apart(labels, SIZE, 40).size(), "they are 36 pixels apart");
+        assertEquals(0, GroundLines.apart(labels, SIZE, 76).size(), "the border is 75 pixels away");
     }
 }

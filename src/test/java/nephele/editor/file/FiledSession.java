@@ -5,8 +5,7 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
+import nephele.editor.session.FileServices;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
@@ -22,10 +21,10 @@ public final class FiledSession {
 
     /** Returns a session of an untitled level. */
     public static EditorSession untitled(Path folder) {
-        DocumentFile.Opened opened = NewDocument.opened();
+        DocumentFile.Opened opened = DocumentFile.untitled();
         EditorSession session =
                 new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
-        session.filing(Filing.of(files(folder)));
+        session.fileServices(FileServices.of(files(folder)));
         return session;
     }
 
@@ -35,7 +34,7 @@ public final class FiledSession {
         DocumentFile.Opened opened = DocumentFile.open(file.toString());
         EditorSession session =
                 new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
-        session.filing(Filing.of(files(folder)));
+        session.fileServices(FileServices.of(files(folder)));
         return session;
     }
 

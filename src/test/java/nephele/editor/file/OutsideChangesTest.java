@@ -15,12 +15,12 @@ import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.save.Backups.Backup;
 import nephele.editor.save.DraftLevel;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -75,15 +75,15 @@ class OutsideChangesTest {
 
     private void save() {
         try {
-            ActionCall call = new ActionCall(session, new ScriptDesk(() -> null), java.util.Map.of());
+            ActionCall call = new ActionCall(session, new ScriptInterface(() -> null), java.util.Map.of());
             Actions.named("save").orElseThrow().effect().run(call);
-        } catch (ActionFailure failure) {
+        } catch (EditorRefusal failure) {
             throw new AssertionError(failure);
         }
     }
 
     private List<Level> backups() {
-        return session.filing().backups().of(file).stream()
+        return session.fileServices().backups().of(file).stream()
                 .map(Backup::file)
                 .map(LevelFile::read)
                 .toList();

@@ -11,17 +11,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
+import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
-import nephele.editor.problem.ProblemSeverity;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
+import nephele.editor.session.FileServices;
 import nephele.editor.terrain.PaintedLevel;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Terrain;
 import org.junit.jupiter.api.BeforeEach;
@@ -46,22 +45,22 @@ class SavedElsewhereTest {
         ImageIO.write(grey, "png", working.resolve("terrain/own.png").toFile());
         session = new EditorSession(
                 DocumentFile.UNTITLED,
-                NewDocument.opened().level(),
+                DocumentFile.untitled().level(),
                 LevelAssets.beside(working.resolve("untitled.json")),
                 EditorSettings.DEFAULT);
-        session.filing(Filing.of(FiledSession.files(folder)));
+        session.fileServices(FileServices.of(FiledSession.files(folder)));
         run("add terrains at=0,0,0", "set heightMap to=terrain/own.png");
     }
 
-    private void run(String... lines) throws ActionFailure {
+    private void run(String... lines) throws EditorRefusal {
         for (String line : lines) {
-            new ScriptRunner(session, new ScriptDesk(() -> null)).run(line);
+            new ScriptRunner(session, new ScriptInterface(() -> null)).run(line);
         }
     }
 
     private static long errors(EditorSession of) {
         return ProblemSearch.of(of.document().level(), of.assets()).stream()
-                .filter(problem -> problem.severity() == ProblemSeverity.ERROR)
+                .filter(problem -> problem.severity() == LevelProblem.Severity.ERROR)
                 .count();
     }
 
@@ -115,7 +114,7 @@ class SavedElsewhereTest {
         Path other = Files.createDirectories(elsewhere.resolve("terrain")).resolve("own.png");
         Files.writeString(other, "another file");
         String said =
-                assertThrows(ActionFailure.class, () -> run(save("hills.json"))).getMessage();
+                assertThrows(EditorRefusal.class, () -> run(save("hills.json"))).getMessage();
         assertTrue(said.contains("own.png") && said.contains("another folder"), said);
         assertEquals("another file", Files.readString(other));
         assertFalse(Files.exists(elsewhere.resolve("hills.json")));

@@ -140,7 +140,7 @@ class SessionJournalTest {
 
     @Test
     void olderTimesAreWrittenOut() {
-        Words then = TimeWords.of(NOW, NOW.plus(Duration.ofDays(9)), ZONE);
+        Words then = FileText.time(NOW, NOW.plus(Duration.ofDays(9)), ZONE);
         assertEquals("2 January 2026, 14:02", then.english());
         assertEquals("2 de janeiro de 2026, 14:02", then.brazilian());
     }

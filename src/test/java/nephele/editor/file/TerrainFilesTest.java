@@ -14,14 +14,14 @@ import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.save.LevelPackage;
 import nephele.editor.save.journal.CrashedEditor;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Terrain;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -50,9 +50,9 @@ class TerrainFilesTest {
 
     private static void run(EditorSession session, String line) {
         try {
-            new ScriptRunner(session, new ScriptDesk(() -> null)).run(line);
-        } catch (ActionFailure failure) {
-            throw new AssertionError(failure.told().english(), failure);
+            new ScriptRunner(session, new ScriptInterface(() -> null)).run(line);
+        } catch (EditorRefusal failure) {
+            throw new AssertionError(failure.words().english(), failure);
         }
     }
 
@@ -107,7 +107,7 @@ class TerrainFilesTest {
     }
 
     @Test
-    void aSavedStrokeIsOpenedAgainAndGoesIntoPackages() {
+    void aSavedStrokeIsOpenedAgainAndGoesIntoPackages() throws EditorRefusal {
         run(session, RAISE);
         run(session, PAINT);
         List<byte[]> painted = maps(session);

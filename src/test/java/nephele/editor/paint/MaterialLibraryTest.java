@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import nephele.editor.session.NewDocument;
+import nephele.editor.save.DocumentFile;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
@@ -31,7 +31,7 @@ final class MaterialLibraryTest {
 
     @Test
     void aLevelGetsAMaterialOnceAndKeepsItsOwn() {
-        Level empty = NewDocument.opened().level();
+        Level empty = DocumentFile.untitled().level();
         Level with = LIBRARY.including(empty, MaterialLibrary.FIRST);
         assertEquals(List.of(LIBRARY.find(empty, MaterialLibrary.FIRST).orElseThrow()), with.materials());
         assertSame(with, LIBRARY.including(with, MaterialLibrary.FIRST));

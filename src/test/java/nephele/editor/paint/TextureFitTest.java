@@ -67,7 +67,8 @@ class TextureFitTest {
         return faces;
     }
 
-    private static void assertSamePicture(TextureCoordinates wanted, TextureCoordinates got, String about) {
+    private static void assertSamePicture(
+            TextureFit.TextureCoordinates wanted, TextureFit.TextureCoordinates got, String about) {
         double u = wanted.u() - got.u();
         double v = wanted.v() - got.v();
         assertEquals(0, u - Math.rint(u), SAME, about);
@@ -77,7 +78,7 @@ class TextureFitTest {
     private static double[] span(PaintedFace face) {
         double[] span = {1e9, -1e9, 1e9, -1e9};
         for (Vec3 corner : face.face().polygon()) {
-            TextureCoordinates at = TextureFit.uvAt(face, corner);
+            TextureFit.TextureCoordinates at = TextureFit.uvAt(face, corner);
             span[0] = Math.min(span[0], at.u());
             span[1] = Math.max(span[1], at.u());
             span[2] = Math.min(span[2], at.v());
@@ -249,7 +250,7 @@ class TextureFitTest {
         for (PaintedFace face : faces(10, TextureMapping.FACE)) {
             Vec3 grip = face.face().polygon().get(1);
             Vec3 by = face.face().polygon().get(0).minus(grip);
-            TextureCoordinates held = TextureFit.uvAt(face, grip);
+            TextureFit.TextureCoordinates held = TextureFit.uvAt(face, grip);
             PaintedFace dragged = face.with(TextureFit.dragged(face, by));
             assertSamePicture(held, TextureFit.uvAt(dragged, grip.plus(by)), "dragged");
             TexturePlacement turned = TextureFit.turned(face, 33, grip);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneCamera.PaneSize;
-import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
+import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -24,7 +24,7 @@ class PaneNavigationTest {
     void zoomKeepsThePointUnderThePointer(PaneKind kind) {
         PlanCamera camera = new PlanCamera(kind, new Vec3(4, -3, 9), 0.03);
         Vec3 under = camera.ray(77, 301, SIZE).at(2e7);
-        PlanCamera zoomed = PlanNavigation.zoom(camera, 3, 77, 301, SIZE);
+        PlanCamera zoomed = PlanCamera.zoom(camera, 3, 77, 301, SIZE);
         PanePoint at = zoomed.project(under, SIZE).orElseThrow();
         assertEquals(77, at.x(), 1e-6);
         assertEquals(301, at.y(), 1e-6);
@@ -35,19 +35,19 @@ class PaneNavigationTest {
     @Test
     void zoomAtItsLimitDoesNotDrift() {
         PlanCamera camera = new PlanCamera(PaneKind.TOP, new Vec3(4, 0, 9), 1e-4);
-        assertEquals(camera, PlanNavigation.zoom(camera, 1, 77, 301, SIZE));
+        assertEquals(camera, PlanCamera.zoom(camera, 1, 77, 301, SIZE));
     }
 
     @Test
     void panMovesThePictureWithThePointer() {
         Vec3 grabbed = CAMERA.ray(100, 200, SIZE).at(5);
-        PanePoint at = PerspectiveNavigation.pan(CAMERA, 31, -17, grabbed, SIZE)
+        PanePoint at = PerspectiveCamera.pan(CAMERA, 31, -17, grabbed, SIZE)
                 .project(grabbed, SIZE)
                 .orElseThrow();
         assertEquals(131, at.x(), 1e-6);
         assertEquals(183, at.y(), 1e-6);
         PlanCamera plan = new PlanCamera(PaneKind.SIDE, Vec3.ZERO, 0.1);
-        PanePoint moved = PlanNavigation.pan(plan, 31, -17)
+        PanePoint moved = PlanCamera.pan(plan, 31, -17)
                 .project(plan.ray(100, 200, SIZE).at(1), SIZE)
                 .orElseThrow();
         assertEquals(131, moved.x(), 1e-6);
@@ -57,7 +57,7 @@ class PaneNavigationTest {
     @Test
     void orbitKeepsThePointAndItsDistance() {
         Vec3 about = CAMERA.ray(500, 90, SIZE).at(4);
-        PerspectiveCamera after = PerspectiveNavigation.orbit(CAMERA, about, 40, 15);
+        PerspectiveCamera after = PerspectiveCamera.orbit(CAMERA, about, 40, 15);
         PanePoint at = after.project(about, SIZE).orElseThrow();
         assertEquals(500, at.x(), 1e-6);
         assertEquals(90, at.y(), 1e-6);
@@ -68,47 +68,47 @@ class PaneNavigationTest {
     @Test
     void dollyApproachesWhatIsUnderThePointerAndBack() {
         Vec3 under = CAMERA.ray(100, 200, SIZE).at(10);
-        PerspectiveCamera near = PerspectiveNavigation.dolly(CAMERA, 2, CAMERA.ray(100, 200, SIZE), 10);
+        PerspectiveCamera near = PerspectiveCamera.dolly(CAMERA, 2, CAMERA.ray(100, 200, SIZE), 10);
         double distance = under.minus(near.eye()).length();
         assertTrue(distance < 10);
         assertEquals(100, near.project(under, SIZE).orElseThrow().x(), 1e-6);
-        PerspectiveCamera back = PerspectiveNavigation.dolly(near, -2, near.ray(100, 200, SIZE), distance);
+        PerspectiveCamera back = PerspectiveCamera.dolly(near, -2, near.ray(100, 200, SIZE), distance);
         assertEquals(0, back.eye().minus(CAMERA.eye()).length(), 1e-9);
     }
 
     @Test
     void flightIsNoFasterAlongDiagonalsAndUpIsTheWorlds() {
-        PerspectiveCamera after = PerspectiveNavigation.fly(CAMERA, new FlightKeys(1, 0, 1), 5, 0.5);
+        PerspectiveCamera after = PerspectiveCamera.fly(CAMERA, new FlightKeys(1, 0, 1), 5, 0.5);
         assertEquals(2.5, after.eye().minus(CAMERA.eye()).length(), 1e-9);
-        Vec3 raised = PerspectiveNavigation.fly(CAMERA, new FlightKeys(0, 1, 0), 5, 0.5)
-                .eye();
+        Vec3 raised =
+                PerspectiveCamera.fly(CAMERA, new FlightKeys(0, 1, 0), 5, 0.5).eye();
         assertEquals(new Vec3(3, 4.5, 7), raised);
     }
 
     @Test
     void lookTurnsToThePointerAndStopsAtThePole() {
-        PerspectiveCamera after = PerspectiveNavigation.look(CAMERA, 100, 50, 0.2);
+        PerspectiveCamera after = PerspectiveCamera.look(CAMERA, 100, 50, 0.2);
         assertEquals(5, after.yawDegrees(), 1e-9);
         assertEquals(-22, after.pitchDegrees(), 1e-9);
-        assertTrue(PerspectiveNavigation.look(CAMERA, 0, 1e4, 0.2).pitchDegrees() > -90);
+        assertTrue(PerspectiveCamera.look(CAMERA, 0, 1e4, 0.2).pitchDegrees() > -90);
     }
 
     @ParameterizedTest
     @EnumSource(names = {"TOP", "FRONT", "SIDE"})
     void focusShowsTheWholeBoxInAPlan(PaneKind kind) {
         Aabb box = new Aabb(-3, 1, 20, 30, 4, 26);
-        assertVisible(PlanNavigation.focus(new PlanCamera(kind, Vec3.ZERO, 0.02), box, SIZE), box);
+        assertVisible(PlanCamera.focus(new PlanCamera(kind, Vec3.ZERO, 0.02), box, SIZE), box);
     }
 
     @Test
     void focusShowsTheWholeBoxInPerspectiveAlsoInANarrowPane() {
         Aabb box = new Aabb(-3, 1, 20, 30, 4, 26);
-        assertVisible(PerspectiveNavigation.focus(CAMERA, box, SIZE), box);
+        assertVisible(PerspectiveCamera.focus(CAMERA, box, SIZE), box);
         PaneSize narrow = new PaneSize(100, 600);
-        PerspectiveCamera camera = PerspectiveNavigation.focus(CAMERA, box, narrow);
+        PerspectiveCamera camera = PerspectiveCamera.focus(CAMERA, box, narrow);
         PanePoint at = camera.project(new Vec3(30, 1, 20), narrow).orElseThrow();
         assertTrue(at.x() > 0 && at.x() < 100, at.toString());
-        assertEquals(CAMERA, PerspectiveNavigation.focus(CAMERA, Aabb.EMPTY, SIZE));
+        assertEquals(CAMERA, PerspectiveCamera.focus(CAMERA, Aabb.EMPTY, SIZE));
     }
 
     private static void assertVisible(PaneCamera camera, Aabb box) {

@@ -76,7 +76,7 @@ class WarmGameSwingTest {
                 "-Djoml.nounsafe=true",
                 "-cp",
                 System.getProperty("java.class.path").replace(File.pathSeparator + ".", "")));
-        all.addAll(GameMemory.JAVA_OPTIONS);
+        all.addAll(WarmGame.JAVA_OPTIONS);
         Collections.addAll(all, words);
         return all;
     }

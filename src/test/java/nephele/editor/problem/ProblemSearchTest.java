@@ -138,7 +138,7 @@ class ProblemSearchTest {
         assertTrue(kind.equals("volume") || !problem.marks().isEmpty(), "its place is shown");
         Level level = level(solids(kind), sections(kind) + EXIT);
         for (int i = 0; i < fixes; i++) {
-            ProblemFix fix = problems(level).get(0).fixes().get(i);
+            LevelProblem.Fix fix = problems(level).get(0).fixes().get(i);
             Level repaired = problems(level).get(0).fixes().get(i).change().apply(level);
             assertEquals(List.of(), keys(repaired), fix.label().english());
             assertSame(repaired, fix.change().apply(repaired), "what it repairs is gone");
@@ -184,7 +184,7 @@ class ProblemSearchTest {
         Level level = level(box("crate", "0, 0.5, 0", "1, 1, 1", ""), "");
         List<LevelProblem> hints = problems(level);
         assertEquals(List.of("no-start player", "no-exit exits"), keys(level));
-        assertTrue(hints.stream().allMatch(hint -> hint.severity() == ProblemSeverity.HINT));
+        assertTrue(hints.stream().allMatch(hint -> hint.severity() == LevelProblem.Severity.HINT));
         Level started = hints.get(0).fixes().get(0).change().apply(level);
         Level ended = hints.get(1).fixes().get(0).change().apply(started);
         assertEquals(List.of(), keys(ended));
@@ -201,14 +201,14 @@ class ProblemSearchTest {
         Level open = read(
                 "\"solids\": [" + WALLS.replace("\"size\": [8, 3, 1]", "\"size\": [7, 3, 1]") + "]" + START + EXIT);
         LevelProblem leak = problems(open).get(0);
-        assertEquals(ProblemSeverity.WARNING, leak.severity());
+        assertEquals(LevelProblem.Severity.WARNING, leak.severity());
         assertEquals("leak player.feet", leak.key());
         assertTrue(leak.marks().size() >= 2 && leak.marks().get(0) instanceof Mark.Line);
         Level underASky = open.with(
                 read("\"environment\": {\"sky\": {\"kind\": \"constant\", \"radiance\": [1, 1, 1]}}")
                         .environment(),
                 List.of());
-        assertEquals(ProblemSeverity.HINT, problems(underASky).get(0).severity());
+        assertEquals(LevelProblem.Severity.HINT, problems(underASky).get(0).severity());
         assertEquals(leak.marks(), problems(underASky).get(0).marks());
     }
 
@@ -251,11 +251,11 @@ class ProblemSearchTest {
         Level sorted = read("\"solids\": [" + crate + "," + WALLS + "]" + START + EXIT);
         assertEquals(keys(level), keys(sorted));
         LevelProblem problem = problems(level).get(0);
-        Level hidden = HiddenProblems.hide(level, problem);
-        assertTrue(HiddenProblems.isHidden(hidden, problems(hidden).get(0)));
-        assertSame(hidden, HiddenProblems.hide(hidden, problem));
-        assertFalse(HiddenProblems.isHidden(level, problem));
-        assertEquals(level, HiddenProblems.show(hidden, problem));
+        Level hidden = LevelProblem.hide(level, problem);
+        assertTrue(LevelProblem.isHidden(hidden, problems(hidden).get(0)));
+        assertSame(hidden, LevelProblem.hide(hidden, problem));
+        assertFalse(LevelProblem.isHidden(level, problem));
+        assertEquals(level, LevelProblem.show(hidden, problem));
     }
 
     @Test
@@ -328,7 +328,7 @@ class ProblemSearchTest {
         assertEquals(
                 List.of(),
                 found.stream()
-                        .filter(each -> each.severity() != ProblemSeverity.HINT)
+                        .filter(each -> each.severity() != LevelProblem.Severity.HINT)
                         .toList());
     }
 }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** A heat map follows edits: what it keeps is what a fresh map computes. */
 @Execution(ExecutionMode.CONCURRENT)
 class HeatMemoryTest {
-    private static final HeatSettings COARSE = new HeatSettings(0.8, 0, 40_000);
+    private static final PlacementHeatMap.Settings COARSE = new PlacementHeatMap.Settings(0.8, 0, 40_000);
 
     private static Level hall() {
         return RoomLevel.hall()

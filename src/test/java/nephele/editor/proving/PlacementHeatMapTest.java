@@ -31,7 +31,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** The heat map says what a shot straight at each of its cells does. */
 @Execution(ExecutionMode.CONCURRENT)
 class PlacementHeatMapTest {
-    private static final HeatSettings COARSE = new HeatSettings(0.5, 0.3, 40_000);
+    private static final PlacementHeatMap.Settings COARSE = new PlacementHeatMap.Settings(0.5, 0.3, 40_000);
 
     /** A hall with a fixed pair, a pillar that takes no portals, and a small portalable block. */
     private static Level hall() {
@@ -129,7 +129,7 @@ class PlacementHeatMapTest {
     @Test
     void aLargeLevelGetsCoarserCells() {
         Level level = new RoomLevel().box(-500, -1, -500, 500, 0, 500).gun().level();
-        PlacementHeatMap map = new PlacementHeatMap(placed(level), new HeatSettings(0.25, 0, 2000));
+        PlacementHeatMap map = new PlacementHeatMap(placed(level), new PlacementHeatMap.Settings(0.25, 0, 2000));
         assertTrue(map.spacingMetres() > 0.25);
         int cells = cells(map).size();
         assertTrue(cells <= 2000 && cells > 400, "" + cells);

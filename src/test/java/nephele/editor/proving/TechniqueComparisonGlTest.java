@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptedSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Sky;
@@ -60,9 +60,9 @@ class TechniqueComparisonGlTest {
     @Test
     void wrongNamesAreAnsweredWithAllAndALevelWithoutCloudsRefuses() {
         var script = clouded().script();
-        var wrong = assertThrows(ActionFailure.class, () -> script.run("compare-techniques a=puffs"));
+        var wrong = assertThrows(EditorRefusal.class, () -> script.run("compare-techniques a=puffs"));
         assertTrue(wrong.getMessage().contains("billboard, particles, volume"), wrong.getMessage());
         var empty = ScriptedSession.empty().script();
-        assertThrows(ActionFailure.class, () -> empty.run("compare-techniques"));
+        assertThrows(EditorRefusal.class, () -> empty.run("compare-techniques"));
     }
 }

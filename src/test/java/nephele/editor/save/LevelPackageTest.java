@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFile;
@@ -39,7 +40,7 @@ class LevelPackageTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"samples/empty.json", "samples/models.json", "samples/material-textures.json"})
-    void aLevelArrivesWithItsFiles(String name) throws IOException {
+    void aLevelArrivesWithItsFiles(String name) throws IOException, EditorRefusal {
         LevelFile.Opened opened = LevelFile.open("levels/" + name);
         Path zip = folder.resolve("a.zip");
         LevelPackage.export(zip, "room.json", opened.level(), opened.assets());
@@ -66,7 +67,7 @@ class LevelPackageTest {
     }
 
     @Test
-    void theBuffersOfAMeshAreItsLevelsFiles() throws IOException {
+    void theBuffersOfAMeshAreItsLevelsFiles() throws IOException, EditorRefusal {
         Files.writeString(
                 folder.resolve("a.gltf"),
                 """
@@ -82,13 +83,13 @@ class LevelPackageTest {
         var level = DraftLevel.of("\"models\": [{\"id\": \"m\", \"file\": \"none.obj\"}]");
         var assets = LevelAssets.beside(folder.resolve("x.json"));
         Path zip = folder.resolve("a.zip");
-        var told = assertThrows(PackageException.class, () -> LevelPackage.export(zip, "x.json", level, assets));
+        var told = assertThrows(EditorRefusal.class, () -> LevelPackage.export(zip, "x.json", level, assets));
         assertTrue(told.getMessage().contains("none.obj"), told.getMessage());
         assertFalse(Files.exists(zip));
     }
 
     @Test
-    void entriesThatTheLevelDoesNotNeedAreLeftOut() throws IOException {
+    void entriesThatTheLevelDoesNotNeedAreLeftOut() throws IOException, EditorRefusal {
         Path zip = zip("room.json", LEVEL, "virus.exe", "x", "sub/", "");
         LevelPackage.extract(zip, folder.resolve("there"));
         try (var all = Files.list(folder.resolve("there"))) {
@@ -149,15 +150,15 @@ class LevelPackageTest {
         Path there = Files.createDirectory(folder.resolve("there"));
         Files.writeString(there.resolve("mine.txt"), "mine");
         Path zip = zip("room.json", LEVEL);
-        var told = assertThrows(PackageException.class, () -> LevelPackage.extract(zip, there));
-        assertEquals(SaveText.PACKAGE_TARGET.with(there), told.told());
+        var told = assertThrows(EditorRefusal.class, () -> LevelPackage.extract(zip, there));
+        assertEquals(SaveText.PACKAGE_TARGET.with(there), told.words());
         assertEquals("mine", Files.readString(there.resolve("mine.txt")));
     }
 
     private void assertRefused(Path zip) throws IOException {
         Path target = folder.resolve("there");
-        var told = assertThrows(PackageException.class, () -> LevelPackage.extract(zip, target));
-        assertTrue(told.told().in(Language.PT_PT).contains(zip.toString()), told.getMessage());
+        var told = assertThrows(EditorRefusal.class, () -> LevelPackage.extract(zip, target));
+        assertTrue(told.words().in(Language.PT_PT).contains(zip.toString()), told.getMessage());
         var unplayed = assertThrows(LevelFormatException.class, () -> LevelFile.open(zip.toString()));
         assertTrue(unplayed.getMessage().matches("(?s)" + Pattern.quote(zip + ": ") + ".*new export.*"));
         try (var left = Files.list(folder)) {

@@ -15,10 +15,11 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import nephele.editor.action.Actions;
 import nephele.editor.action.EditorCommands;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
+import nephele.editor.save.DocumentFile;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
@@ -197,7 +198,7 @@ class EndedDragOfEachToolTest {
         Drag drag = Drag.with(tool);
         ToolScene scene = drag.scene();
         drag.begin();
-        Level other = NewDocument.opened().level();
+        Level other = DocumentFile.untitled().level();
         scene.document().edit(Words.same("reload"), mine -> other);
         scene.drag(drag.from());
         scene.release(drag.from());
@@ -208,7 +209,7 @@ class EndedDragOfEachToolTest {
     }
 
     private static void command(EditorSession session, String id) {
-        new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, List.of())
+        new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL)
                 .named(id)
                 .orElseThrow()
                 .run();
@@ -235,7 +236,7 @@ class EndedDragOfEachToolTest {
         String text = LevelJson.write(before);
         drag.begin();
         EditorSession session = scene.session();
-        Level other = NewDocument.opened().level();
+        Level other = DocumentFile.untitled().level();
         session.open(session.file(), other, session.assets());
         Snapshot opened = scene.document().now();
         assertSame(other, opened.level());

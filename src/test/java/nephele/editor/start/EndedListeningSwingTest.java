@@ -5,13 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.document.Registration;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.window.WindowLook;
 import org.junit.jupiter.api.Test;
@@ -21,7 +20,7 @@ class EndedListeningSwingTest {
     private final EditorSession session = session();
 
     private static EditorSession session() {
-        DocumentFile.Opened opened = NewDocument.opened();
+        DocumentFile.Opened opened = DocumentFile.untitled();
         return new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
     }
 
@@ -40,7 +39,7 @@ class EndedListeningSwingTest {
     void aClosedPanelAndItsPartsHearNothingMore() throws ReflectiveOperationException {
         WindowLook.apply(session.settings());
         List<String> before = listeners();
-        var panel = EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {});
+        var panel = EditorParts.panel(session, new ScriptInterface(() -> null), (part, opener) -> {});
         List<String> open = new ArrayList<>(listeners());
         before.forEach(open::remove);
         assertEquals(
@@ -63,12 +62,12 @@ class EndedListeningSwingTest {
 
     @Test
     void aClosedRegistrationIsSilent() {
-        List<Change> heard = new ArrayList<>();
+        List<SessionChange> heard = new ArrayList<>();
         Registration registration = session.listen(heard::add);
         session.status(Words.same("a"));
         registration.close();
         registration.close();
         session.status(Words.same("b"));
-        assertEquals(List.of(Change.STATUS), heard);
+        assertEquals(List.of(SessionChange.STATUS), heard);
     }
 }

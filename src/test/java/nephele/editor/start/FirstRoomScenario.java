@@ -18,7 +18,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.panel.GuideStep;
-import nephele.editor.play.GameMemory;
+import nephele.editor.play.WarmGame;
 import nephele.editor.session.EditorSession;
 import nephele.editor.window.WindowRobot;
 import nephele.editor.window.viewport.ViewportPanel;
@@ -196,7 +196,7 @@ public final class FirstRoomScenario {
     private static List<String> game() {
         var words = new ArrayList<String>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        words.addAll(GameMemory.JAVA_OPTIONS);
+        words.addAll(WarmGame.JAVA_OPTIONS);
         words.addAll(List.of("-Djoml.nounsafe=true", "-cp", System.getProperty("java.class.path")));
         words.addAll(List.of(Main.class.getName(), "play", "--warm", "--size", "640x360", "--quality", "low"));
         return words;

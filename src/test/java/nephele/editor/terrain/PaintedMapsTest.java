@@ -15,7 +15,7 @@ class PaintedMapsTest {
     private final PaintedMaps maps = new PaintedMaps(Optional::empty);
 
     private String show() {
-        return maps.show(PaintedMap.of(new HeightMap(2, 2, 16, new short[4])));
+        return maps.show(PaintedMaps.PaintedMap.of(new HeightMap(2, 2, 16, new short[4])));
     }
 
     private static Level level(String map) {

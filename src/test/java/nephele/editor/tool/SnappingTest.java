@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Map;
 import java.util.Set;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.pane.PaneKind;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.editor.tool.brush.DrawBrushTool;
 import nephele.editor.tool.measure.MeasureTool;
@@ -105,7 +105,7 @@ class SnappingTest {
     }
 
     @Test
-    void actionsTurnTheTargetsOnAndOff() throws ActionFailure {
+    void actionsTurnTheTargetsOnAndOff() throws EditorRefusal {
         ToolScene scene = ToolScene.withCube();
         var action = Actions.named("snap-vertex").orElseThrow().effect();
         action.run(new ActionCall(scene.session(), null, Map.of()));

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JLabel;
@@ -32,7 +33,7 @@ import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
-import nephele.editor.pane.PlanNavigation;
+import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -96,7 +97,20 @@ class EditorPanelSwingTest {
                 action("help.keys", Menu.HELP, Words.of("Keys", "Teclas", "Teclas"), "F1"));
     }
 
-    private static List<ToolEntry> tools() {
+    private static EditorAction taking(ToolEntry tool) {
+        List<String> keys = tool.key().isEmpty() ? List.of() : List.of(tool.key());
+        return new EditorAction(
+                "tool-" + tool.id(),
+                tool.title(),
+                Menu.TOOL,
+                keys,
+                List.of(),
+                any -> true,
+                call -> call.session().use(tool),
+                EditorAction.Subject.SESSION);
+    }
+
+    private static Stream<ToolEntry> tools() {
         List<ToolEntry> tools = new ArrayList<>(Tools.ALL);
         ToolEntry select = Tools.ALL.get(0);
         for (String id : List.of(
@@ -105,7 +119,7 @@ class EditorPanelSwingTest {
             Words title = Words.same(id);
             tools.add(new ToolEntry(id, title, title, "", id, select.make()));
         }
-        return tools;
+        return tools.stream();
     }
 
     private static EditorSettings settings(Theme theme, int percent, Language language) {
@@ -122,7 +136,11 @@ class EditorPanelSwingTest {
         session.document()
                 .select(Selection.of(
                         new EntityRef("solids", largest(opened.level()).id())));
-        EditorCommands commands = new EditorCommands(session, new WindowDesk(session), actions(), tools());
+        EditorCommands commands = new EditorCommands(
+                session,
+                new WindowInterface(session),
+                Stream.concat(tools().map(EditorPanelSwingTest::taking), actions().stream())
+                        .toList());
         JTabbedPane bottom = new JTabbedPane();
         bottom.addTab("Problems", new JLabel("–"));
         bottom.addTab("History", new JLabel("–"));
@@ -194,7 +212,7 @@ class EditorPanelSwingTest {
         open(settings(Theme.DARK, 100, Language.EN), new Dimension(900, 600));
         panel.viewport().picture();
         PaneView top = session.panes().views().get(TOP_PANE);
-        session.panes(layout -> layout.with(TOP_PANE, top.with(PlanNavigation.at(top.plan(), selectedCentre()))));
+        session.panes(layout -> layout.with(TOP_PANE, top.with(PlanCamera.at(top.plan(), selectedCentre()))));
     }
 
     private void mouse(int id, int button, double x, double y) {
@@ -253,7 +271,7 @@ class EditorPanelSwingTest {
                 session.grid().snapped(before.x() + metres), selectedCentre().x(), 0.5);
         assertEquals(TOP_PANE, session.panes().active());
         assertTrue(session.document().isModified());
-        assertTrue(EditorTitle.of(session).startsWith("*02-first-shot.json"), EditorTitle.of(session));
+        assertTrue(EditorWindow.title(session).startsWith("*02-first-shot.json"), EditorWindow.title(session));
     }
 
     @Test
@@ -314,15 +332,15 @@ class EditorPanelSwingTest {
     void closingAsksOnlyIfSomethingWouldBeLost() {
         openSmall();
         List<String> asked = new ArrayList<>();
-        CloseQuestion never = (level, language) -> {
+        Closing.CloseQuestion never = (level, language) -> {
             asked.add(level);
-            return CloseQuestion.Choice.CANCEL;
+            return Closing.CloseQuestion.Choice.CANCEL;
         };
         assertTrue(new Closing(session, never, () -> true).isAllowed());
         session.document().edit(Words.same("x"), level -> level.with(level.materials(), List.of()));
         assertFalse(new Closing(session, never, () -> true).isAllowed());
         assertEquals(List.of("02-first-shot.json"), asked);
-        CloseQuestion save = (level, language) -> CloseQuestion.Choice.SAVE;
+        Closing.CloseQuestion save = (level, language) -> Closing.CloseQuestion.Choice.SAVE;
         assertFalse(new Closing(session, save, () -> false).isAllowed(), "a failed save loses nothing");
     }
 }

@@ -41,7 +41,7 @@ class LayerBoxSwingTest {
         WindowLook.apply(EditorSettings.DEFAULT);
         DocumentFile.Opened opened = DocumentFile.open("levels/samples/terrain.json");
         session = new EditorSession(opened.file(), opened.level(), opened.assets(), EditorSettings.DEFAULT);
-        EditorCommands commands = new EditorCommands(session, new WindowDesk(session), Actions.ALL, Tools.ALL);
+        EditorCommands commands = new EditorCommands(session, new WindowInterface(session), Actions.ALL);
         EditorSlots slots = new EditorSlots(
                 null, new JLabel("outliner"), new JLabel("inspector"), new JTabbedPane(), List.of("undo"));
         panel = new EditorPanel(session, commands, slots);

@@ -12,11 +12,10 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.FileRefusal;
-import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
+import nephele.editor.session.FileServices;
 import nephele.editor.start.ScriptedEditing;
 import nephele.editor.start.WindowedEditing;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
@@ -57,11 +56,11 @@ final class EditCommand implements Command {
         }
         EditorFiles files = EditorFiles.in(UserFolders.ofThisUser());
         EditorSettings settings = script == null ? files.read(terminal.err()::println) : EditorSettings.DEFAULT;
-        DocumentFile.Opened opened = level == null ? NewDocument.opened() : DocumentFile.open(level);
+        DocumentFile.Opened opened = level == null ? DocumentFile.untitled() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
         session.panes(panes -> OpeningViews.of(opened.level(), panes));
-        session.filing(Filing.of(files).with(EditCommand::importScene));
+        session.fileServices(FileServices.of(files).with(EditCommand::importScene));
         session.proving().trade().madeBy(TradeReportLine::words);
         if (script != null) {
             return runScript(session, terminal);
@@ -78,11 +77,11 @@ final class EditCommand implements Command {
         return ExitCode.DONE;
     }
 
-    private static void importScene(Path scene, Path level, Consumer<String> complaints) throws FileRefusal {
+    private static void importScene(Path scene, Path level, Consumer<String> complaints) throws EditorRefusal {
         try {
             SceneImport.save(new SceneName(scene.toString()), level, complaints);
         } catch (CommandFailure failure) {
-            throw new FileRefusal(Words.same(failure.getMessage()));
+            throw new EditorRefusal(Words.same(failure.getMessage()));
         }
     }
 

@@ -4,7 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.editor.play.GameMemory;
+import nephele.editor.play.WarmGame;
 
 /** The command line of the game that waits for the editor: the same Java and the same classes as this process. */
 final class WaitingGameLine {
@@ -24,7 +24,7 @@ final class WaitingGameLine {
         String classPath = System.getProperty("java.class.path");
         var words = new ArrayList<String>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        words.addAll(GameMemory.JAVA_OPTIONS);
+        words.addAll(WarmGame.JAVA_OPTIONS);
         words.addAll(archive(classPath));
         if (Runtime.version().feature() >= FIRST_WITH_UNSAFE_WARNINGS) {
             words.add("--sun-misc-unsafe-memory-access=allow");

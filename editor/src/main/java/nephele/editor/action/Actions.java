@@ -19,7 +19,7 @@ public final class Actions {
                     ToolActions.ALL,
                     PlayActions.ALL,
                     ProvingActions.ALL,
-                    WindowActions.ALL)
+                    ViewActions.OF_WINDOW)
             .flatMap(List::stream)
             .toList();
 

@@ -26,6 +26,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
@@ -96,10 +97,10 @@ final class BrushActions {
     }
 
     /** Returns the selected solids that may be cut, at least one. */
-    private static List<Solid> freeSolids(ActionCall call) throws ActionFailure {
+    private static List<Solid> freeSolids(ActionCall call) throws EditorRefusal {
         List<Solid> solids = solids(call.session());
         if (solids.isEmpty()) {
-            throw new ActionFailure(NOT_FREE);
+            throw new EditorRefusal(NOT_FREE);
         }
         return solids;
     }
@@ -114,7 +115,7 @@ final class BrushActions {
         };
     }
 
-    private static void draw(ActionCall call) throws ActionFailure {
+    private static void draw(ActionCall call) throws EditorRefusal {
         Vec3 min = call.vector("min");
         Vec3 max = call.vector("max");
         EditorSession session = call.session();
@@ -140,7 +141,7 @@ final class BrushActions {
         });
     }
 
-    private static ShapeOptions shape(ActionCall call) throws ActionFailure {
+    private static ShapeOptions shape(ActionCall call) throws EditorRefusal {
         double wall = call.number(
                 "wall",
                 BrushCheck.LEAST_THICKNESS_METRES,
@@ -155,14 +156,14 @@ final class BrushActions {
             case "arch" -> new ShapeOptions.Arch(steps, wall);
             case "cylinder" -> new ShapeOptions.Cylinder(steps * 2);
             case "room" -> new ShapeOptions.Room(wall);
-            default -> throw new ActionFailure(NO_SHAPE.with(typed));
+            default -> throw new EditorRefusal(NO_SHAPE.with(typed));
         };
     }
 
-    static <T> T done(BrushEdit<T> edit) throws ActionFailure {
+    static <T> T done(BrushEdit<T> edit) throws EditorRefusal {
         Optional<BrushText> refusal = edit.refusal();
         if (refusal.isPresent()) {
-            throw new ActionFailure(refusal.get().words());
+            throw new EditorRefusal(refusal.get().words());
         }
         return edit.result().orElseThrow();
     }
@@ -183,7 +184,7 @@ final class BrushActions {
         return new EntityRef(Picker.SOLIDS, solid.id());
     }
 
-    private static void hollow(ActionCall call) throws ActionFailure {
+    private static void hollow(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         double wall = call.number(
                 "wall",
@@ -198,7 +199,7 @@ final class BrushActions {
     }
 
     /** Subtracts what is selected from every free solid that it reaches into, and removes it. */
-    private static void subtract(ActionCall call) throws ActionFailure {
+    private static void subtract(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         List<Solid> cutters = freeSolids(call);
         Map<Solid, List<Solid>> pieces = new LinkedHashMap<>();
@@ -216,7 +217,7 @@ final class BrushActions {
             isAnyLeftAlone |= isCut && !free.contains(ref(solid));
         }
         if (pieces.isEmpty() && !isAnyLeftAlone) {
-            throw new ActionFailure(NOTHING_CUT);
+            throw new EditorRefusal(NOTHING_CUT);
         }
         if (isAnyLeftAlone) {
             call.session().status(LEFT_ALONE);
@@ -225,7 +226,7 @@ final class BrushActions {
         replace(call, SUBTRACT, pieces);
     }
 
-    private static List<Solid> remaining(Solid solid, List<Solid> cutters, Supplier<String> ids) throws ActionFailure {
+    private static List<Solid> remaining(Solid solid, List<Solid> cutters, Supplier<String> ids) throws EditorRefusal {
         List<Solid> left = List.of(solid);
         for (Solid cutter : cutters) {
             if (EntityBounds.of((Record) cutter).overlaps(EntityBounds.of((Record) solid))) {
@@ -239,10 +240,10 @@ final class BrushActions {
         return left;
     }
 
-    private static void merge(ActionCall call) throws ActionFailure {
+    private static void merge(ActionCall call) throws EditorRefusal {
         List<Solid> gone = solids(call.session());
         if (gone.size() < 2) {
-            throw new ActionFailure(NOT_FREE);
+            throw new EditorRefusal(NOT_FREE);
         }
         Solid merged = done(BrushBoolean.merged(gone));
         Map<Solid, List<Solid>> pieces = new LinkedHashMap<>();

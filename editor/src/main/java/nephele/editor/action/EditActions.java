@@ -12,6 +12,7 @@ import nephele.editor.document.Notes;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.math.Vec3;
@@ -105,14 +106,14 @@ final class EditActions {
     /**
      * Returns what is selected and not locked.
      *
-     * @throws ActionFailure if everything selected is locked
+     * @throws EditorRefusal if everything selected is locked
      */
-    static List<EntityRef> unlocked(ActionCall call) throws ActionFailure {
+    static List<EntityRef> unlocked(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         List<EntityRef> selected = document.selection().entities();
         List<EntityRef> unlocked = Notes.unlocked(document.level(), selected);
         if (unlocked.isEmpty() && !selected.isEmpty()) {
-            throw new ActionFailure(Notes.LOCKED.with(selected.get(0).text()));
+            throw new EditorRefusal(Notes.LOCKED.with(selected.get(0).text()));
         }
         return unlocked;
     }
@@ -121,72 +122,72 @@ final class EditActions {
         return !session.document().selection().entities().isEmpty();
     }
 
-    private static void copy(ActionCall call) throws ActionFailure {
+    private static void copy(ActionCall call) throws EditorRefusal {
         String text = copied(call);
         call.session().clipboard(text);
-        call.desk().copy(text);
+        call.ui().copy(text);
     }
 
-    private static String copied(ActionCall call) throws ActionFailure {
+    private static String copied(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         for (EntityRef ref : document.selection().entities()) {
             if (ref.id().isEmpty()) {
-                throw new ActionFailure(ONLY_ONE.with(ref.shortName()));
+                throw new EditorRefusal(ONLY_ONE.with(ref.shortName()));
             }
         }
         return Clip.text(document.level(), document.selection().entities(), document.entities());
     }
 
-    private static void cut(ActionCall call) throws ActionFailure {
+    private static void cut(ActionCall call) throws EditorRefusal {
         unlocked(call);
         copy(call);
         delete(call, CUT);
     }
 
-    private static void paste(ActionCall call) throws ActionFailure {
-        String text = call.desk().pasted().isBlank()
+    private static void paste(ActionCall call) throws EditorRefusal {
+        String text = call.ui().pasted().isBlank()
                 ? call.session().clipboard()
-                : call.desk().pasted();
+                : call.ui().pasted();
         paste(call, text, PASTE, call.vector("by", Vec3.ZERO));
     }
 
-    private static void paste(ActionCall call, String text, Words label, Vec3 by) throws ActionFailure {
+    private static void paste(ActionCall call, String text, Words label, Vec3 by) throws EditorRefusal {
         if (text.isBlank()) {
-            throw new ActionFailure(NOTHING_TO_PASTE);
+            throw new EditorRefusal(NOTHING_TO_PASTE);
         }
         Document document = call.session().document();
         Snapshot after;
         try {
             after = Clip.pasted(document.now(), text, by, document.entities());
         } catch (LevelFormatException noLevel) {
-            throw new ActionFailure(NOTHING_TO_PASTE);
+            throw new EditorRefusal(NOTHING_TO_PASTE);
         }
         document.edit(label, null, before -> after);
     }
 
-    private static void duplicate(ActionCall call) throws ActionFailure {
+    private static void duplicate(ActionCall call) throws EditorRefusal {
         double step = call.session().grid().stepMetres();
         String text = copied(call);
         paste(call, text, DUPLICATE, call.vector("by", new Vec3(step, 0, step)));
     }
 
-    private static void delete(ActionCall call) throws ActionFailure {
+    private static void delete(ActionCall call) throws EditorRefusal {
         delete(call, DELETE);
     }
 
-    private static void delete(ActionCall call, Words label) throws ActionFailure {
+    private static void delete(ActionCall call, Words label) throws EditorRefusal {
         Document document = call.session().document();
         Deletion deletion = new Deletion(document.now(), unlocked(call));
         List<EntityRef> users = deletion.users();
         Optional<String> substitute = call.text(REPLACE).filter(id -> !id.equals(NONE));
         if (substitute.isPresent() && !deletion.substitutes().contains(substitute.get())) {
-            throw new ActionFailure(NO_SUBSTITUTE.with(substitute.get()));
+            throw new EditorRefusal(NO_SUBSTITUTE.with(substitute.get()));
         }
         if (!users.isEmpty() && call.text(REPLACE).isEmpty()) {
-            if (!call.desk().hasUser()) {
-                throw new ActionFailure(USED.with(named(users)));
+            if (!call.ui().hasUser()) {
+                throw new EditorRefusal(USED.with(named(users)));
             }
-            if (!call.desk().isAgreed(DELETE_USED.with(named(users)))) {
+            if (!call.ui().isAgreed(DELETE_USED.with(named(users)))) {
                 return;
             }
         }
@@ -200,14 +201,14 @@ final class EditActions {
         return refs.size() > MOST_NAMED ? first + " … (" + refs.size() + ")" : first;
     }
 
-    private static void rename(ActionCall call) throws ActionFailure {
+    private static void rename(ActionCall call) throws EditorRefusal {
         if (!call.isGiven("id", "rename")) {
             return;
         }
         Document document = call.session().document();
         List<EntityRef> selected = document.selection().entities();
         if (selected.size() != 1 || selected.get(0).id().isEmpty()) {
-            throw new ActionFailure(ONE);
+            throw new EditorRefusal(ONE);
         }
         EntityRef before = selected.get(0);
         EntityRef after = new EntityRef(before.section(), call.needed("id"));
@@ -215,7 +216,7 @@ final class EditActions {
             return;
         }
         if (document.entities().find(document.level(), after).isPresent()) {
-            throw new ActionFailure(TAKEN.with(after.id()));
+            throw new EditorRefusal(TAKEN.with(after.id()));
         }
         document.edit(RENAME, null, snapshot -> snapshot.renamed(before, after.id()));
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 
 /**
@@ -65,17 +66,17 @@ public record EditorAction(
         /**
          * Does it.
          *
-         * @throws ActionFailure with a message for the user
+         * @throws EditorRefusal with a message for the user
          */
-        void run(ActionCall call) throws ActionFailure;
+        void run(ActionCall call) throws EditorRefusal;
     }
 
     /**
      * Does it, after {@link #endDrag}.
      *
-     * @throws ActionFailure with a message for the user
+     * @throws EditorRefusal with a message for the user
      */
-    public void run(ActionCall call) throws ActionFailure {
+    public void run(ActionCall call) throws EditorRefusal {
         if (!endDrag(call.session())) {
             return;
         }
@@ -87,7 +88,7 @@ public record EditorAction(
             listening.close();
         }
         if (!refusals.isEmpty()) {
-            throw new ActionFailure(refusals.get(0));
+            throw new EditorRefusal(refusals.get(0));
         }
     }
 

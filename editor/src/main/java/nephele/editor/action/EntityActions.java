@@ -26,6 +26,7 @@ import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
@@ -84,7 +85,7 @@ final class EntityActions {
 
     private EntityActions() {}
 
-    private static void add(ActionCall call) throws ActionFailure {
+    private static void add(ActionCall call) throws EditorRefusal {
         if (!call.isGiven("kind", "add")) {
             return;
         }
@@ -108,7 +109,7 @@ final class EntityActions {
                 return;
             }
         }
-        throw new ActionFailure(NO_KIND.with(typed));
+        throw new EditorRefusal(NO_KIND.with(typed));
     }
 
     private static Optional<RecordKind> kind(String path, List<RecordKind> kinds, String typed) {
@@ -130,7 +131,7 @@ final class EntityActions {
                         Selection.of(new EntityRef(section, id))));
     }
 
-    private static void move(ActionCall call) throws ActionFailure {
+    private static void move(ActionCall call) throws EditorRefusal {
         Vec3 by = call.vector("by");
         step(
                 call,
@@ -140,14 +141,14 @@ final class EntityActions {
     }
 
     /** Returns the middle of the box around what is selected, on the grid. */
-    private static Vec3 pivot(ActionCall call) throws ActionFailure {
+    private static Vec3 pivot(ActionCall call) throws EditorRefusal {
         Document document = call.session().document();
         Aabb box = EntityBounds.of(document.level(), document.selection().entities());
         Vec3 middle = box.isEmpty() ? Vec3.ZERO : call.session().grid().snapped(box.centre());
         return call.vector("pivot", middle);
     }
 
-    private static void turn(ActionCall call) throws ActionFailure {
+    private static void turn(ActionCall call) throws EditorRefusal {
         Vec3 axis = axis(call);
         double degrees = call.number("degrees", -MOST_DEGREES, MOST_DEGREES, 90);
         Vec3 pivot = pivot(call);
@@ -159,11 +160,11 @@ final class EntityActions {
     }
 
     /** Returns the axis to turn about, of a length that can be squared. */
-    private static Vec3 axis(ActionCall call) throws ActionFailure {
+    private static Vec3 axis(ActionCall call) throws EditorRefusal {
         Vec3 axis = call.vector("axis", new Vec3(0, 1, 0));
         double greatest = Math.max(Math.abs(axis.x()), Math.max(Math.abs(axis.y()), Math.abs(axis.z())));
         if (greatest == 0) {
-            throw new ActionFailure(NO_AXIS);
+            throw new EditorRefusal(NO_AXIS);
         }
         return greatest > 1e-100 && greatest < 1e100
                 ? axis
@@ -171,7 +172,7 @@ final class EntityActions {
     }
 
     /** Refuses an edit that one of the selected solids does not take, which would stay behind without a word. */
-    private static void requireEach(ActionCall call, Function<Solid, BrushEdit<?>> edit) throws ActionFailure {
+    private static void requireEach(ActionCall call, Function<Solid, BrushEdit<?>> edit) throws EditorRefusal {
         Document document = call.session().document();
         for (EntityRef ref : EditActions.unlocked(call)) {
             if (document.entities().find(document.level(), ref).orElseThrow() instanceof Solid solid) {
@@ -180,30 +181,30 @@ final class EntityActions {
         }
     }
 
-    private static void scale(ActionCall call) throws ActionFailure {
+    private static void scale(ActionCall call) throws EditorRefusal {
         Vec3 factors = call.vector("by");
         if (factors.x() == 0 || factors.y() == 0 || factors.z() == 0) {
-            throw new ActionFailure(FLAT);
+            throw new EditorRefusal(FLAT);
         }
         Vec3 pivot = pivot(call);
         requireEach(call, solid -> SolidTransform.scaled(solid, pivot, factors));
         change(call, SCALE, entity -> EntityTransform.scaled(entity, pivot, factors));
     }
 
-    private static void change(ActionCall call, Words label, UnaryOperator<Record> change) throws ActionFailure {
+    private static void change(ActionCall call, Words label, UnaryOperator<Record> change) throws EditorRefusal {
         Entities entities = call.session().document().entities();
         step(call, label, (level, refs) -> (Level) entities.changed(level, refs, change));
     }
 
     /** Makes a change of what is selected a step. */
     private static void step(ActionCall call, Words label, BiFunction<Level, List<EntityRef>, Level> change)
-            throws ActionFailure {
+            throws EditorRefusal {
         Document document = call.session().document();
         List<EntityRef> refs = EditActions.unlocked(call);
         document.edit(label, level -> change.apply(level, refs));
     }
 
-    private static void set(ActionCall call) throws ActionFailure {
+    private static void set(ActionCall call) throws EditorRefusal {
         String name = call.needed("value");
         String text = call.needed("to");
         Document document = call.session().document();
@@ -214,12 +215,12 @@ final class EntityActions {
             if (field.isPresent()) {
                 isKnown = true;
                 if (FieldType.of(field.get()).read(text).isEmpty()) {
-                    throw new ActionFailure(NOT_PERMITTED.with(text, name));
+                    throw new EditorRefusal(NOT_PERMITTED.with(text, name));
                 }
             }
         }
         if (!isKnown) {
-            throw new ActionFailure(NO_FIELD.with(name));
+            throw new EditorRefusal(NO_FIELD.with(name));
         }
         change(call, SET, entity -> RecordKind.of(entity)
                 .field(name)

@@ -15,9 +15,8 @@ import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.file.FileText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.LevelPackage;
-import nephele.editor.save.PackageException;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.SolidFaces;
@@ -65,66 +64,58 @@ final class ExchangeActions {
                     Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
                     Menu.FILE,
                     List.of(),
-                    call -> call.desk().show("recover"))
+                    call -> call.ui().show("recover"))
             .changing(Subject.WINDOW);
 
     private ExchangeActions() {}
 
-    private static void export(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.file(call.desk()::fileToExport);
+    private static void export(ActionCall call) throws EditorRefusal {
+        Optional<Path> asked = call.file(call.ui()::fileToExport);
         if (asked.isEmpty()) {
             return;
         }
         EditorSession session = call.session();
         String name =
                 session.file().path().map(path -> path.getFileName().toString()).orElse("level.json");
-        try {
-            Level level = session.document().level();
-            session.background().get(() -> {
-                LevelPackage.export(asked.get(), name, level, session.assets());
-                return null;
-            });
-        } catch (PackageException problem) {
-            throw new ActionFailure(problem.told());
-        }
+        Level level = session.document().level();
+        session.background().get(() -> {
+            LevelPackage.export(asked.get(), name, level, session.assets());
+            return null;
+        });
         session.status(FileText.EXPORTED.with(asked.get()));
     }
 
-    private static void drop(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.file(call.desk()::fileToAdd);
+    private static void drop(ActionCall call) throws EditorRefusal {
+        Optional<Path> asked = call.file(call.ui()::fileToAdd);
         if (asked.isEmpty()) {
             return;
         }
-        try {
-            Kind kind = Kind.of(asked.get());
-            Optional<SceneUse> use = kind == Kind.SCENE ? sceneUse(call, asked.get()) : Optional.of(SceneUse.INSERT);
-            boolean isReplaced = kind.replacesLevel() || use.equals(Optional.of(SceneUse.REPLACE));
-            if (use.isPresent() && (!isReplaced || FileActions.mayLeave(call))) {
-                DroppedFile.Target target = new DroppedFile.Target(call.vector("at", Vec3.ZERO), face(call));
-                new DroppedFile(call.session(), asked.get()).dropOn(target, use.get());
-            }
-        } catch (FileRefusal refusal) {
-            throw new ActionFailure(refusal.told());
+        Kind kind = Kind.of(asked.get());
+        Optional<SceneUse> use = kind == Kind.SCENE ? sceneUse(call, asked.get()) : Optional.of(SceneUse.INSERT);
+        boolean isReplaced = kind.replacesLevel() || use.equals(Optional.of(SceneUse.REPLACE));
+        if (use.isPresent() && (!isReplaced || FileActions.mayLeave(call))) {
+            DroppedFile.Target target = new DroppedFile.Target(call.vector("at", Vec3.ZERO), face(call));
+            new DroppedFile(call.session(), asked.get()).dropOn(target, use.get());
         }
     }
 
-    private static Optional<SceneUse> sceneUse(ActionCall call, Path scene) throws ActionFailure {
+    private static Optional<SceneUse> sceneUse(ActionCall call, Path scene) throws EditorRefusal {
         Optional<String> typed = call.text("scene");
         if (typed.isEmpty()) {
             return DroppedFile.isUntouched(call.session())
                     ? Optional.of(SceneUse.REPLACE)
-                    : call.desk().sceneUse(scene);
+                    : call.ui().sceneUse(scene);
         }
         return Optional.of(
                 switch (typed.get()) {
                     case "insert" -> SceneUse.INSERT;
                     case "replace" -> SceneUse.REPLACE;
-                    default -> throw new ActionFailure(NO_USE.with(typed.get()));
+                    default -> throw new EditorRefusal(NO_USE.with(typed.get()));
                 });
     }
 
     /** Returns the face that is named, or the one that is selected. */
-    private static Optional<FaceRef> face(ActionCall call) throws ActionFailure {
+    private static Optional<FaceRef> face(ActionCall call) throws EditorRefusal {
         if (call.text("face").isEmpty()) {
             return call.session().document().selection().faces().stream().findFirst();
         }
@@ -136,12 +127,12 @@ final class ExchangeActions {
                 .anyMatch(each ->
                         each.id().equals(solid.id()) && SolidFaces.names(each).contains(side));
         if (!isThere) {
-            throw new ActionFailure(NO_FACE.with(typed));
+            throw new EditorRefusal(NO_FACE.with(typed));
         }
         return Optional.of(new FaceRef(solid, side));
     }
 
-    private static void backups(ActionCall call) throws ActionFailure {
+    private static void backups(ActionCall call) throws EditorRefusal {
         boolean isRestore = call.text("restore").isPresent();
         if (!isRestore && !call.isGiven("open", "backups")) {
             return;
@@ -151,17 +142,13 @@ final class ExchangeActions {
         int number = call.whole(isRestore ? "restore" : "open", 0, Integer.MAX_VALUE, 1);
         if (number < 1 || number > list.rows().size()) {
             Path file = session.file().path().orElseThrow().getFileName();
-            throw new ActionFailure(
+            throw new EditorRefusal(
                     FileText.NO_BACKUP_NUMBER.with(number, file, list.rows().size()));
         }
-        try {
-            if (isRestore) {
-                list.restore(number - 1);
-            } else if (FileActions.mayLeave(call)) {
-                list.openCopy(number - 1);
-            }
-        } catch (FileRefusal refusal) {
-            throw new ActionFailure(refusal.told());
+        if (isRestore) {
+            list.restore(number - 1);
+        } else if (FileActions.mayLeave(call)) {
+            list.openCopy(number - 1);
         }
     }
 }

@@ -17,8 +17,7 @@ import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.SaveResult;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
-import nephele.editor.session.NewDocument;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
@@ -42,7 +41,7 @@ final class FileActions {
                             Words.of("Open Recent…", "Abrir recente…", "Abrir recente…"),
                             Menu.FILE,
                             List.of("Ctrl+Shift+O"),
-                            call -> call.desk().show("open-recent"))
+                            call -> call.ui().show("open-recent"))
                     .changing(Subject.WINDOW),
             EditorAction.of(
                             "save",
@@ -69,39 +68,35 @@ final class FileActions {
                             List.of("F12"),
                             FileActions::screenshot)
                     .taking("file"),
-            EditorAction.of("quit", Words.of("Quit", "Sair", "Sair"), Menu.FILE, List.of("Ctrl+Q"), call -> call.desk()
+            EditorAction.of("quit", Words.of("Quit", "Sair", "Sair"), Menu.FILE, List.of("Ctrl+Q"), call -> call.ui()
                     .quit()));
 
     private FileActions() {}
 
     /** Returns true if the open level may be left: it has no changes, or the user agrees to lose them. */
     static boolean mayLeave(ActionCall call) {
-        return !call.session().document().isModified() || call.desk().isAgreed(FileText.LOSES.words());
+        return !call.session().document().isModified() || call.ui().isAgreed(FileText.LOSES.words());
     }
 
     private static void newLevel(ActionCall call) {
         if (mayLeave(call)) {
-            DocumentFile.Opened fresh = NewDocument.opened();
+            DocumentFile.Opened fresh = DocumentFile.untitled();
             call.session().open(fresh.file(), fresh.level(), fresh.assets());
         }
     }
 
-    private static void open(ActionCall call) throws ActionFailure {
+    private static void open(ActionCall call) throws EditorRefusal {
         if (!mayLeave(call)) {
             return;
         }
-        Optional<Path> asked = call.file(call.desk()::fileToOpen);
+        Optional<Path> asked = call.file(call.ui()::fileToOpen);
         if (asked.isEmpty()) {
             return;
         }
-        try {
-            LevelOpening.open(call.session(), asked.get().toString());
-        } catch (FileRefusal refusal) {
-            throw new ActionFailure(refusal.told());
-        }
+        LevelOpening.open(call.session(), asked.get().toString());
     }
 
-    private static void save(ActionCall call) throws ActionFailure {
+    private static void save(ActionCall call) throws EditorRefusal {
         EditorSession session = call.session();
         if (call.text("file").isPresent()) {
             saveAs(call);
@@ -109,7 +104,7 @@ final class FileActions {
             saveAs(call);
         } else {
             Path path = session.file().path().get();
-            DocumentSaver saver = session.filing().saver();
+            DocumentSaver saver = session.fileServices().saver();
             Level level = session.document().level();
             SaveResult result = session.background()
                     .get(() -> session.hasMoved()
@@ -117,7 +112,7 @@ final class FileActions {
                             : saver.save(session.file(), level));
             if (result instanceof SaveResult.ChangedOutside changed) {
                 // A deleted file holds nothing that could be lost.
-                if (session.file().outside() != Outside.DELETED && !call.desk().isAgreed(changed.question())) {
+                if (session.file().outside() != Outside.DELETED && !call.ui().isAgreed(changed.question())) {
                     return;
                 }
                 result = session.background().get(() -> saver.saveAs(path, level, session.assets()));
@@ -126,26 +121,26 @@ final class FileActions {
         }
     }
 
-    private static void saveAs(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.file(call.desk()::fileToSave);
+    private static void saveAs(ActionCall call) throws EditorRefusal {
+        Optional<Path> asked = call.file(call.ui()::fileToSave);
         if (asked.isPresent()) {
             EditorSession session = call.session();
             Level level = session.document().level();
-            DocumentSaver saver = session.filing().saver();
+            DocumentSaver saver = session.fileServices().saver();
             finish(call, session.background().get(() -> saver.saveAs(asked.get(), level, session.assets())));
         }
     }
 
     /** Tells of the result; a user whose level was not saved may choose another place at once. */
-    private static void finish(ActionCall call, SaveResult result) throws ActionFailure {
+    private static void finish(ActionCall call, SaveResult result) throws EditorRefusal {
         EditorSession session = call.session();
         if (result instanceof SaveResult.Failed failed) {
             Words reason = failed.message();
-            if (!call.desk().isRemedied(reason, FileText.SAVE_AS.words())) {
-                throw new ActionFailure(reason);
+            if (!call.ui().isRemedied(reason, FileText.SAVE_AS.words())) {
+                throw new EditorRefusal(reason);
             }
             session.status(reason);
-            saveAs(new ActionCall(session, call.desk(), Map.of()));
+            saveAs(new ActionCall(session, call.ui(), Map.of()));
         } else if (result instanceof SaveResult.Saved saved) {
             session.saved(saved.file());
             session.status(
@@ -155,18 +150,18 @@ final class FileActions {
         }
     }
 
-    private static void screenshot(ActionCall call) throws ActionFailure {
-        Optional<Path> asked = call.file(call.desk()::fileToSave);
+    private static void screenshot(ActionCall call) throws EditorRefusal {
+        Optional<Path> asked = call.file(call.ui()::fileToSave);
         if (asked.isEmpty()) {
             return;
         }
-        BufferedImage picture = call.desk().picture();
+        BufferedImage picture = call.ui().picture();
         try {
             ByteArrayOutputStream png = new ByteArrayOutputStream();
             ImageIO.write(picture, "png", png);
             AtomicFile.write(asked.get(), png.toByteArray());
         } catch (IOException problem) {
-            throw new ActionFailure(Words.same(problem.getMessage()));
+            throw new EditorRefusal(Words.same(problem.getMessage()));
         }
     }
 }

@@ -13,7 +13,7 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.brush.BrushClip.Keep;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolOptions.Snapping;
@@ -27,16 +27,13 @@ final class OptionActions {
     private static final int ARCH_SEGMENTS = 12;
     private static final int CYLINDER_SIDES = 16;
     private static final double WALL_METRES = 0.5;
+    private static final List<Option> OPTIONS = options();
+    static final List<EditorAction> ALL = OPTIONS.stream().map(Option::action).toList();
+    /** Tells by action which options are on. */
+    static final Map<String, Predicate<EditorSession>> CHOSEN = chosen();
 
     /** An option that is on or off. */
     private record Option(EditorAction action, Predicate<EditorSession> isOn) {}
-
-    private static final List<Option> OPTIONS = options();
-
-    static final List<EditorAction> ALL = OPTIONS.stream().map(Option::action).toList();
-
-    /** Tells by action which options are on. */
-    static final Map<String, Predicate<EditorSession>> CHOSEN = chosen();
 
     private OptionActions() {}
 
@@ -104,7 +101,7 @@ final class OptionActions {
             String id, Words title, Menu menu, Consumer<EditorSession> chooses, Predicate<EditorSession> isOn) {
         EditorAction action = EditorAction.of(id, title, menu, List.of(), call -> {
             chooses.accept(call.session());
-            call.session().tell(Change.VIEW);
+            call.session().tell(SessionChange.VIEW);
         });
         return new Option(action, isOn);
     }

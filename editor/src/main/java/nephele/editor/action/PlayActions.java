@@ -9,6 +9,7 @@ import nephele.editor.play.PlayText;
 import nephele.editor.play.RecordedSolution;
 import nephele.editor.play.WarmGame;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.sim.player.FreeStart;
@@ -51,8 +52,8 @@ final class PlayActions {
         return FreeStart.below(camera.eye(), camera.yawDegrees(), camera.pitchDegrees());
     }
 
-    private static void record(ActionCall call) throws ActionFailure {
-        Path file = call.session().file().path().orElseThrow(() -> new ActionFailure(UNSAVED));
+    private static void record(ActionCall call) throws EditorRefusal {
+        Path file = call.session().file().path().orElseThrow(() -> new EditorRefusal(UNSAVED));
         play(call.session(), null, RecordedSolution.fileOf(file));
     }
 

@@ -11,7 +11,6 @@ import nephele.editor.document.Selection;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.SolutionVerdict;
 import nephele.editor.problem.LevelProblem;
-import nephele.editor.problem.ProblemSeverity;
 import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.Proving;
@@ -21,6 +20,7 @@ import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.proving.TradeReport;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.CloudTechnique;
@@ -127,27 +127,27 @@ public final class ProvingActions {
     }
 
     /** A script fails at the first error of the level. */
-    private static void check(ActionCall call) throws ActionFailure {
+    private static void check(ActionCall call) throws EditorRefusal {
         List<LevelProblem> problems = call.session().proving().problems().shown();
         Words words = problems.isEmpty()
                 ? ProvingText.NO_PROBLEMS.words()
                 : ProvingText.PROBLEMS
                         .words()
                         .with(
-                                count(problems, ProblemSeverity.ERROR),
-                                count(problems, ProblemSeverity.WARNING),
-                                count(problems, ProblemSeverity.HINT));
+                                count(problems, LevelProblem.Severity.ERROR),
+                                count(problems, LevelProblem.Severity.WARNING),
+                                count(problems, LevelProblem.Severity.HINT));
         call.session().status(words);
-        call.desk().show("problems");
+        call.ui().show("problems");
         Optional<LevelProblem> error = problems.stream()
-                .filter(problem -> problem.severity() == ProblemSeverity.ERROR)
+                .filter(problem -> problem.severity() == LevelProblem.Severity.ERROR)
                 .findFirst();
         if (error.isPresent()) {
-            throw new ActionFailure(told(words, error.get()));
+            throw new EditorRefusal(told(words, error.get()));
         }
     }
 
-    private static long count(List<LevelProblem> problems, ProblemSeverity severity) {
+    private static long count(List<LevelProblem> problems, LevelProblem.Severity severity) {
         return problems.stream()
                 .filter(problem -> problem.severity() == severity)
                 .count();
@@ -157,16 +157,16 @@ public final class ProvingActions {
         return Words.same("%s  –  %s: %s").with(count, first.path(), first.message());
     }
 
-    private static boolean shown(ActionCall call, boolean now) throws ActionFailure {
+    private static boolean shown(ActionCall call, boolean now) throws EditorRefusal {
         return call.flag("show", !now);
     }
 
-    private static void heat(ActionCall call) throws ActionFailure {
+    private static void heat(ActionCall call) throws EditorRefusal {
         var heat = call.session().proving().heat();
         heat.show(shown(call, heat.isShown()));
     }
 
-    private static void pathTrace(ActionCall call) throws ActionFailure {
+    private static void pathTrace(ActionCall call) throws EditorRefusal {
         var corner = call.session().proving().corner();
         boolean shown = shown(call, corner.isShown());
         if (call.text("spp").isPresent()) {
@@ -181,7 +181,7 @@ public final class ProvingActions {
     }
 
     /** Compares in the inspector of the selected cloud, else of the first one. A script fails if nothing can be drawn. */
-    private static void compareTechniques(ActionCall call) throws ActionFailure {
+    private static void compareTechniques(ActionCall call) throws EditorRefusal {
         TechniqueComparison comparison = call.session().proving().techniques();
         boolean isAsked = call.text("a").isPresent()
                 || call.text("b").isPresent()
@@ -208,45 +208,45 @@ public final class ProvingActions {
         comparison.show();
         String failure = comparison.pictures().map(ComparedPictures::failure).orElse(null);
         if (failure != null) {
-            throw new ActionFailure(Words.same(failure));
+            throw new EditorRefusal(Words.same(failure));
         }
     }
 
-    private static CloudTechnique technique(ActionCall call, String name, CloudTechnique absent) throws ActionFailure {
+    private static CloudTechnique technique(ActionCall call, String name, CloudTechnique absent) throws EditorRefusal {
         try {
             return call.text(name).map(TechniquePair::technique).orElse(absent);
         } catch (IllegalArgumentException wrong) {
-            throw new ActionFailure(Words.same(name + ": " + wrong.getMessage()));
+            throw new EditorRefusal(Words.same(name + ": " + wrong.getMessage()));
         }
     }
 
-    private static Path file(ActionCall call, ProvingText because) throws ActionFailure {
+    private static Path file(ActionCall call, ProvingText because) throws EditorRefusal {
         Words reason = because.words();
         Words said = ProvingText.UNSAVED.words();
         return call.session()
                 .file()
                 .path()
-                .orElseThrow(() -> new ActionFailure(Words.of(
+                .orElseThrow(() -> new EditorRefusal(Words.of(
                         String.format(said.english(), reason.english()),
                         String.format(said.brazilian(), reason.brazilian()),
                         String.format(said.european(), reason.european()))));
     }
 
     /** A script fails if the solution does not reach the exit. */
-    private static void checkSolution(ActionCall call) throws ActionFailure {
+    private static void checkSolution(ActionCall call) throws EditorRefusal {
         SolutionProof solution = call.session().proving().solution();
         solution.check(file(call, ProvingText.NEEDS_SOLUTION));
         Optional<String> failure = solution.failure();
         Optional<SolutionVerdict> verdict = solution.verdict();
         if (failure.isPresent()) {
-            throw new ActionFailure(Words.same(failure.get()));
+            throw new EditorRefusal(Words.same(failure.get()));
         }
         if (verdict.isPresent() && !verdict.get().isSolved()) {
-            throw new ActionFailure(PlayText.of(verdict.get()));
+            throw new EditorRefusal(PlayText.of(verdict.get()));
         }
     }
 
-    private static void explain(ActionCall call) throws ActionFailure {
+    private static void explain(ActionCall call) throws EditorRefusal {
         Proving proving = call.session().proving();
         if (call.text("at").isPresent()) {
             proving.pointed(Optional.of(call.vector("at")));
@@ -258,7 +258,7 @@ public final class ProvingActions {
         Path file = call.file(Optional::empty).orElseThrow();
         proving.explain(found -> written(file, found).ifPresent(failures::add));
         if (!failures.isEmpty()) {
-            throw new ActionFailure(Words.same(failures.get(0)));
+            throw new EditorRefusal(Words.same(failures.get(0)));
         }
     }
 
@@ -272,7 +272,7 @@ public final class ProvingActions {
         }
     }
 
-    private static void trade(ActionCall call) throws ActionFailure {
+    private static void trade(ActionCall call) throws EditorRefusal {
         TradeReport trade = call.session().proving().trade();
         if (trade.isRunning()) {
             trade.stop();
@@ -280,9 +280,9 @@ public final class ProvingActions {
         }
         Path level = file(call, ProvingText.NEEDS_FILE);
         Path out = call.text("out").map(Path::of).orElse(TradeReport.folder(level));
-        trade.start(level, out, () -> call.desk().show("trade-page"));
+        trade.start(level, out, () -> call.ui().show("trade-page"));
         if (trade.page().isEmpty() && !trade.isRunning()) {
-            throw new ActionFailure(call.session().status());
+            throw new EditorRefusal(call.session().status());
         }
     }
 }

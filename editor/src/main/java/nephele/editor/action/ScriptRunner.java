@@ -7,6 +7,7 @@ import java.util.Map;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 
@@ -40,42 +41,42 @@ public final class ScriptRunner {
             Words.of("a \" is missing at the end", "falta um \" no fim", "falta um \" no fim");
 
     private final EditorSession session;
-    private final Desk desk;
+    private final UserInterface ui;
 
-    public ScriptRunner(EditorSession session, Desk desk) {
+    public ScriptRunner(EditorSession session, UserInterface ui) {
         this.session = session;
-        this.desk = desk;
+        this.ui = ui;
     }
 
     /**
      * Runs one line.
      *
-     * @throws ActionFailure with the reason if it could not be done
+     * @throws EditorRefusal with the reason if it could not be done
      */
-    public void run(String line) throws ActionFailure {
+    public void run(String line) throws EditorRefusal {
         List<String> words = words(line);
         if (words.isEmpty() || words.get(0).startsWith("#")) {
             return;
         }
         EditorAction action =
-                Actions.named(words.get(0)).orElseThrow(() -> new ActionFailure(NO_ACTION.with(words.get(0))));
+                Actions.named(words.get(0)).orElseThrow(() -> new EditorRefusal(NO_ACTION.with(words.get(0))));
         Map<String, String> arguments = arguments(action, words.subList(1, words.size()));
         if (!action.isEnabled().test(session)) {
-            throw new ActionFailure(NOT_NOW.with(action.id()));
+            throw new EditorRefusal(NOT_NOW.with(action.id()));
         }
-        if (action.subject() == Subject.WINDOW && !desk.hasUser()) {
-            throw new ActionFailure(NO_WINDOW.with(action.id()));
+        if (action.subject() == Subject.WINDOW && !ui.hasUser()) {
+            throw new EditorRefusal(NO_WINDOW.with(action.id()));
         }
         Level before = session.document().level();
         DocumentFile file = session.file();
-        action.run(new ActionCall(session, desk, arguments));
+        action.run(new ActionCall(session, ui, arguments));
         boolean isSame = session.document().level().equals(before) && session.file() == file;
         if (action.subject() == Subject.LEVEL && isSame) {
-            throw new ActionFailure(NOTHING.with(action.id()));
+            throw new EditorRefusal(NOTHING.with(action.id()));
         }
     }
 
-    private static Map<String, String> arguments(EditorAction action, List<String> words) throws ActionFailure {
+    private static Map<String, String> arguments(EditorAction action, List<String> words) throws EditorRefusal {
         Map<String, String> arguments = new LinkedHashMap<>();
         for (String word : words) {
             int equals = word.indexOf('=');
@@ -83,16 +84,16 @@ public final class ScriptRunner {
                     equals < 0 && arguments.isEmpty() && !action.parameters().isEmpty();
             String name = isFirst ? action.parameters().get(0) : word.substring(0, Math.max(0, equals));
             if (!action.parameters().contains(name)) {
-                throw new ActionFailure(NO_PARAMETER.with(action.id(), word, action.parameters()));
+                throw new EditorRefusal(NO_PARAMETER.with(action.id(), word, action.parameters()));
             }
             if (arguments.put(name, isFirst ? word : word.substring(equals + 1)) != null) {
-                throw new ActionFailure(TWICE.with(name));
+                throw new EditorRefusal(TWICE.with(name));
             }
         }
         return arguments;
     }
 
-    private static List<String> words(String line) throws ActionFailure {
+    private static List<String> words(String line) throws EditorRefusal {
         List<String> words = new ArrayList<>();
         StringBuilder word = new StringBuilder();
         boolean isQuoted = false;
@@ -113,7 +114,7 @@ public final class ScriptRunner {
             }
         }
         if (isQuoted) {
-            throw new ActionFailure(OPEN_QUOTE);
+            throw new EditorRefusal(OPEN_QUOTE);
         }
         if (isWord) {
             words.add(word.toString());

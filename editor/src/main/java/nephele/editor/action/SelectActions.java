@@ -14,6 +14,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 
 /** Selecting by name, hiding, locking and grouping. */
@@ -108,7 +109,7 @@ final class SelectActions {
 
     private SelectActions() {}
 
-    private static void select(ActionCall call) throws ActionFailure {
+    private static void select(ActionCall call) throws EditorRefusal {
         if (!call.isGiven("ids", "search")) {
             return;
         }
@@ -117,7 +118,7 @@ final class SelectActions {
         for (String id : call.words("ids")) {
             EntityRef ref = EntityRef.of(id);
             if (document.entities().find(document.level(), ref).isEmpty()) {
-                throw new ActionFailure(UNKNOWN.with(id));
+                throw new EditorRefusal(UNKNOWN.with(id));
             }
             refs.add(ref);
         }

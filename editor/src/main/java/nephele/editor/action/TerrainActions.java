@@ -12,13 +12,13 @@ import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.terrain.LayerChoice;
-import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
-import nephele.editor.terrain.TerrainRefusal;
+import nephele.editor.terrain.TerrainText;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.tool.terrain.TerrainTool;
 import nephele.engine.level.Terrain;
@@ -112,7 +112,7 @@ final class TerrainActions {
         if (session.toolEntry() != TerrainTool.ENTRY) {
             session.use(TerrainTool.ENTRY);
         }
-        session.tell(Change.VIEW);
+        session.tell(SessionChange.VIEW);
     }
 
     private static EditorAction sized(String id, Words title, String key, UnaryOperator<TerrainBrush> change) {
@@ -123,14 +123,14 @@ final class TerrainActions {
             session.options().terrainBrush(after);
             session.status(
                     after.strength() == before.strength()
-                            ? RADIUS.with(NumberWords.of(after.radiusMetres()))
+                            ? RADIUS.with(TerrainText.number(after.radiusMetres()))
                             : STRENGTH.with(Math.round(100 * after.strength())));
-            session.tell(Change.VIEW);
+            session.tell(SessionChange.VIEW);
         });
     }
 
     /** Chooses the layer that is named, without a name the next one, and painting. */
-    private static void layer(ActionCall call) throws ActionFailure {
+    private static void layer(ActionCall call) throws EditorRefusal {
         EditorSession session = call.session();
         List<String> names = LayerChoice.names(session.document().now());
         TerrainBrush before = session.options().terrainBrush();
@@ -140,16 +140,16 @@ final class TerrainActions {
         choose(session, Effect.PAINT);
     }
 
-    private static int layer(ActionCall call, List<String> names, int absent) throws ActionFailure {
+    private static int layer(ActionCall call, List<String> names, int absent) throws EditorRefusal {
         Optional<String> text = call.text("layer");
         return text.isEmpty()
                 ? absent
                 : LayerChoice.index(names, text.get())
-                        .orElseThrow(() -> new ActionFailure(NO_LAYER.with(text.get(), String.join(", ", names))));
+                        .orElseThrow(() -> new EditorRefusal(NO_LAYER.with(text.get(), String.join(", ", names))));
     }
 
     /** Paints along a line; what is not given is that of the tool, the terrain the first one. */
-    private static void stroke(ActionCall call) throws ActionFailure {
+    private static void stroke(ActionCall call) throws EditorRefusal {
         EditorSession session = call.session();
         TerrainBrush chosen = session.options().terrainBrush();
         Terrain terrain = terrain(call);
@@ -161,17 +161,13 @@ final class TerrainActions {
         Vec3 from = call.vector("from");
         Vec3 to = call.vector("to", from);
         TerrainPainting painting = new TerrainPainting(session.document(), session.maps(), session.background());
-        try {
-            painting.begin(terrain, session.assets(), brush, from.x(), from.z());
-            painting.to(to.x(), to.z());
-            painting.notice().ifPresent(session::status);
-            painting.end().ifPresent(session::status);
-        } catch (TerrainRefusal refusal) {
-            throw new ActionFailure(refusal.told());
-        }
+        painting.begin(terrain, session.assets(), brush, from.x(), from.z());
+        painting.to(to.x(), to.z());
+        painting.notice().ifPresent(session::status);
+        painting.end().ifPresent(session::status);
     }
 
-    private static Effect effect(ActionCall call, Effect absent) throws ActionFailure {
+    private static Effect effect(ActionCall call, Effect absent) throws EditorRefusal {
         Optional<String> named = call.text("effect");
         if (named.isEmpty()) {
             return absent;
@@ -179,15 +175,15 @@ final class TerrainActions {
         return Arrays.stream(Effect.values())
                 .filter(effect -> effect.name().toLowerCase(Locale.ROOT).equals(named.get()))
                 .findFirst()
-                .orElseThrow(() -> new ActionFailure(NO_EFFECT.with(named.get())));
+                .orElseThrow(() -> new EditorRefusal(NO_EFFECT.with(named.get())));
     }
 
-    private static Terrain terrain(ActionCall call) throws ActionFailure {
+    private static Terrain terrain(ActionCall call) throws EditorRefusal {
         List<Terrain> terrains = call.session().document().level().terrains();
         Optional<String> named = call.text("terrain");
         return terrains.stream()
                 .filter(terrain -> named.isEmpty() || named.get().equals(terrain.id()))
                 .findFirst()
-                .orElseThrow(() -> new ActionFailure(NO_TERRAIN.with(named.orElse(""))));
+                .orElseThrow(() -> new EditorRefusal(NO_TERRAIN.with(named.orElse(""))));
     }
 }

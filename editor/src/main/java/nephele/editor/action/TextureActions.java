@@ -18,7 +18,8 @@ import nephele.editor.paint.TextureAlignment;
 import nephele.editor.paint.TextureFit;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
@@ -73,7 +74,7 @@ final class TextureActions {
     /** Finds the place of a picture on a face. */
     @FunctionalInterface
     private interface Placing {
-        TexturePlacement of(PaintedFace face) throws ActionFailure;
+        TexturePlacement of(PaintedFace face) throws EditorRefusal;
     }
 
     private TextureActions() {}
@@ -120,7 +121,7 @@ final class TextureActions {
         return faces;
     }
 
-    private static void place(ActionCall call, Placing placing) throws ActionFailure {
+    private static void place(ActionCall call, Placing placing) throws EditorRefusal {
         Document document = call.session().document();
         Level level = document.level();
         for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
@@ -132,7 +133,7 @@ final class TextureActions {
         document.edit(PLACE, null, before -> before.with(after));
     }
 
-    private static Solid placed(Level level, Solid solid, Set<String> faces, Placing placing) throws ActionFailure {
+    private static Solid placed(Level level, Solid solid, Set<String> faces, Placing placing) throws EditorRefusal {
         Function<String, Material> materials = id -> level.materials().stream()
                 .filter(material -> material.id().equals(id))
                 .findFirst()
@@ -173,7 +174,7 @@ final class TextureActions {
                 .map(BrushFace::material)
                 .orElse(null);
         session.options().material(material);
-        session.tell(Change.VIEW);
+        session.tell(SessionChange.VIEW);
         session.status(TAKEN.with(material == null ? GREY : material));
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.editor.tool.ToolEntry;
@@ -45,7 +45,7 @@ final class ToolActions {
     private static void keepAnotherPart(EditorSession session) {
         if (session.tool() instanceof ClipTool clip) {
             clip.cycle();
-            session.tell(Change.VIEW);
+            session.tell(SessionChange.VIEW);
         }
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Grid;
@@ -12,13 +13,13 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveNavigation;
-import nephele.editor.pane.PlanNavigation;
+import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSettings;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.math.Aabb;
@@ -98,6 +99,22 @@ final class ViewActions {
             language(Language.EN),
             language(Language.PT_BR),
             language(Language.PT_PT));
+    /** The parts of the window that ask or report something; a script has none of them. */
+    static final List<EditorAction> OF_WINDOW = List.of(
+            shown("turn-by", Words.of("Turn by…", "Girar em…", "Rodar em…"), Menu.EDIT, List.of("Ctrl+Alt+R"))
+                    .when(EditActions::hasSelection),
+            shown("settings", Words.of("Settings…", "Configurações…", "Definições…"), Menu.EDIT, List.of("Ctrl+Comma")),
+            shown(
+                    "guide",
+                    Words.of("Guide: Your First Room", "Guia: sua primeira sala", "Guia: a tua primeira sala"),
+                    Menu.HELP,
+                    List.of("F1")),
+            shown(
+                    "palette",
+                    Words.of("Search Commands…", "Buscar comandos…", "Procurar comandos…"),
+                    Menu.HELP,
+                    List.of("Ctrl+K", "Ctrl+Shift+P")),
+            shown("keys", Words.of("Keys…", "Teclas…", "Teclas…"), Menu.HELP, List.of()));
 
     private ViewActions() {}
 
@@ -153,15 +170,15 @@ final class ViewActions {
             PaneView view = result.views().get(place.index());
             PaneView focused = new PaneView(
                     view.kind(),
-                    PerspectiveNavigation.focus(view.perspective(), box, place.size()),
-                    PlanNavigation.focus(view.plan(), box, place.size()),
+                    PerspectiveCamera.focus(view.perspective(), box, place.size()),
+                    PlanCamera.focus(view.plan(), box, place.size()),
                     view.mode());
             result = result.with(place.index(), focused);
         }
         return result;
     }
 
-    private static void camera(ActionCall call) throws ActionFailure {
+    private static void camera(ActionCall call) throws EditorRefusal {
         if (!call.isGiven("at", "coordinates")) {
             return;
         }
@@ -173,7 +190,12 @@ final class ViewActions {
                         view.kind(),
                         new PerspectiveCamera(
                                 eye, yaw, pitch, view.perspective().verticalFovDegrees()),
-                        PlanNavigation.at(view.plan(), eye),
+                        PlanCamera.at(view.plan(), eye),
                         view.mode())));
+    }
+
+    private static EditorAction shown(String id, Words title, Menu menu, List<String> keys) {
+        return EditorAction.of(id, title, menu, keys, call -> call.ui().show(id))
+                .changing(Subject.WINDOW);
     }
 }

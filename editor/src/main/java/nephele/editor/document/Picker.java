@@ -166,4 +166,13 @@ public final class Picker {
         return contains(outer, new Vec3(inner.minX(), inner.minY(), inner.minZ()))
                 && contains(outer, new Vec3(inner.maxX(), inner.maxY(), inner.maxZ()));
     }
+
+    /**
+     * Something that a ray meets.
+     *
+     * @param face name of the face of a solid; empty for other entities
+     * @param distanceMetres along the ray
+     * @param normal outward, unit length
+     */
+    public record Pick(EntityRef entity, String face, double distanceMetres, Vec3 point, Vec3 normal) {}
 }

@@ -1,17 +1,21 @@
 package nephele.editor.draw;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.render.line.LineCanvas;
 import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * Terrains in plans: contour lines and the border from above, the outline from the front and the side. The lines are kept
@@ -19,13 +23,15 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
  */
 final class GroundLines {
     private static final int MOST_KEPT = 12;
+    private static final double EM_POINTS = 10;
+    private static final double ROOM_POINTS = 26;
 
     private final Map<Seen, Lines> kept = new LinkedHashMap<>();
 
     /** A field in a plan; fields are compared by identity, and one with other heights is another object. */
     private record Seen(HeightField field, PlanCamera camera, PaneSize size) {}
 
-    private record Lines(PlanSegments minor, PlanSegments major, List<ContourLabels.Label> labels) {}
+    private record Lines(PlanSegments minor, PlanSegments major, List<Label> labels) {}
 
     /** Adds the terrains that a plan shows. */
     void add(List<HeightField> ground, PlanCamera camera, PaneSize size, MarkPalette palette, LineCanvas canvas) {
@@ -45,8 +51,8 @@ final class GroundLines {
             double pixelsPerPoint,
             OverlayCanvas texts) {
         for (HeightField field : ground) {
-            List<ContourLabels.Label> labels = lines(new Seen(field, camera, size)).labels;
-            ContourLabels.add(labels, size, palette, pixelsPerPoint, texts);
+            List<Label> labels = lines(new Seen(field, camera, size)).labels;
+            add(labels, size, palette, pixelsPerPoint, texts);
         }
     }
 
@@ -78,7 +84,7 @@ final class GroundLines {
             return new Lines(minor, major, List.of());
         }
         ContourLines.add(seen.camera, seen.size, seen.field, minor, major);
-        List<ContourLabels.Label> labels = ContourLabels.of(major, seen.camera, seen.size, seen.field);
+        List<Label> labels = of(major, seen.camera, seen.size, seen.field);
         border(seen, major);
         return new Lines(minor, major, labels);
     }
@@ -98,5 +104,63 @@ final class GroundLines {
                     .orElseThrow();
             lines.add(from.x(), from.y(), to.x(), to.y());
         }
+    }
+
+    /** The height of a line in metres above the terrain's centre, and a place on it in pixels. */
+    record Label(double metres, double x, double y) {}
+
+    /** @param lines the stronger contour lines of the field in the picture */
+    static List<Label> of(PlanSegments lines, PlanCamera camera, PaneSize size, HeightField field) {
+        double interval = ContourLines.interval(camera, size, field);
+        Map<Long, Label> nearest = new TreeMap<>();
+        for (int i = 0; interval > 0 && i < lines.count(); i++) {
+            double x = (lines.end(i, 0) + lines.end(i, 2)) / 2;
+            double y = (lines.end(i, 1) + lines.end(i, 3)) / 2;
+            double metres = HeightFieldSurface.y(
+                            field,
+                            camera.centre().x() + (x - size.width() / 2.0) * camera.metresPerPixel(),
+                            camera.centre().z() + (y - size.height() / 2.0) * camera.metresPerPixel())
+                    - field.origin().y();
+            long line = Math.round(metres / interval);
+            nearest.merge(
+                    line, new Label(line * interval, x, y), (a, b) -> offMiddle(a, size) <= offMiddle(b, size) ? a : b);
+        }
+        return List.copyOf(nearest.values());
+    }
+
+    private static double offMiddle(Label label, PaneSize size) {
+        return Math.hypot(label.x - size.width() / 2.0, label.y - size.height() / 2.0);
+    }
+
+    /** Writes the labels, from the least height to the greatest. */
+    static void add(
+            List<Label> labels, PaneSize size, MarkPalette palette, double pixelsPerPoint, OverlayCanvas texts) {
+        OverlayColour ink = MarkDrawing.overlay(palette.of(MarkColour.GROUND_MAJOR));
+        OverlayColour plate = palette.plate();
+        for (Label label : apart(labels, size, ROOM_POINTS * pixelsPerPoint)) {
+            String text = GridSpacing.text(label.metres);
+            double width = texts.width(EM_POINTS, text);
+            double x = label.x / pixelsPerPoint - width / 2;
+            double y = label.y / pixelsPerPoint;
+            texts.rectangle(x - 2, y - EM_POINTS / 2 - 1, width + 4, EM_POINTS + 2, plate);
+            texts.text(x, y + 0.36 * EM_POINTS, EM_POINTS, ink, text);
+        }
+    }
+
+    /** Returns the labels that have room. */
+    static List<Label> apart(List<Label> labels, PaneSize size, double roomPixels) {
+        List<Label> kept = new ArrayList<>();
+        for (Label label : labels) {
+            boolean isInside = label.x > roomPixels
+                    && label.x < size.width() - roomPixels
+                    && label.y > roomPixels
+                    && label.y < size.height() - roomPixels;
+            if (isInside
+                    && kept.stream()
+                            .noneMatch(other -> Math.hypot(label.x - other.x, label.y - other.y) < roomPixels)) {
+                kept.add(label);
+            }
+        }
+        return kept;
     }
 }

@@ -22,7 +22,7 @@ import nephele.engine.scene.light.bake.SkyVisibility;
 final class LevelPicture implements AutoCloseable {
     private final GlContext gl;
     private final ViewMode mode;
-    private final LevelDerivation derivation;
+    private final ViewModeLevel derivation;
     private PlacedLevel placed;
     private SkyVisibility baked;
     private Renderer renderer;
@@ -33,7 +33,7 @@ final class LevelPicture implements AutoCloseable {
     LevelPicture(GlContext gl, ViewMode mode, Vec3 background) {
         this.gl = gl;
         this.mode = mode;
-        derivation = LevelDerivation.of(mode, background);
+        derivation = new ViewModeLevel(mode, background);
     }
 
     /**
@@ -85,7 +85,8 @@ final class LevelPicture implements AutoCloseable {
 
     private void load(Scene scene, Output wanted) {
         if (renderer != null && output == wanted) {
-            renderer = isGradual ? LevelRenderer.editedGradually(renderer, scene) : LevelRenderer.edited(renderer, scene);
+            renderer =
+                    isGradual ? LevelRenderer.editedGradually(renderer, scene) : LevelRenderer.edited(renderer, scene);
             return;
         }
         Renderer next = LevelRenderer.load(gl, scene, RenderSettings.of(wanted));
@@ -113,7 +114,8 @@ final class LevelPicture implements AutoCloseable {
     /** Draws over the whole target, colours and depth. */
     void draw(View view, RenderTarget picture) {
         if (mode != ViewMode.LIT) {
-            state.environment(EvenLight.seenFrom(placed.level().environment(), view.right(), view.up(), view.back()));
+            state.environment(
+                    ViewModeLevel.evenLight(placed.level().environment(), view.right(), view.up(), view.back()));
         }
         if (output == Output.HDR) {
             // No time passes in which exposure could adapt: each view is shown as its picture calls for.

@@ -21,7 +21,7 @@ import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 
 /** Leaves out what cannot be drawn: broken solids, and files that are missing or unusable. */
-public final class LevelRepair implements LevelDerivation {
+public final class LevelRepair {
     private static final Sky INSTEAD_OF_SKYBOX =
             new Sky.Gradient(new Vec3(0.3, 0.4, 0.6), new Vec3(0.5, 0.5, 0.5), new Vec3(0.2, 0.2, 0.2));
 
@@ -49,7 +49,6 @@ public final class LevelRepair implements LevelDerivation {
         return messages;
     }
 
-    @Override
     public Level of(Level level) {
         if (unusableFiles.isEmpty() && broken.isEmpty() && refusedModels == null) {
             return level;

@@ -12,6 +12,7 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -22,6 +23,7 @@ import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -31,6 +33,11 @@ final class PaneDrawing implements AutoCloseable {
     private static final double NEAR_METRES = 0.05;
     private static final double CAPTION_BASELINE_POINTS = 34;
     private static final LineColour CAPTION = LineColour.of(0xe6eaee, 1);
+    private static final double AXES_CORNER_POINTS = 34;
+    private static final double AXIS_POINTS = 22;
+    private static final double AXIS_LETTER_POINTS = 11;
+    /** Axes that point to or from the eye have no letter. */
+    private static final double LEAST_AXIS_ACROSS = 0.15;
 
     private final LineDrawing drawing;
     private final OverlayPass overlay;
@@ -73,7 +80,7 @@ final class PaneDrawing implements AutoCloseable {
         List<Mark> all = new ArrayList<>(frame.marks());
         all.addAll(pane.marks());
         marks.add(all, camera, size, shown instanceof Shown.Edges ? Outline.NONE : Outline.DARK);
-        AxesSymbol.add(lines, texts, camera, size, marks);
+        addAxes(lines, texts, camera, size, marks);
         if (!pane.caption().isEmpty()) {
             marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, CAPTION);
         }
@@ -150,5 +157,80 @@ final class PaneDrawing implements AutoCloseable {
     public void close() {
         drawing.close();
         overlay.close();
+    }
+
+    /** Draws the directions of the axes of the world in the lower left corner of the pane. */
+    private static void addAxes(
+            LineCanvas lines, OverlayCanvas texts, PaneCamera camera, PaneSize size, MarkDrawing with) {
+        axis(lines, texts, new DrawnAxis(camera, new Vec3(1, 0, 0), size, with), MarkColour.AXIS_X, "x");
+        axis(lines, texts, new DrawnAxis(camera, new Vec3(0, 1, 0), size, with), MarkColour.AXIS_Y, "y");
+        axis(lines, texts, new DrawnAxis(camera, new Vec3(0, 0, 1), size, with), MarkColour.AXIS_Z, "z");
+    }
+
+    private record DrawnAxis(PaneCamera camera, Vec3 axis, PaneSize size, MarkDrawing with) {
+        double[] at(double points) {
+            double scale = with.pixelsPerPoint();
+            double x = AXES_CORNER_POINTS + points * axis.dot(camera.right());
+            double y = -AXES_CORNER_POINTS - points * axis.dot(camera.up());
+            return new double[] {scale * x, size.height() + scale * y};
+        }
+
+        boolean isVisible() {
+            return Math.hypot(axis.dot(camera.right()), axis.dot(camera.up())) > LEAST_AXIS_ACROSS;
+        }
+    }
+
+    private static void axis(LineCanvas lines, OverlayCanvas texts, DrawnAxis along, MarkColour colour, String name) {
+        if (!along.isVisible()) {
+            return;
+        }
+        double scale = along.with().pixelsPerPoint();
+        LineColour shade = along.with().palette().of(colour);
+        if (along.with().palette() == MarkPalette.ON_DARK) {
+            lines.screenLine(along.at(0), along.at(AXIS_POINTS), LineColour.of(0, 0.5), 4 * scale);
+        }
+        lines.screenLine(along.at(0), along.at(AXIS_POINTS), shade, 2 * scale);
+        double[] end = along.at(AXIS_POINTS + 8);
+        if (along.with().palette() == MarkPalette.ON_DARK) {
+            OverlayColour shadow = new OverlayColour(0, 0, 0, 0.7f);
+            texts.text(end[0] / scale - 2, end[1] / scale + 5, AXIS_LETTER_POINTS, shadow, name);
+        }
+        texts.text(end[0] / scale - 3, end[1] / scale + 4, AXIS_LETTER_POINTS, MarkDrawing.overlay(shade), name);
+    }
+
+    /** The grid on the plane y = 0 around the eye of a perspective pane. */
+    private record FloorLines(Vec3 eye, double gridMetres, MarkPalette palette) {
+        private static final int CELLS = 24;
+        private static final int CELLS_PER_MAJOR = 8;
+        private static final double MINOR_ALPHA = 0.28;
+        private static final double MAJOR_ALPHA = 0.5;
+
+        /** Adds the lines; their spacing grows with the eye's height. */
+        void add(LineCanvas lines) {
+            double least = Math.max(gridMetres, Math.abs(eye.y()) / CELLS);
+            double cell = gridMetres * Math.pow(2, Math.ceil(Math.log(least / gridMetres) / Math.log(2)));
+            cell = Math.max(cell, gridMetres * Math.pow(2, Math.ceil(Math.log(0.5 / gridMetres) / Math.log(2))));
+            long middleX = Math.round(eye.x() / cell);
+            long middleZ = Math.round(eye.z() / cell);
+            double reach = 2.0 * CELLS * cell;
+            LineColour grey = LineColour.of(0x8a949e, 1);
+            for (long i = -2 * CELLS; i <= 2 * CELLS; i++) {
+                double x = (middleX + i) * cell;
+                double z = (middleZ + i) * cell;
+                addLine(lines, new Vec3(x, 0, middleZ * cell), new Vec3(0, 0, reach), colour(middleX + i, grey, true));
+                addLine(lines, new Vec3(middleX * cell, 0, z), new Vec3(reach, 0, 0), colour(middleZ + i, grey, false));
+            }
+        }
+
+        private LineColour colour(long line, LineColour grey, boolean isAlongZ) {
+            if (line == 0) {
+                return palette.of(isAlongZ ? MarkColour.AXIS_Z : MarkColour.AXIS_X);
+            }
+            return grey.withAlpha(Math.floorMod(line, CELLS_PER_MAJOR) == 0 ? MAJOR_ALPHA : MINOR_ALPHA);
+        }
+
+        private static void addLine(LineCanvas lines, Vec3 middle, Vec3 half, LineColour colour) {
+            lines.line(middle.minus(half), middle.plus(half), colour, 1, LineLayer.BEHIND_SURFACES);
+        }
     }
 }

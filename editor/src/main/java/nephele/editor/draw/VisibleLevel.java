@@ -21,11 +21,10 @@ import nephele.engine.math.IdentityDiff;
  * The level without the entities that its author has hidden. Lights shine on, and a model stays while another one that
  * is visible is placed relative to it.
  */
-public final class VisibleLevel implements LevelDerivation {
+public final class VisibleLevel {
     private Level before;
     private Level visible;
 
-    @Override
     public Level of(Level level) {
         if (level != before) {
             visible = level.editor().hidden().isEmpty() ? level : without(level);

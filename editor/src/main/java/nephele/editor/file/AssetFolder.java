@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
@@ -29,24 +29,24 @@ final class AssetFolder {
     /**
      * Returns the folder of the open level.
      *
-     * @throws FileRefusal if the level has no file yet
+     * @throws EditorRefusal if the level has no file yet
      */
-    static AssetFolder of(EditorSession session, Path dropped) throws FileRefusal {
+    static AssetFolder of(EditorSession session, Path dropped) throws EditorRefusal {
         return new AssetFolder(session.file()
                 .path()
-                .orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(dropped.getFileName()))));
+                .orElseThrow(() -> new EditorRefusal(FileText.SAVE_FIRST.with(dropped.getFileName()))));
     }
 
-    static byte[] read(Path file) throws FileRefusal {
+    static byte[] read(Path file) throws EditorRefusal {
         try {
             return AtomicFile.read(file, MOST_BYTES);
         } catch (IOException unreadable) {
-            throw new FileRefusal(FileText.UNUSABLE.with(file, AtomicFile.reason(unreadable)));
+            throw new EditorRefusal(FileText.UNUSABLE.with(file, AtomicFile.reason(unreadable)));
         }
     }
 
     /** Returns the asset id of a file, as {@link #idOf(Path, byte[], String, Map)}, that names no other file. */
-    String idOf(Path file, byte[] content, String subfolder) throws FileRefusal {
+    String idOf(Path file, byte[] content, String subfolder) throws EditorRefusal {
         return idOf(file, content, subfolder, Map.of());
     }
 
@@ -57,7 +57,7 @@ final class AssetFolder {
      * @param subfolder of copies, such as {@code textures}
      * @param neighbours contents of the files that it names beside itself, by their names; copied with it
      */
-    String idOf(Path file, byte[] content, String subfolder, Map<String, byte[]> neighbours) throws FileRefusal {
+    String idOf(Path file, byte[] content, String subfolder, Map<String, byte[]> neighbours) throws EditorRefusal {
         Optional<String> known = knownId(file);
         if (known.isPresent()) {
             return known.get();
@@ -66,7 +66,7 @@ final class AssetFolder {
         for (Map.Entry<String, byte[]> neighbour : neighbours.entrySet()) {
             String id = subfolder + "/" + neighbour.getKey();
             if (AssetId.rejectionReason(id) != null || isTaken(id, neighbour.getValue())) {
-                throw new FileRefusal(FileText.NEIGHBOUR_TAKEN.with(file, folder.resolve(id)));
+                throw new EditorRefusal(FileText.NEIGHBOUR_TAKEN.with(file, folder.resolve(id)));
             }
             copies.put(id, neighbour.getValue());
         }
@@ -89,7 +89,7 @@ final class AssetFolder {
         return id;
     }
 
-    private void write(String id, byte[] content) throws FileRefusal {
+    private void write(String id, byte[] content) throws EditorRefusal {
         Path place = folder.resolve(id);
         try {
             if (!Files.exists(place)) {
@@ -97,7 +97,7 @@ final class AssetFolder {
                 AtomicFile.write(place, content);
             }
         } catch (IOException unwritable) {
-            throw new FileRefusal(FileText.UNUSABLE.with(place, AtomicFile.reason(unwritable)));
+            throw new EditorRefusal(FileText.UNUSABLE.with(place, AtomicFile.reason(unwritable)));
         }
     }
 

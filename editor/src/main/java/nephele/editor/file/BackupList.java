@@ -12,7 +12,7 @@ import java.util.Locale;
 import nephele.editor.save.Backups.Backup;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
@@ -33,7 +33,8 @@ public final class BackupList {
         this.session = session;
         this.now = now;
         this.zone = zone;
-        backups = session.file().path().map(session.filing().backups()::of).orElse(List.of());
+        backups =
+                session.file().path().map(session.fileServices().backups()::of).orElse(List.of());
     }
 
     /** Returns a line for each version. */
@@ -44,7 +45,7 @@ public final class BackupList {
     }
 
     private Words time(Backup backup) {
-        return TimeWords.of(backup.replaced(), now, zone);
+        return FileText.time(backup.replaced(), now, zone);
     }
 
     private static Words size(Path file) {
@@ -64,25 +65,25 @@ public final class BackupList {
     }
 
     /** Returns the level of a line. */
-    public Level level(int index) throws FileRefusal {
+    public Level level(int index) throws EditorRefusal {
         try {
             return session.background()
                     .get(() -> LevelFile.read(backups.get(index).file()));
         } catch (LevelFormatException broken) {
-            throw new FileRefusal(FileText.BAD_BACKUP.with(
+            throw new EditorRefusal(FileText.BAD_BACKUP.with(
                     broken.getMessage().lines().findFirst().orElse("")));
         }
     }
 
     /** Puts a version into the open document as one step that undo takes back. */
-    public void restore(int index) throws FileRefusal {
+    public void restore(int index) throws EditorRefusal {
         Level level = level(index);
         session.document().edit(FileText.RESTORED.words(), now -> level);
         session.status(told(FileText.RESTORED_STATUS, time(backups.get(index))));
     }
 
     /** Opens a version as an untitled level with the same assets; what was open before is left. */
-    public void openCopy(int index) throws FileRefusal {
+    public void openCopy(int index) throws EditorRefusal {
         Level level = level(index);
         session.open(DocumentFile.UNTITLED, level, session.assets());
         session.status(told(FileText.COPY_STATUS, time(backups.get(index))));

@@ -20,7 +20,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
@@ -41,6 +41,9 @@ import nephele.engine.model.file.ModelFiles;
 
 /** A file that a user drops on the editor: it is opened, or becomes an asset of the level with what uses it. */
 public final class DroppedFile {
+    private static final double LEAST_CLOUD_METRES = 0.1;
+    private static final double LARGEST_CLOUD_METRES = 1e5;
+
     /** The kind of a file by its ending. */
     public enum Kind {
         PICTURE("png", "jpg", "jpeg", "bmp", "tga"),
@@ -62,7 +65,7 @@ public final class DroppedFile {
         }
 
         /** Returns the kind of a file. */
-        public static Kind of(Path file) throws FileRefusal {
+        public static Kind of(Path file) throws EditorRefusal {
             String name = file.getFileName() == null ? "" : file.getFileName().toString();
             String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
             for (Kind kind : values()) {
@@ -70,7 +73,7 @@ public final class DroppedFile {
                     return kind;
                 }
             }
-            throw new FileRefusal(FileText.UNKNOWN_KIND.with(file));
+            throw new EditorRefusal(FileText.UNKNOWN_KIND.with(file));
         }
 
         /** Returns true if the open level is left for another one; a scene is {@linkplain SceneUse used} in two ways. */
@@ -95,9 +98,6 @@ public final class DroppedFile {
      */
     public record Target(Vec3 at, Optional<FaceRef> face) {}
 
-    private static final double LEAST_CLOUD_METRES = 0.1;
-    private static final double LARGEST_CLOUD_METRES = 1e5;
-
     private final EditorSession session;
     private final Path file;
 
@@ -109,9 +109,9 @@ public final class DroppedFile {
     /**
      * Uses the file.
      *
-     * @throws FileRefusal if it can't be used; level and folder are then as before
+     * @throws EditorRefusal if it can't be used; level and folder are then as before
      */
-    public void dropOn(Target target) throws FileRefusal {
+    public void dropOn(Target target) throws EditorRefusal {
         dropOn(target, isUntouched(session) ? SceneUse.REPLACE : SceneUse.INSERT);
     }
 
@@ -121,7 +121,7 @@ public final class DroppedFile {
     }
 
     /** Uses the file as {@link #dropOn(Target)}, a scene as it is said. */
-    public void dropOn(Target target, SceneUse use) throws FileRefusal {
+    public void dropOn(Target target, SceneUse use) throws EditorRefusal {
         switch (Kind.of(file)) {
             case PICTURE -> picture(target);
             case MODEL -> model(target);
@@ -138,11 +138,11 @@ public final class DroppedFile {
         }
     }
 
-    private byte[] content() throws FileRefusal {
+    private byte[] content() throws EditorRefusal {
         return session.background().get(() -> AssetFolder.read(file));
     }
 
-    private void picture(Target target) throws FileRefusal {
+    private void picture(Target target) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
@@ -154,7 +154,7 @@ public final class DroppedFile {
         if (target.face().isPresent()) {
             EntityRef solid = target.face().get().solid();
             if (Notes.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
-                throw new FileRefusal(Notes.LOCKED.with(solid.text()));
+                throw new EditorRefusal(Notes.LOCKED.with(solid.text()));
             }
         }
         String id = folder.idOf(file, content, "textures");
@@ -162,7 +162,7 @@ public final class DroppedFile {
         told(id);
     }
 
-    private void model(Target target) throws FileRefusal {
+    private void model(Target target) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         String id = folder.idOf(file, content, "models", session.background().get(() -> neighbours(content)));
@@ -171,9 +171,9 @@ public final class DroppedFile {
     }
 
     /** Reads the model as the engine will, and returns the files that it names beside itself. */
-    private Map<String, byte[]> neighbours(byte[] content) throws FileRefusal {
+    private Map<String, byte[]> neighbours(byte[] content) throws EditorRefusal {
         Map<String, byte[]> neighbours = new LinkedHashMap<>();
-        List<FileRefusal> missing = new ArrayList<>();
+        List<EditorRefusal> missing = new ArrayList<>();
         try {
             ModelFiles.read(file.getFileName().toString(), content, name -> {
                 ModelFiles.requireName(name, AssetId.rejectionReason(name));
@@ -181,7 +181,7 @@ public final class DroppedFile {
                     byte[] read = AssetFolder.read(file.resolveSibling(name));
                     neighbours.put(name, read);
                     return read;
-                } catch (FileRefusal refusal) {
+                } catch (EditorRefusal refusal) {
                     missing.add(refusal);
                     throw new ModelFileException(name, 0, "is missing", "put it beside the model");
                 }
@@ -192,11 +192,11 @@ public final class DroppedFile {
         return neighbours;
     }
 
-    private FileRefusal refused(RuntimeException reason) {
-        return new FileRefusal(FileText.UNUSABLE.with(file, reason.getMessage()));
+    private EditorRefusal refused(RuntimeException reason) {
+        return new EditorRefusal(FileText.UNUSABLE.with(file, reason.getMessage()));
     }
 
-    private void cloud(Target target) throws FileRefusal {
+    private void cloud(Target target) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         Vec3 size = sizeMetres(grid(content));
@@ -205,7 +205,7 @@ public final class DroppedFile {
         told(id);
     }
 
-    private void heights(Target target) throws FileRefusal {
+    private void heights(Target target) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
@@ -218,7 +218,7 @@ public final class DroppedFile {
         told(id);
     }
 
-    private VoxelGrid grid(byte[] content) throws FileRefusal {
+    private VoxelGrid grid(byte[] content) throws EditorRefusal {
         try {
             return session.background().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
         } catch (AssetException noGrid) {
@@ -236,13 +236,14 @@ public final class DroppedFile {
     }
 
     /** Imports the scene beside the level, whose files its pictures and meshes then are, and adds its entities. */
-    private void insertScene(Vec3 at) throws FileRefusal {
-        Path own =
-                session.file().path().orElseThrow(() -> new FileRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
+    private void insertScene(Vec3 at) throws EditorRefusal {
+        Path own = session.file()
+                .path()
+                .orElseThrow(() -> new EditorRefusal(FileText.SAVE_FIRST.with(file.getFileName())));
         Path imported = LevelOpening.fresh(own.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
         session.background().get(() -> {
-            session.filing().scenes().save(file, imported, complaints::add);
+            session.fileServices().scenes().save(file, imported, complaints::add);
             return null;
         });
         Document document = session.document();
@@ -252,7 +253,7 @@ public final class DroppedFile {
             document.edit(FileText.ADD_SCENE.words(), null, before -> after);
             Files.deleteIfExists(imported);
         } catch (LevelFormatException noLevel) {
-            throw new FileRefusal(Words.same(noLevel.getMessage()));
+            throw new EditorRefusal(Words.same(noLevel.getMessage()));
         } catch (IOException stays) {
             complaints.add(imported + ": " + AtomicFile.reason(stays));
         }
@@ -281,12 +282,12 @@ public final class DroppedFile {
         return name.substring(0, name.length() - 4);
     }
 
-    private void openScene() throws FileRefusal {
+    private void openScene() throws EditorRefusal {
         Path beside = session.file().path().orElse(file.toAbsolutePath());
         Path level = LevelOpening.fresh(beside.resolveSibling(stem()), ".json");
         List<String> complaints = new ArrayList<>();
         session.background().get(() -> {
-            session.filing().scenes().save(file, level, complaints::add);
+            session.fileServices().scenes().save(file, level, complaints::add);
             return null;
         });
         LevelOpening.open(session, level.toString());

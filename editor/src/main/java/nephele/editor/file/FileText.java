@@ -1,5 +1,11 @@
 package nephele.editor.file;
 
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.time.ZonedDateTime;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 
@@ -118,5 +124,24 @@ public enum FileText {
     /** Returns the text in a language, with its values filled in. */
     public String in(Language language, Object... values) {
         return (values.length == 0 ? words : words.with(values)).in(language);
+    }
+
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
+    private static final DateTimeFormatter ENGLISH = DateTimeFormatter.ofPattern("d MMMM uuuu, HH:mm", Locale.ENGLISH);
+    private static final DateTimeFormatter PORTUGUESE =
+            DateTimeFormatter.ofPattern("d 'de' MMMM 'de' uuuu, HH:mm", Locale.forLanguageTag("pt"));
+
+    /** Returns a time as people say it: {@code today 14:02}. */
+    static Words time(Instant time, Instant now, ZoneId zone) {
+        ZonedDateTime local = time.atZone(zone);
+        LocalDate today = now.atZone(zone).toLocalDate();
+        if (local.toLocalDate().equals(today)) {
+            return TODAY.with(CLOCK.format(local));
+        }
+        if (local.toLocalDate().equals(today.minusDays(1))) {
+            return FileText.YESTERDAY.with(CLOCK.format(local));
+        }
+        String portuguese = PORTUGUESE.format(local);
+        return Words.of(ENGLISH.format(local), portuguese, portuguese);
     }
 }

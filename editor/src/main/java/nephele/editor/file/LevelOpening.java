@@ -9,9 +9,8 @@ import java.util.Optional;
 import nephele.editor.pane.OpeningViews;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.LevelPackage;
-import nephele.editor.save.PackageException;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.json.LevelFormatException;
 
@@ -20,7 +19,7 @@ public final class LevelOpening {
     private LevelOpening() {}
 
     /** Opens a level, or unpacks a package into a new folder beside it and opens its level, in place of the open one. */
-    public static void open(EditorSession session, String typed) throws FileRefusal {
+    public static void open(EditorSession session, String typed) throws EditorRefusal {
         boolean isPackage = typed.toLowerCase(Locale.ROOT).endsWith(".zip");
         try {
             Path unpacked = isPackage ? session.background().get(() -> unpacked(Path.of(typed))) : null;
@@ -33,14 +32,12 @@ public final class LevelOpening {
                     : opened.notice().map(Words::same);
             told.ifPresent(session::status);
         } catch (LevelFormatException noLevel) {
-            throw new FileRefusal(Words.same(noLevel.getMessage()));
-        } catch (PackageException noPackage) {
-            throw new FileRefusal(noPackage.told());
+            throw new EditorRefusal(Words.same(noLevel.getMessage()));
         }
     }
 
     /** Returns the level's file of a package that was unpacked beside it. */
-    private static Path unpacked(Path zip) {
+    private static Path unpacked(Path zip) throws EditorRefusal {
         Path absolute = zip.toAbsolutePath().normalize();
         String name = absolute.getFileName().toString();
         return LevelPackage.extract(zip, fresh(absolute.resolveSibling(name.substring(0, name.length() - 4)), ""));

@@ -135,7 +135,7 @@ public final class OutsideChanges {
 
     private void keepMine(Path path) {
         byte[] mine = LevelJson.write(session.document().level()).getBytes(StandardCharsets.UTF_8);
-        session.filing().backups().keep(path, mine).ifPresent(session::status);
+        session.fileServices().backups().keep(path, mine).ifPresent(session::status);
     }
 
     private void load(Level theirs, DocumentFile file) {

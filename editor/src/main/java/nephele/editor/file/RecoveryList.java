@@ -39,7 +39,7 @@ public final class RecoveryList {
                 .map(path -> Words.same(path.getFileName().toString()))
                 .orElseGet(() -> name.isEmpty() ? FileText.UNTITLED.words() : Words.same(name));
         Words edits = work.edits() == 1 ? FileText.ONE_EDIT.words() : FileText.EDITS.with(work.edits());
-        Words time = TimeWords.of(work.lastEdit(), now, zone);
+        Words time = FileText.time(work.lastEdit(), now, zone);
         Words last = work.lastLabel().isEmpty() ? Words.NONE : FileText.LAST_EDIT.with(work.lastLabel());
         Words place = work.file().path().map(Path::toString).map(Words::same).orElse(FileText.UNTITLED.words());
         return new FileRow(title, joined(time, edits, last), place);

@@ -11,7 +11,7 @@ import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.save.journal.JournalListener;
 import nephele.editor.save.journal.RecoverableWork;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.engine.asset.LevelAssets;
 
@@ -56,8 +56,8 @@ public final class SessionJournal implements AutoCloseable {
         journal.record(label.english(), document.level());
     }
 
-    private void follow(Change change) {
-        if (change != Change.FILE || isRecovering) {
+    private void follow(SessionChange change) {
+        if (change != SessionChange.FILE || isRecovering) {
             return;
         }
         if (session.document().history() != history) {

@@ -10,7 +10,7 @@ import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.FileWatch;
 import nephele.editor.save.NamedAssets;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.engine.level.Level;
 
 /** Watches the files of the open level, and passes their changes on to the session's thread. */
@@ -46,8 +46,8 @@ public final class SessionWatch implements AutoCloseable {
         watchFiles();
     }
 
-    private void follow(Change change) {
-        boolean isOther = change == Change.DOCUMENT || change == Change.FILE;
+    private void follow(SessionChange change) {
+        boolean isOther = change == SessionChange.DOCUMENT || change == SessionChange.FILE;
         if (isOther && !session.document().isDragging()) {
             watchFiles();
             threads.session().execute(changes::settle);

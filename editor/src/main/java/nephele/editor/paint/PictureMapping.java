@@ -16,7 +16,8 @@ import nephele.engine.math.Vec3;
  * @param uMetres width of one repeat
  * @param vMetres its height
  */
-record PictureMapping(Vec3 at, TextureCoordinates atPoint, Vec3 across, Vec3 up, double uMetres, double vMetres) {
+record PictureMapping(
+        Vec3 at, TextureFit.TextureCoordinates atPoint, Vec3 across, Vec3 up, double uMetres, double vMetres) {
     /** Decimal places of degrees and metres that are kept, so that a level's text stays short. */
     private static final double DEGREE_STEPS = 1e10;
 
@@ -27,20 +28,21 @@ record PictureMapping(Vec3 at, TextureCoordinates atPoint, Vec3 across, Vec3 up,
         Vec3 at = painted.middle();
         return new PictureMapping(
                 at,
-                new TextureCoordinates(texture.s(at), texture.t(at)),
+                new TextureFit.TextureCoordinates(texture.s(at), texture.t(at)),
                 texture.across(),
                 texture.up(),
                 texture.sMetres(),
                 texture.tMetres());
     }
 
-    TextureCoordinates at(Vec3 point) {
+    TextureFit.TextureCoordinates at(Vec3 point) {
         Vec3 off = point.minus(at);
-        return new TextureCoordinates(atPoint.u() + off.dot(across) / uMetres, atPoint.v() - off.dot(up) / vMetres);
+        return new TextureFit.TextureCoordinates(
+                atPoint.u() + off.dot(across) / uMetres, atPoint.v() - off.dot(up) / vMetres);
     }
 
     /** Returns the same picture with another place at a point. */
-    PictureMapping with(Vec3 point, TextureCoordinates there) {
+    PictureMapping with(Vec3 point, TextureFit.TextureCoordinates there) {
         return new PictureMapping(point, there, across, up, uMetres, vMetres);
     }
 
@@ -76,7 +78,7 @@ record PictureMapping(Vec3 at, TextureCoordinates atPoint, Vec3 across, Vec3 up,
     private Vec3 shift(PaintedFace painted, TexturePlacement unshifted) {
         FaceTexture placed = painted.with(unshifted).texture();
         Vec3 middle = painted.middle();
-        TextureCoordinates wanted = at(middle);
+        TextureFit.TextureCoordinates wanted = at(middle);
         double u = placed.s(middle) - wanted.u();
         double v = placed.t(middle) - wanted.v();
         return placed.across()

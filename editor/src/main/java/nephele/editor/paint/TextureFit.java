@@ -132,4 +132,12 @@ public final class TextureFit {
         PaintedFace changed = face.with(wanted);
         return PictureMapping.of(changed).with(point, uvAt(face, point)).placementOn(changed);
     }
+
+    /**
+     * A place in a repeated picture, in repeats.
+     *
+     * @param u to the picture's right, 0 at its left edge
+     * @param v downwards, 0 at its top edge
+     */
+    public record TextureCoordinates(double u, double v) {}
 }

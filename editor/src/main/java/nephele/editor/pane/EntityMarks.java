@@ -23,6 +23,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
+import nephele.engine.scene.View;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 
@@ -32,6 +33,13 @@ import nephele.engine.sim.state.PlayerDimensions.Stance;
  */
 public final class EntityMarks {
     private static final double FARTHEST_METRES = 1e7;
+    private static final double CAMERA_METRES = 0.5;
+    private static final double CAMERA_ASPECT = 16.0 / 9;
+    /** A path is drawn with at most about so many lines. */
+    private static final int MOST_PATH_LINES = 500;
+
+    private static final double LIGHT_METRES = 0.18;
+    private static final double SPOT_AXIS_METRES = 0.6;
 
     private final List<Mark> marks = new ArrayList<>();
     private final Set<String> selected;
@@ -87,9 +95,9 @@ public final class EntityMarks {
         if (isFar(light.position()) || isHidden(name)) {
             return;
         }
-        LightSymbol.add(light, wires(name));
+        addLight(light, wires(name));
         if (selected.contains(name)) {
-            LightSymbol.addReach(light, new Wires(marks, MarkColour.SELECTED, Visibility.HIDDEN_BY_SURFACES));
+            addReach(light, new Wires(marks, MarkColour.SELECTED, Visibility.HIDDEN_BY_SURFACES));
         }
     }
 
@@ -139,9 +147,9 @@ public final class EntityMarks {
         if (isHidden(name)) {
             return;
         }
-        CameraSymbol.add(camera, wires(name));
+        addCamera(camera, wires(name));
         if (selected.contains(name)) {
-            CameraSymbol.addPath(camera, new Wires(marks, MarkColour.GUIDE, Visibility.ALWAYS));
+            addPath(camera, new Wires(marks, MarkColour.GUIDE, Visibility.ALWAYS));
         }
     }
 
@@ -215,5 +223,85 @@ public final class EntityMarks {
 
     private static boolean isFar(Vec3 at) {
         return !(at.length() < FARTHEST_METRES);
+    }
+
+    /** Adds a small pyramid of the picture of a camera. */
+    private static void addCamera(Camera camera, Wires wires) {
+        View view = View.ofCamera(camera, 0, CAMERA_ASPECT);
+        Vec3 eye = view.eye();
+        Vec3 middle = eye.addScaled(-CAMERA_METRES, view.back());
+        Vec3 right = view.right().scaled(CAMERA_METRES * view.projection().tanHalfWidth());
+        Vec3 up = view.up().scaled(CAMERA_METRES * view.projection().tanHalfHeight());
+        List<Vec3> corners = List.of(
+                middle.plus(right).plus(up),
+                middle.minus(right).plus(up),
+                middle.minus(right).minus(up),
+                middle.plus(right).minus(up));
+        wires.outline(corners);
+        corners.forEach(corner -> wires.line(eye, corner));
+        Vec3 top = middle.addScaled(1.4, up);
+        wires.line(corners.get(0), top);
+        wires.line(corners.get(1), top);
+    }
+
+    /** Adds the path of a camera, or without one the line to its target. */
+    private static void addPath(Camera camera, Wires wires) {
+        List<Camera.Waypoint> path = camera.path();
+        if (path.isEmpty()) {
+            wires.line(camera.position(), camera.target());
+            return;
+        }
+        int step = 1 + path.size() / MOST_PATH_LINES;
+        for (int i = step; i < path.size(); i += step) {
+            wires.line(path.get(i - step).position(), path.get(i).position());
+        }
+    }
+
+    private static void addLight(Light light, Wires wires) {
+        Vec3 at = light.position();
+        for (int corner = 0; corner < 4; corner++) {
+            double y = (corner & 1) == 0 ? 1 : -1;
+            double z = (corner & 2) == 0 ? 1 : -1;
+            Vec3 ray = new Vec3(1, y, z).scaled(LIGHT_METRES / Math.sqrt(3));
+            wires.line(at.minus(ray), at.plus(ray));
+        }
+        double half = LIGHT_METRES * 0.6;
+        Vec3 up = new Vec3(0, half, 0);
+        wires.outline(
+                List.of(at.plus(up), at.plus(new Vec3(half, 0, 0)), at.minus(up), at.minus(new Vec3(half, 0, 0))));
+        wires.outline(
+                List.of(at.plus(up), at.plus(new Vec3(0, 0, half)), at.minus(up), at.minus(new Vec3(0, 0, half))));
+        if (light instanceof Light.Spot spot && spot.direction().length() > 0) {
+            Basis frame = facing(spot);
+            wires.arrow(at, at.addScaled(-SPOT_AXIS_METRES, frame.back()), frame.right());
+        }
+    }
+
+    private static Basis facing(Light.Spot spot) {
+        return Basis.lookAt(Vec3.ZERO, spot.direction(), new Vec3(0, 1, 0), Basis.WORLD);
+    }
+
+    /** Adds where the light reaches. */
+    private static void addReach(Light light, Wires wires) {
+        if (light instanceof Light.Spot spot && spot.direction().length() > 0) {
+            cone(spot, spot.outerConeDegrees(), wires);
+            cone(spot, spot.innerConeDegrees(), wires);
+        } else {
+            wires.sphere(light.position(), light.rangeMetres());
+        }
+    }
+
+    private static void cone(Light.Spot spot, double halfAngleDegrees, Wires wires) {
+        Basis frame = facing(spot);
+        double range = spot.rangeMetres();
+        double along = range * Math.cos(Math.toRadians(halfAngleDegrees));
+        double radius = range * Math.sin(Math.toRadians(halfAngleDegrees));
+        Vec3 centre = spot.position().addScaled(-along, frame.back());
+        Vec3 right = frame.right().scaled(radius);
+        Vec3 up = frame.up().scaled(radius);
+        wires.circle(centre, right, up);
+        for (Vec3 side : List.of(right, up, right.negated(), up.negated())) {
+            wires.line(spot.position(), centre.plus(side));
+        }
     }
 }

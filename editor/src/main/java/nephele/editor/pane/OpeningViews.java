@@ -25,7 +25,7 @@ public final class OpeningViews {
                                 sight.yawDegrees,
                                 sight.pitchDegrees,
                                 view.perspective().verticalFovDegrees()),
-                        PlanNavigation.at(view.plan(), sight.middle),
+                        PlanCamera.at(view.plan(), sight.middle),
                         view.mode())))
                 .orElse(panes);
     }

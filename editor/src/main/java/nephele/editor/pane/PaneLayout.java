@@ -211,7 +211,7 @@ public record PaneLayout(
         PlanCamera leader = activeView().plan();
         List<PaneView> others = new ArrayList<>();
         for (PaneView view : views) {
-            PlanCamera linked = PlanNavigation.linked(view.plan(), leader);
+            PlanCamera linked = PlanCamera.linked(view.plan(), leader);
             others.add(new PaneView(view.kind(), view.perspective(), linked, view.mode()));
         }
         return new PaneLayout(arrangement, active, isMaximised, columnShare, rowShare, others);

@@ -1,6 +1,8 @@
 package nephele.editor.pane;
 
 import java.util.Optional;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -13,6 +15,13 @@ import nephele.engine.math.Vec3;
 public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees, double verticalFovDegrees)
         implements PaneCamera {
     private static final double STEEPEST_DEGREES = 89.9;
+    /** Share of the distance to what is under the pointer that one notch of the wheel covers. */
+    private static final double DOLLY_SHARE = 0.15;
+
+    private static final double FARTHEST_METRES = 1e7;
+    private static final double LEAST_FOCUS_METRES = 0.5;
+    /** Free space around what is in focus. */
+    private static final double FOCUS_MARGIN = 1.15;
 
     public PerspectiveCamera {
         pitchDegrees = Math.max(-STEEPEST_DEGREES, Math.min(STEEPEST_DEGREES, pitchDegrees));
@@ -65,5 +74,91 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
     @Override
     public Vec3 forward() {
         return basis().back().negated();
+    }
+
+    /** The keys held to fly: each number is from −1 to 1. */
+    public record FlightKeys(double right, double up, double forward) {}
+
+    /** Turns the camera in place; pixels to the right and down turn it right and down. */
+    public static PerspectiveCamera look(
+            PerspectiveCamera camera, double acrossPixels, double downPixels, double degreesPerPixel) {
+        return turned(
+                camera,
+                camera.yawDegrees() - acrossPixels * degreesPerPixel,
+                camera.pitchDegrees() - downPixels * degreesPerPixel);
+    }
+
+    private static PerspectiveCamera turned(PerspectiveCamera camera, double yawDegrees, double pitchDegrees) {
+        double yaw = Math.IEEEremainder(yawDegrees, 360);
+        return new PerspectiveCamera(camera.eye(), yaw, pitchDegrees, camera.verticalFovDegrees());
+    }
+
+    /** Flies for some seconds; {@code up} is the world's, the other directions are the camera's. */
+    public static PerspectiveCamera fly(
+            PerspectiveCamera camera, FlightKeys keys, double metresPerSecond, double seconds) {
+        Vec3 wanted = camera.right()
+                .scaled(keys.right())
+                .addScaled(keys.up(), new Vec3(0, 1, 0))
+                .addScaled(keys.forward(), camera.forward());
+        double length = wanted.length();
+        double shortened = length > 1 ? 1 / length : 1;
+        return at(camera, camera.eye().addScaled(shortened * metresPerSecond * seconds, wanted));
+    }
+
+    /**
+     * Moves along the ray of sight through the pointer, whose point stays under it.
+     *
+     * @param notches of the wheel; positive approaches
+     * @param distanceMetres to what is under the pointer
+     */
+    public static PerspectiveCamera dolly(PerspectiveCamera camera, double notches, Ray sight, double distanceMetres) {
+        double share = 1 - Math.pow(1 - DOLLY_SHARE, notches);
+        return at(camera, sight.at(distanceMetres * share));
+    }
+
+    /** Turns the camera around a point, which stays at its place in the picture. */
+    public static PerspectiveCamera orbit(
+            PerspectiveCamera camera, Vec3 about, double acrossDegrees, double downDegrees) {
+        Vec3 fromEye = about.minus(camera.eye());
+        PerspectiveCamera after =
+                turned(camera, camera.yawDegrees() - acrossDegrees, camera.pitchDegrees() - downDegrees);
+        Vec3 eye = about.addScaled(-fromEye.dot(camera.right()), after.right())
+                .addScaled(-fromEye.dot(camera.up()), after.up())
+                .addScaled(-fromEye.dot(camera.forward()), after.forward());
+        return at(after, eye);
+    }
+
+    /** Moves the picture with the pointer, by pixels to the right and down, at the distance of a point. */
+    public static PerspectiveCamera pan(
+            PerspectiveCamera camera, double acrossPixels, double downPixels, Vec3 grabbed, PaneSize size) {
+        double metres = camera.metresPerPixel(grabbed, size);
+        return at(
+                camera,
+                camera.eye()
+                        .addScaled(-acrossPixels * metres, camera.right())
+                        .addScaled(downPixels * metres, camera.up()));
+    }
+
+    /** Returns the camera that sees a box as a whole in the same direction; it stays for an empty one. */
+    public static PerspectiveCamera focus(PerspectiveCamera camera, Aabb box, PaneSize size) {
+        if (box.isEmpty()) {
+            return camera;
+        }
+        Vec3 half = new Vec3(box.maxX() - box.minX(), box.maxY() - box.minY(), box.maxZ() - box.minZ()).scaled(0.5);
+        double radius = Math.max(LEAST_FOCUS_METRES, half.length());
+        double halfAngle = Math.toRadians(camera.verticalFovDegrees()) / 2;
+        double narrower = Math.min(halfAngle, Math.atan(Math.tan(halfAngle) * size.aspect()));
+        double distance = FOCUS_MARGIN * radius / Math.sin(narrower);
+        return at(camera, box.centre().addScaled(-distance, camera.forward()));
+    }
+
+    /** Returns the camera at another place. */
+    public static PerspectiveCamera at(PerspectiveCamera camera, Vec3 eye) {
+        Vec3 near = new Vec3(within(eye.x()), within(eye.y()), within(eye.z()));
+        return new PerspectiveCamera(near, camera.yawDegrees(), camera.pitchDegrees(), camera.verticalFovDegrees());
+    }
+
+    private static double within(double metres) {
+        return Math.max(-FARTHEST_METRES, Math.min(FARTHEST_METRES, metres));
     }
 }

@@ -22,7 +22,7 @@ record Wires(List<Mark> marks, MarkColour colour, Visibility visibility) {
 
     /** Adds a closed polygon. */
     void outline(List<Vec3> corners) {
-        marks.addAll(MarkOutline.polygon(corners, colour, visibility));
+        marks.addAll(Mark.polygon(corners, colour, visibility));
     }
 
     /** Adds a circle; both axes have the radius as length. */
@@ -76,7 +76,7 @@ record Wires(List<Mark> marks, MarkColour colour, Visibility visibility) {
 
     /** Adds the edges of a box. */
     void box(Aabb box) {
-        marks.addAll(MarkOutline.box(box, colour, visibility));
+        marks.addAll(Mark.box(box, colour, visibility));
     }
 
     /** Adds an arrow; {@code aside} has unit length and is perpendicular to it. */

@@ -13,7 +13,7 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.ChoiceWord;
 import nephele.editor.text.Words;
 import nephele.engine.level.CloudTechnique;
@@ -62,7 +62,7 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         add(toggle);
         add(body);
         registration = session.listen(change -> {
-            if (change != Change.STATUS) {
+            if (change != SessionChange.STATUS) {
                 refresh();
             }
         });

@@ -14,7 +14,7 @@ import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.LayerOrder;
-import nephele.editor.terrain.TerrainRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
@@ -200,8 +200,8 @@ final class FieldChanges {
                             .get(() -> LayerOrder.followed(before, after, edit, session.assets(), session.maps()))
                     : after;
             edit(entry, null, level -> followed);
-        } catch (TerrainRefusal refusal) {
-            report.accept(refusal.told());
+        } catch (EditorRefusal refusal) {
+            report.accept(refusal.words());
         }
     }
 

@@ -15,7 +15,7 @@ import javax.swing.UIManager;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 
@@ -127,9 +127,9 @@ public final class GuideBar extends JPanel implements AutoCloseable {
         guide.step().ifPresent(step -> action.accept(step, session));
     }
 
-    private void follow(Change change) {
-        boolean isNew = (change == Change.DOCUMENT || change == Change.FILE) && guide.follow();
-        if (isNew || change == Change.SETTINGS) {
+    private void follow(SessionChange change) {
+        boolean isNew = (change == SessionChange.DOCUMENT || change == SessionChange.FILE) && guide.follow();
+        if (isNew || change == SessionChange.SETTINGS) {
             refresh();
         }
     }

@@ -3,13 +3,21 @@ package nephele.editor.panel;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import nephele.editor.brush.ShapeOptions;
+import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Selection;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneView;
+import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 
 /** A step of the first room. Its state follows from the level alone, so undo takes it back. */
 public enum GuideStep {
@@ -38,7 +46,7 @@ public enum GuideStep {
                             + " para pendurar uma lâmpada. O inspetor à direita muda brilho e alcance."),
             session -> !level(session).lights().isEmpty(),
             session -> {
-                GuideCamera.inside(session, GuideCamera.Look.UP);
+                inside(session, Look.UP);
                 place(session, "lights", "point");
             }),
     START(
@@ -53,7 +61,7 @@ public enum GuideStep {
             session ->
                     level(session).player() != null && !level(session).exits().isEmpty(),
             session -> {
-                GuideCamera.inside(session, GuideCamera.Look.DOWN);
+                inside(session, Look.DOWN);
                 boolean needsExit = level(session).player() != null;
                 place(session, needsExit ? "exits" : "player", needsExit ? "exit" : "playerstart");
             }),
@@ -69,7 +77,7 @@ public enum GuideStep {
             session -> !level(session).bodies().isEmpty()
                     && !level(session).environment().clouds().isEmpty(),
             session -> {
-                GuideCamera.inside(session, GuideCamera.Look.DOWN);
+                inside(session, Look.DOWN);
                 boolean needsCloud = !level(session).bodies().isEmpty();
                 place(session, needsCloud ? "environment.clouds" : "bodies", "box");
             }),
@@ -84,7 +92,7 @@ public enum GuideStep {
                             + " espaço, como no jogo."),
             session -> hasLinkedPortals(level(session)),
             session -> {
-                GuideCamera.inside(session, GuideCamera.Look.AHEAD);
+                inside(session, Look.AHEAD);
                 use(session, "portal");
             }),
     PLAY(
@@ -129,7 +137,7 @@ public enum GuideStep {
     public void prepare(EditorSession session) {
         session.document().select(Selection.NONE);
         preparation.accept(session);
-        session.tell(Change.VIEW);
+        session.tell(SessionChange.VIEW);
     }
 
     private static Level level(EditorSession session) {
@@ -152,5 +160,48 @@ public enum GuideStep {
 
     private static void use(EditorSession session, String tool) {
         Tools.named(tool).ifPresent(session::use);
+    }
+
+    /** A direction of view. */
+    enum Look {
+        UP(25),
+        AHEAD(-5),
+        DOWN(-28);
+
+        private final double pitchDegrees;
+
+        Look(double pitchDegrees) {
+            this.pitchDegrees = pitchDegrees;
+        }
+    }
+
+    private static final double FOV_DEGREES = 75;
+
+    /** Places the camera in the room, near its south wall, looking north. */
+    private static void inside(EditorSession session, Look look) {
+        Aabb room = Aabb.EMPTY;
+        for (Solid solid : session.document().level().solids()) {
+            room = room.union(EntityBounds.of((Record) solid));
+        }
+        if (room.isEmpty()) {
+            return;
+        }
+        Vec3 middle = room.centre();
+        double south = room.maxZ() - 0.18 * (room.maxZ() - room.minZ());
+        var camera = new PerspectiveCamera(
+                new Vec3(middle.x(), Math.min(middle.y(), room.minY() + 2.4), south),
+                0,
+                look.pitchDegrees,
+                FOV_DEGREES);
+        session.panes(panes -> {
+            PaneLayout result = panes;
+            for (int i = 0; i < panes.views().size(); i++) {
+                PaneView view = panes.views().get(i);
+                if (view.kind() == PaneKind.PERSPECTIVE) {
+                    result = result.with(i, view.with(camera)).withActive(i);
+                }
+            }
+            return result;
+        });
     }
 }

@@ -9,7 +9,7 @@ import javax.swing.ListSelectionModel;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 
@@ -32,7 +32,7 @@ public final class HistoryPanel extends JPanel implements AutoCloseable {
         });
         add(new JScrollPane(list));
         registration = session.listen(change -> {
-            if (change == Change.DOCUMENT || change == Change.SETTINGS || change == Change.FILE) {
+            if (change == SessionChange.DOCUMENT || change == SessionChange.SETTINGS || change == SessionChange.FILE) {
                 refresh();
             }
         });

@@ -13,7 +13,7 @@ import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
@@ -54,7 +54,7 @@ public final class InspectorPanel extends JPanel implements AutoCloseable {
         add(comparison);
         message.setVisible(false);
         registration = session.listen(change -> {
-            if (change == Change.DOCUMENT || change == Change.SETTINGS || change == Change.FILE) {
+            if (change == SessionChange.DOCUMENT || change == SessionChange.SETTINGS || change == SessionChange.FILE) {
                 refresh();
             }
         });

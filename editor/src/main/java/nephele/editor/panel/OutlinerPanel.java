@@ -2,6 +2,8 @@ package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Font;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -10,6 +12,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -17,7 +21,11 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
+import nephele.editor.document.Document;
+import nephele.editor.document.Notes;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
@@ -30,10 +38,12 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
+import nephele.editor.text.Limits;
 import nephele.editor.widget.ComponentKeys;
 import nephele.editor.widget.EntityIcons;
 import nephele.editor.widget.TextListener;
+import nephele.engine.level.TextKind;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -41,6 +51,48 @@ import net.miginfocom.swing.MigLayout;
  * deletes, Enter and a double click look at an entity.
  */
 public final class OutlinerPanel extends JPanel implements AutoCloseable {
+    /** Paints a cell of the outliner. */
+    private static final class OutlinerCell extends DefaultTableCellRenderer {
+        private final transient Function<EntityRef, Icon> symbols;
+
+        /** @param symbols returns that of an entity */
+        OutlinerCell(Function<EntityRef, Icon> symbols) {
+            this.symbols = symbols;
+        }
+
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
+            super.getTableCellRendererComponent(table, value, isSelected, hasFocus, row, column);
+            OutlinerRow line = ((OutlinerTable) table.getModel()).rows().get(row);
+            boolean isName = column == OutlinerTable.NAME;
+            setText(isName ? String.valueOf(value) : "");
+            setIcon(icon(line, column));
+            setHorizontalAlignment(isName ? SwingConstants.LEADING : SwingConstants.CENTER);
+            setFont(table.getFont().deriveFont(line.hasFold() ? Font.BOLD : Font.PLAIN));
+            int indent = isName ? UIScale.scale(4 + 14 * line.depth()) : 0;
+            setBorder(BorderFactory.createEmptyBorder(0, indent, 0, 0));
+            getAccessibleContext().setAccessibleName(String.valueOf(value));
+            return this;
+        }
+
+        private Icon icon(OutlinerRow line, int column) {
+            boolean isBare = line.members().isEmpty();
+            return switch (column) {
+                case OutlinerTable.EYE -> isBare ? null : line.state().isHidden() ? PanelIcon.EYE_SHUT : PanelIcon.EYE;
+                case OutlinerTable.LOCK -> isBare ? null : line.state().isLocked() ? PanelIcon.PADLOCK : PanelIcon.DOT;
+                default ->
+                    line.hasFold() ? (line.state().isOpen() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT) : symbol(line);
+            };
+        }
+
+        private Icon symbol(OutlinerRow line) {
+            return line.members().isEmpty()
+                    ? null
+                    : symbols.apply(line.members().get(0));
+        }
+    }
+
     private final transient EditorSession session;
     private final transient Registration registration;
     private final transient OutlinerEdits edits;
@@ -74,9 +126,9 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         table.getSelectionModel().addListSelectionListener(event -> selectInDocument());
         bindKeys();
         registration = session.listen(change -> {
-            if (change == Change.SETTINGS) {
+            if (change == SessionChange.SETTINGS) {
                 translate();
-            } else if (change == Change.DOCUMENT || change == Change.FILE) {
+            } else if (change == SessionChange.DOCUMENT || change == SessionChange.FILE) {
                 refresh();
             }
         });
@@ -304,5 +356,55 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     @Override
     public void close() {
         registration.close();
+    }
+
+    /** The steps that the outliner makes. */
+    private record OutlinerEdits(EditorSession session) {
+        private Document document() {
+            return session.document();
+        }
+
+        private static String named(List<EntityRef> refs) {
+            return refs.size() == 1 ? refs.get(0).shortName() : String.valueOf(refs.size());
+        }
+
+        void toggleHidden(List<EntityRef> refs) {
+            if (!refs.isEmpty()) {
+                document().edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> Notes.hiddenToggled(level, refs));
+            }
+        }
+
+        void toggleLocked(List<EntityRef> refs) {
+            if (!refs.isEmpty()) {
+                document().edit(PanelText.LOCK_OR_UNLOCK.with(named(refs)), level -> Notes.lockedToggled(level, refs));
+            }
+        }
+
+        void rename(EntityRef ref, String id) {
+            EntityRef renamed = new EntityRef(ref.section(), id);
+            if (id.isEmpty() || id.equals(ref.id())) {
+                return;
+            }
+            if (id.length() > TextKind.ID.longest()) {
+                session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
+                return;
+            }
+            if (document().entities().find(document().level(), renamed).isPresent()) {
+                session.status(PanelText.ID_TAKEN.with(id));
+                return;
+            }
+            document().edit(PanelText.RENAME_TO.with(id), null, now -> now.renamed(ref, id));
+        }
+
+        /** Selects what refers to an entity, and says how much it is. */
+        void selectUsages(EntityRef ref) {
+            Set<EntityRef> usages = document().entities().usages(document().level(), ref);
+            if (usages.isEmpty()) {
+                session.status(PanelText.NO_USAGES.with(ref.shortName()));
+            } else {
+                document().select(Selection.of(usages));
+                session.status(PanelText.USAGES.with(usages.size(), ref.shortName()));
+            }
+        }
     }
 }

@@ -2,14 +2,23 @@ package nephele.editor.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Color;
+import java.awt.Component;
 import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import javax.swing.AbstractButton;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -22,7 +31,7 @@ import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.text.EntityWords;
 import nephele.editor.widget.AssetPictures;
@@ -37,6 +46,54 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
+    /** A button that shows a material: its picture times its colour, and its name. */
+    private static final class MaterialButton extends JToggleButton {
+        private static final long serialVersionUID = 1;
+        private static final int SIDE_POINTS = 48;
+
+        MaterialButton(Material material, String name, AssetPictures pictures) {
+            super(name, new Sample(material, pictures));
+            setHorizontalTextPosition(SwingConstants.CENTER);
+            setVerticalTextPosition(SwingConstants.BOTTOM);
+            setIconTextGap(2);
+            setMargin(new Insets(2, 0, 2, 0));
+            setToolTipText(name);
+            putClientProperty("JButton.buttonType", "toolBarButton");
+            putClientProperty("FlatLaf.styleClass", "small");
+        }
+
+        private record Sample(Material material, AssetPictures pictures) implements Icon {
+            @Override
+            public void paintIcon(Component component, Graphics graphics, int x, int y) {
+                Graphics2D g = (Graphics2D) graphics.create();
+                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                int side = getIconWidth();
+                Color colour = LinearColour.shown(material.baseColour());
+                Optional<BufferedImage> picture =
+                        Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
+                g.setColor(colour);
+                g.fillRect(x, y, side, side);
+                picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));
+                if (material.mirror()) {
+                    g.setColor(new Color(255, 255, 255, 150));
+                    g.fillPolygon(new int[] {x + side / 5, x + side / 2, x + side / 5}, new int[] {y + side, y, y}, 3);
+                }
+                g.setColor(Color.GRAY);
+                g.drawRect(x, y, side - 1, side - 1);
+                g.dispose();
+            }
+
+            @Override
+            public int getIconWidth() {
+                return UIScale.scale(SIDE_POINTS);
+            }
+
+            @Override
+            public int getIconHeight() {
+                return getIconWidth();
+            }
+        }
+    }
 
     private final transient EditorSession session;
     private final transient Registration registration;
@@ -62,9 +119,9 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             }
         });
         registration = session.listen(change -> {
-            if (change == Change.SETTINGS || session.document().level().materials() != shown) {
+            if (change == SessionChange.SETTINGS || session.document().level().materials() != shown) {
                 refresh();
-            } else if (change == Change.VIEW) {
+            } else if (change == SessionChange.VIEW) {
                 showChosen();
             }
         });
@@ -148,7 +205,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         var button = new MaterialButton(material, name, pictures);
         prepare(button, isChosen, () -> {
             session.options().material(chosen);
-            session.tell(Change.VIEW);
+            session.tell(SessionChange.VIEW);
         });
         grid.add(button);
     }
@@ -177,7 +234,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void take(String tool) {
         Tools.named(tool).ifPresent(session::use);
-        session.tell(Change.VIEW);
+        session.tell(SessionChange.VIEW);
     }
 
     @Override

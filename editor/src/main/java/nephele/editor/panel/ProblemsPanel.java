@@ -1,7 +1,12 @@
 package nephele.editor.panel;
 
+import java.awt.Component;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
+import javax.swing.DefaultListCellRenderer;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -11,20 +16,110 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
+import javax.swing.SwingWorker;
 import javax.swing.Timer;
 import nephele.editor.document.Registration;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
-import nephele.editor.problem.ProblemFix;
+import nephele.editor.problem.ProblemSearch;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
+import nephele.engine.level.Level;
 import net.miginfocom.swing.MigLayout;
 
 /** The problems of the level, searched a moment after each edit on another thread; with their remedies. */
 public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private static final int DELAY_MILLIS = 300;
+    /** Paints a problem: severity, message, entity. */
+    private static final class ProblemCell extends DefaultListCellRenderer {
+        private final transient EditorSession session;
+
+        ProblemCell(EditorSession session) {
+            this.session = session;
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
+            super.getListCellRendererComponent(list, "", index, isSelected, hasFocus);
+            LevelProblem problem = (LevelProblem) value;
+            String place =
+                    problem.entity() == null ? problem.path() : problem.entity().text();
+            setText(problem.message().in(session.language()) + "  –  " + place);
+            setToolTipText(getText());
+            PanelText severity =
+                    switch (problem.severity()) {
+                        case ERROR -> PanelText.ERROR;
+                        case WARNING -> PanelText.WARNING;
+                        case HINT -> PanelText.HINT;
+                    };
+            setIcon(
+                    switch (problem.severity()) {
+                        case ERROR -> PanelIcon.ERROR;
+                        case WARNING -> PanelIcon.WARNING;
+                        case HINT -> PanelIcon.HINT;
+                    });
+            getAccessibleContext().setAccessibleName(severity.in(session.language()) + ": " + getText());
+            return this;
+        }
+    }
+    /** Searches the problems of a level on another thread, one search at a time; a new one cancels the one before. */
+    private static final class ProblemWork {
+        private final Consumer<List<LevelProblem>> shown;
+        private AssetSource assets;
+        private ProblemSearch search;
+        private Level searched;
+        private SwingWorker<Optional<List<LevelProblem>>, Void> running;
+
+        /** @param shown receives what was found, on the event dispatch thread */
+        ProblemWork(AssetSource assets, Consumer<List<LevelProblem>> shown) {
+            this.assets = assets;
+            this.shown = shown;
+            search = new ProblemSearch(assets);
+        }
+
+        /** Returns true if the last search was of another level or other files. */
+        boolean isNew(Level level, AssetSource files) {
+            return level != searched || files != assets;
+        }
+
+        void search(Level level, AssetSource files) {
+            if (running != null) {
+                running.cancel(false);
+            }
+            if (files != assets) {
+                assets = files;
+                search = new ProblemSearch(files);
+            }
+            searched = level;
+            ProblemSearch used = search;
+            running = new SwingWorker<>() {
+                @Override
+                protected Optional<List<LevelProblem>> doInBackground() {
+                    // The search keeps what it has found, so that two at a time would meet in it.
+                    synchronized (used) {
+                        return used.find(level, this::isCancelled);
+                    }
+                }
+
+                @Override
+                protected void done() {
+                    try {
+                        if (!isCancelled()) {
+                            get().ifPresent(shown);
+                        }
+                    } catch (CancellationException | InterruptedException cancelled) {
+                        // The next search tells the result.
+                    } catch (ExecutionException failed) {
+                        throw new IllegalStateException("the search for problems failed", failed.getCause());
+                    }
+                }
+            };
+            running.execute();
+        }
+    }
 
     private final transient EditorSession session;
     private final transient Registration registration;
@@ -62,12 +157,12 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         add(new JScrollPane(list));
         add(buttons);
         registration = session.listen(change -> {
-            if (change == Change.VIEW || change == Change.DOCUMENT) {
+            if (change == SessionChange.VIEW || change == SessionChange.DOCUMENT) {
                 followChosen();
             }
-            if (change == Change.SETTINGS) {
+            if (change == SessionChange.SETTINGS) {
                 translate();
-            } else if (change != Change.STATUS && !session.document().isDragging()) {
+            } else if (change != SessionChange.STATUS && !session.document().isDragging()) {
                 restart();
             }
         });
@@ -88,7 +183,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         isUpdating = true;
         problems.clear();
         for (LevelProblem problem : found) {
-            if (!HiddenProblems.isHidden(session.document().level(), problem)) {
+            if (!LevelProblem.isHidden(session.document().level(), problem)) {
                 problems.addElement(problem);
                 if (before != null && before.key().equals(problem.key())) {
                     list.setSelectedIndex(problems.size() - 1);
@@ -129,7 +224,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
 
     private void enableButtons() {
         LevelProblem selected = list.getSelectedValue();
-        List<ProblemFix> fixes = selected == null ? List.of() : selected.fixes();
+        List<LevelProblem.Fix> fixes = selected == null ? List.of() : selected.fixes();
         Language language = session.language();
         String text = PanelText.FIX.in(language);
         fix.setText(fixes.size() == 1 ? fixes.get(0).label().in(language) : fixes.isEmpty() ? text : text + " …");
@@ -139,19 +234,19 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
 
     /** Repairs at once where there is one way; otherwise the user chooses. */
     private void fixSelected() {
-        List<ProblemFix> fixes = list.getSelectedValue().fixes();
+        List<LevelProblem.Fix> fixes = list.getSelectedValue().fixes();
         if (fixes.size() == 1) {
             apply(fixes.get(0));
             return;
         }
         JPopupMenu menu = new JPopupMenu();
-        for (ProblemFix remedy : fixes) {
+        for (LevelProblem.Fix remedy : fixes) {
             menu.add(remedy.label().in(session.language())).addActionListener(event -> apply(remedy));
         }
         menu.show(fix, 0, fix.getHeight());
     }
 
-    private void apply(ProblemFix remedy) {
+    private void apply(LevelProblem.Fix remedy) {
         keepKeyboard();
         session.document().edit(remedy.label(), remedy.change());
     }
@@ -159,7 +254,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private void hideSelected() {
         LevelProblem selected = list.getSelectedValue();
         keepKeyboard();
-        session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> HiddenProblems.hide(level, selected));
+        session.document().edit(PanelText.HIDE_PROBLEM.words(), level -> LevelProblem.hide(level, selected));
     }
 
     /** A button that is disabled while it has the keyboard would pass it on to a field of the inspector. */

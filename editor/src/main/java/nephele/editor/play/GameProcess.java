@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -42,7 +43,7 @@ final class GameProcess implements AutoCloseable {
     static GameProcess start(List<String> command, Answered answered, BiConsumer<GameProcess, String> died)
             throws IOException {
         var builder = new ProcessBuilder(command);
-        GameMemory.limit(builder.environment());
+        limitMemory(builder.environment());
         var started = new GameProcess(builder.start());
         started.complaining = thread("game complaints", started::readComplaints);
         thread("game answers", () -> {
@@ -141,5 +142,12 @@ final class GameProcess implements AutoCloseable {
         process.onExit()
                 .orTimeout(LONGEST_END_SECONDS, TimeUnit.SECONDS)
                 .exceptionally(late -> process.destroyForcibly());
+    }
+
+    /** Sets what the C library keeps: few arenas for llvmpipe's many threads, and freed pictures return to the system. */
+    private static void limitMemory(Map<String, String> environment) {
+        environment.putIfAbsent("MALLOC_ARENA_MAX", "2");
+        environment.putIfAbsent("MALLOC_TRIM_THRESHOLD_", "131072");
+        environment.putIfAbsent("MALLOC_MMAP_THRESHOLD_", "131072");
     }
 }

@@ -1,5 +1,6 @@
 package nephele.editor.play;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import nephele.engine.level.json.LevelFormatException;
 
@@ -48,7 +49,7 @@ public sealed interface PlayAnswer {
     record Failed(String message) implements PlayAnswer {
         @Override
         public String line() {
-            return "failed " + OneLine.of(message);
+            return "failed " + oneLine(message);
         }
     }
 
@@ -69,5 +70,14 @@ public sealed interface PlayAnswer {
         } catch (NumberFormatException | LevelFormatException damaged) {
             return Optional.empty();
         }
+    }
+
+    /** Returns a JSON text as a single line: its line feeds are all between tokens. */
+    static String oneLine(String json) {
+        return json.replaceAll("\\s*\\n\\s*", " ").strip();
+    }
+
+    static byte[] utf8(String line) {
+        return line.getBytes(StandardCharsets.UTF_8);
     }
 }

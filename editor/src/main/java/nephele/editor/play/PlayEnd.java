@@ -24,10 +24,10 @@ public record PlayEnd(
     private static final RecordFile<PlayEnd> FILE = RecordFile.of("play-end", 1, PlayEnd.class);
 
     static PlayEnd read(String line) {
-        return FILE.read("ended", OneLine.utf8(line));
+        return FILE.read("ended", PlayAnswer.utf8(line));
     }
 
     String line() {
-        return OneLine.of(FILE.write(this));
+        return PlayAnswer.oneLine(FILE.write(this));
     }
 }

@@ -45,7 +45,7 @@ public record PlayOrder(
         if (!line.startsWith(WORD)) {
             throw wrong("a line is `play {...}` or `quit`");
         }
-        return FILE.read(NAME, OneLine.utf8(line.substring(WORD.length())));
+        return FILE.read(NAME, PlayAnswer.utf8(line.substring(WORD.length())));
     }
 
     private static LevelFormatException wrong(String message) {
@@ -54,6 +54,6 @@ public record PlayOrder(
 
     /** Returns the line, without a line feed. */
     public String line() {
-        return WORD + OneLine.of(FILE.write(this));
+        return WORD + PlayAnswer.oneLine(FILE.write(this));
     }
 }

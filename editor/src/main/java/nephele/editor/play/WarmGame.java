@@ -19,6 +19,22 @@ import nephele.engine.level.json.LevelJson;
  * because it ends with its input. Thread-safe; the listener is called on threads of its own.
  */
 public final class WarmGame implements AutoCloseable {
+    /**
+     * Options of the Java virtual machine by which the waiting game keeps little memory: a small young generation, as a frame allocates next to nothing, and a heap
+     * that is given back after a play, as is what the C library has freed (Java 17.0.9 and later). The first of the two compilers is enough for a game whose first seconds count:
+     * with both, the first frame of level 01 costs 2.6 s of processor time instead of 1.7 s, and 20 MB more.
+     */
+    public static final List<String> JAVA_OPTIONS = List.of(
+            "-XX:+UseSerialGC",
+            "-Xms16m",
+            "-Xmn8m",
+            "-XX:MinHeapFreeRatio=5",
+            "-XX:MaxHeapFreeRatio=10",
+            "-XX:-ShrinkHeapInSteps",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:+IgnoreUnrecognizedVMOptions",
+            "-XX:TrimNativeHeapInterval=3000");
+
     private final Supplier<List<String>> commandLine;
     private final Listener listener;
     private GameProcess process;

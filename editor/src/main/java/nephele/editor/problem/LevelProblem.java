@@ -1,9 +1,13 @@
 package nephele.editor.problem;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
+import nephele.engine.level.EditorNotes;
+import nephele.engine.level.Level;
 
 /**
  * A problem or a hint about the open level.
@@ -18,12 +22,12 @@ import nephele.editor.text.Words;
  */
 public record LevelProblem(
         String key,
-        ProblemSeverity severity,
+        Severity severity,
         String path,
         Words message,
         List<Mark> marks,
         EntityRef entity,
-        List<ProblemFix> fixes) {
+        List<Fix> fixes) {
     public LevelProblem {
         marks = List.copyOf(marks);
         fixes = List.copyOf(fixes);
@@ -31,5 +35,46 @@ public record LevelProblem(
 
     LevelProblem withKey(String other) {
         return new LevelProblem(other, severity, path, message, marks, entity, fixes);
+    }
+
+    /** Returns true if a problem is hidden. */
+    public static boolean isHidden(Level level, LevelProblem problem) {
+        return level.editor().ignoredProblems().contains(problem.key());
+    }
+
+    /** Returns the level with a problem hidden. */
+    public static Level hide(Level level, LevelProblem problem) {
+        if (isHidden(level, problem)) {
+            return level;
+        }
+        List<String> keys = new ArrayList<>(level.editor().ignoredProblems());
+        keys.add(problem.key());
+        return with(level, keys);
+    }
+
+    /** Returns the level with a problem shown again. */
+    public static Level show(Level level, LevelProblem problem) {
+        List<String> keys = new ArrayList<>(level.editor().ignoredProblems());
+        return keys.remove(problem.key()) ? with(level, keys) : level;
+    }
+
+    private static Level with(Level level, List<String> keys) {
+        EditorNotes notes = level.editor();
+        return level.with(new EditorNotes(notes.groups(), notes.hidden(), notes.locked(), List.copyOf(keys)));
+    }
+
+    /**
+     * A remedy that one click applies.
+     *
+     * @param label of the button and of the step in the history
+     * @param change returns the repaired level; the same object if what it repairs is no longer in the level
+     */
+    public record Fix(Words label, UnaryOperator<Level> change) {}
+
+    /** The severity of a problem; {@code check} does not report a HINT. */
+    public enum Severity {
+        ERROR,
+        WARNING,
+        HINT
     }
 }

@@ -37,20 +37,20 @@ final class ProblemFixes {
         this.statics = statics;
     }
 
-    List<ProblemFix> of(Problem problem) {
+    List<LevelProblem.Fix> of(Problem problem) {
         Topic topic = problem.subject().topic();
         Optional<EntityPath> place = EntityPath.of(level, problem.path());
         if (problem.path().startsWith("player") && topic == Topic.ENTITY_IN_SOLID) {
             return moveStart();
         } else if (problem.path().startsWith("environment.sky") && topic == Topic.MISSING_ASSET) {
-            return List.of(new ProblemFix(ProblemText.REMOVE_FILE.words(), ProblemFixes::withoutSky));
+            return List.of(new LevelProblem.Fix(ProblemText.REMOVE_FILE.words(), ProblemFixes::withoutSky));
         } else if (place.isEmpty()) {
             return List.of();
         }
         return of(topic, place.get(), problem);
     }
 
-    private List<ProblemFix> of(Topic topic, EntityPath place, Problem problem) {
+    private List<LevelProblem.Fix> of(Topic topic, EntityPath place, Problem problem) {
         switch (topic) {
             case DUPLICATE_ID:
                 return List.of(rename(place));
@@ -77,10 +77,10 @@ final class ProblemFixes {
         throw new IllegalStateException("no case for " + topic);
     }
 
-    private ProblemFix delete(EntityPath place) {
+    private LevelProblem.Fix delete(EntityPath place) {
         Record known = place.entity(level);
         EntityRef ref = place.reference(level);
-        return new ProblemFix(ProblemText.DELETE.with(ref.id()), now -> {
+        return new LevelProblem.Fix(ProblemText.DELETE.with(ref.id()), now -> {
             Level without = place.replaced(now, known, null);
             // The notes stay if another entity has the same id.
             boolean isLast = Entities.LEVEL.find(without, ref).isEmpty();
@@ -88,17 +88,17 @@ final class ProblemFixes {
         });
     }
 
-    private ProblemFix replace(ProblemText text, EntityPath place, Record other) {
+    private LevelProblem.Fix replace(ProblemText text, EntityPath place, Record other) {
         Record known = place.entity(level);
-        return new ProblemFix(text.words(), now -> place.replaced(now, known, other));
+        return new LevelProblem.Fix(text.words(), now -> place.replaced(now, known, other));
     }
 
-    private ProblemFix rename(EntityPath place) {
+    private LevelProblem.Fix rename(EntityPath place) {
         Record record = place.entity(level);
         String name = Entities.LEVEL.freshId(level, place.section().path(), RecordKind.id(record));
         Record renamed = Entities.withId(record, name);
         // Duplicates may be one object, so that only the place tells them apart.
-        return new ProblemFix(ProblemText.RENAME.with(name), now -> renamedLast(place, now, record, renamed));
+        return new LevelProblem.Fix(ProblemText.RENAME.with(name), now -> renamedLast(place, now, record, renamed));
     }
 
     private static Level renamedLast(EntityPath place, Level now, Record record, Record renamed) {
@@ -107,13 +107,13 @@ final class ProblemFixes {
         return isThere ? place.replacedAt(now, renamed) : now;
     }
 
-    private List<ProblemFix> missingMaterial(EntityPath place) {
+    private List<LevelProblem.Fix> missingMaterial(EntityPath place) {
         Set<String> known = new HashSet<>();
         level.materials().forEach(material -> known.add(material.id()));
         Record entity = place.entity(level);
         Set<String> missing = Entities.references(entity, MATERIALS);
         missing.removeAll(known);
-        ProblemFix create = new ProblemFix(
+        LevelProblem.Fix create = new LevelProblem.Fix(
                 ProblemText.CREATE_MATERIAL.with(String.join(", ", missing)), now -> withMaterials(now, missing));
         return List.of(
                 create,
@@ -132,7 +132,7 @@ final class ProblemFixes {
     }
 
     /** Leaves an optional file out; a record that is nothing without its file is deleted. */
-    private ProblemFix withoutFile(EntityPath place) {
+    private LevelProblem.Fix withoutFile(EntityPath place) {
         String path = place.rest().substring(Math.min(1, place.rest().length()));
         return without(place.entity(level), path)
                 .map(other -> replace(ProblemText.REMOVE_FILE, place, other))
@@ -157,12 +157,12 @@ final class ProblemFixes {
         return (Level) Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
     }
 
-    private ProblemFix withoutPortals(Problem problem) {
+    private LevelProblem.Fix withoutPortals(Problem problem) {
         List<UnaryOperator<Level>> changes = new ArrayList<>();
         for (String path : paths(problem)) {
             EntityPath.of(level, path).ifPresent(place -> changes.add(now -> refusing(now, place)));
         }
-        return new ProblemFix(ProblemText.TAKE_NO_PORTALS.words(), now -> {
+        return new LevelProblem.Fix(ProblemText.TAKE_NO_PORTALS.words(), now -> {
             Level changed = now;
             for (UnaryOperator<Level> change : changes) {
                 changed = change.apply(changed);
@@ -188,8 +188,8 @@ final class ProblemFixes {
     }
 
     /** Offers both materials; the default grey cannot be given to a face, so that one has only the other. */
-    private List<ProblemFix> oneMaterial(Problem problem) {
-        List<ProblemFix> fixes = new ArrayList<>();
+    private List<LevelProblem.Fix> oneMaterial(Problem problem) {
+        List<LevelProblem.Fix> fixes = new ArrayList<>();
         List<String> paths = paths(problem);
         for (int i = 0; i < 2 && paths.size() == 2; i++) {
             Optional<EntityPath> to = EntityPath.of(level, paths.get(i));
@@ -198,7 +198,7 @@ final class ProblemFixes {
             if (to.isPresent() && material != null && to.get().entity(level) instanceof Solid solid) {
                 EntityPath place = to.get();
                 Solid changed = FaceEdit.withMaterial(solid, place.rest(), material);
-                fixes.add(new ProblemFix(
+                fixes.add(new LevelProblem.Fix(
                         ProblemText.ONE_MATERIAL.with(material),
                         now -> place.replaced(now, (Record) solid, (Record) changed)));
             }
@@ -213,25 +213,26 @@ final class ProblemFixes {
                 : Optional.ofNullable(solid.material());
     }
 
-    private List<ProblemFix> moveOut(EntityPath place) {
+    private List<LevelProblem.Fix> moveOut(EntityPath place) {
         Record entity = place.entity(level);
         Aabb box = FreePlace.room(entity);
         if (box.isEmpty() || statics == null) {
             return List.of(delete(place));
         }
-        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, entity)
-                .nearest(box)
-                .map(way -> place.replaced(now, entity, EntityTransform.moved(entity, way)))
-                .orElse(now));
+        LevelProblem.Fix move =
+                new LevelProblem.Fix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, entity)
+                        .nearest(box)
+                        .map(way -> place.replaced(now, entity, EntityTransform.moved(entity, way)))
+                        .orElse(now));
         return List.of(move, delete(place));
     }
 
-    private List<ProblemFix> moveStart() {
+    private List<LevelProblem.Fix> moveStart() {
         Record start = level.player();
         if (statics == null) {
             return List.of();
         }
-        return List.of(new ProblemFix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, start)
+        return List.of(new LevelProblem.Fix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, start)
                 .nearest(FreePlace.room(start))
                 .filter(way -> now.player() == start)
                 .map(way -> RecordKind.with(now, "player", EntityTransform.moved(start, way)))

@@ -1,21 +1,29 @@
 package nephele.editor.problem;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
+import nephele.engine.level.json.WordFormats;
+import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.LevelRule.Stage;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
 import nephele.engine.rule.LevelRules;
 
 /**
@@ -24,6 +32,8 @@ import nephele.engine.rule.LevelRules;
  * time, any thread.
  */
 public final class ProblemSearch {
+    private static final Vec3 BESIDE_START = new Vec3(0, 0, -4);
+
     private final AssetSource assets;
     private PlacedLevel placed;
     private List<Object> namedFiles = List.of();
@@ -106,8 +116,8 @@ public final class ProblemSearch {
                 }
             }
         }
-        shown.addAll(ProblemHints.of(level, statics));
-        return ProblemKey.numbered(shown);
+        shown.addAll(of(level, statics));
+        return numbered(shown);
     }
 
     /** Leaves out the missing start, which is a hint here. */
@@ -120,12 +130,77 @@ public final class ProblemSearch {
                 .map(path -> path.reference(level))
                 .orElse(problem.path().startsWith("player") ? EntityRef.single("player") : null);
         return new LevelProblem(
-                ProblemKey.of(level, problem),
-                problem.isError() ? ProblemSeverity.ERROR : ProblemSeverity.WARNING,
+                of(level, problem),
+                problem.isError() ? LevelProblem.Severity.ERROR : LevelProblem.Severity.WARNING,
                 problem.path(),
                 Words.same(problem.message()),
                 ProblemMarks.of(level, problem),
                 entity,
                 fixes.of(problem));
+    }
+
+    /** @param statics {@code null} if they cannot be derived */
+    private static List<LevelProblem> of(Level level, StaticShapes statics) {
+        List<LevelProblem> hints = new ArrayList<>();
+        if (level.player() == null) {
+            LevelProblem.Fix fix = new LevelProblem.Fix(ProblemText.ADD_START.words(), now -> withStart(now, statics));
+            hints.add(hint("player", ProblemText.NO_START, List.of(), statics == null ? List.of() : List.of(fix)));
+        }
+        if (level.exits().isEmpty()) {
+            LevelProblem.Fix fix = new LevelProblem.Fix(ProblemText.ADD_EXIT.words(), now -> withExit(now, statics));
+            hints.add(hint("exits", ProblemText.NO_EXIT, List.of(), statics == null ? List.of() : List.of(fix)));
+        }
+        boolean hasOutside =
+                level.environment().sky() != null || level.environment().sun() != null;
+        List<Vec3> line = hasOutside && statics != null ? Leak.line(level, statics) : List.of();
+        if (!line.isEmpty()) {
+            hints.add(hint("player.feet", ProblemText.OPEN_TO_OUTSIDE, line, List.of()));
+        }
+        return hints;
+    }
+
+    private static LevelProblem hint(String path, ProblemText text, List<Vec3> line, List<LevelProblem.Fix> fixes) {
+        return new LevelProblem(
+                WordFormats.Choice.word(text) + " " + path,
+                LevelProblem.Severity.HINT,
+                path,
+                text.words(),
+                ProblemMarks.line(line),
+                line.isEmpty() ? null : EntityRef.single("player"),
+                fixes);
+    }
+
+    private static Level withStart(Level now, StaticShapes statics) {
+        Vec3 feet = new Floors(now, statics).middle();
+        return now.player() != null
+                ? now
+                : RecordKind.with(now, "player", new PlayerStart(feet == null ? Vec3.ZERO : feet, 0, 0));
+    }
+
+    private static Level withExit(Level now, StaticShapes statics) {
+        if (!now.exits().isEmpty()) {
+            return now;
+        }
+        Vec3 from = now.player() == null ? Vec3.ZERO : now.player().feet();
+        Vec3 far = new Floors(now, statics).farFrom(from);
+        return now.withExits(List.of(new Exit("exit", far == null ? from.plus(BESIDE_START) : far, 1, 2)));
+    }
+
+    private static String of(Level level, Problem problem) {
+        String place = EntityPath.of(level, problem.path())
+                .map(path -> path.reference(level).text() + path.rest())
+                .orElse(problem.path());
+        return WordFormats.Choice.word(problem.subject().topic()) + " " + place;
+    }
+
+    /** Returns the problems with a number after each key that is there already. */
+    private static List<LevelProblem> numbered(List<LevelProblem> problems) {
+        Map<String, Integer> counts = new HashMap<>();
+        List<LevelProblem> numbered = new ArrayList<>();
+        for (LevelProblem problem : problems) {
+            int count = counts.merge(problem.key(), 1, Integer::sum);
+            numbered.add(count == 1 ? problem : problem.withKey(problem.key() + " #" + count));
+        }
+        return List.copyOf(numbered);
     }
 }

@@ -15,6 +15,11 @@ import nephele.engine.math.Vec3;
 /** The placement heat map over the perspective panes; after an edit only what is near it is computed again. */
 public final class HeatOverlay {
     private static final long PROGRESS_NANOS = 200_000_000;
+    /** One computation, which ends when a newer one begins. */
+    private static final class Run {
+        private volatile boolean isCancelled;
+        private volatile long toldNanos;
+    }
 
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
@@ -26,12 +31,6 @@ public final class HeatOverlay {
     private Map<HeatText, Integer> counts = Map.of();
     private Words told = Words.NONE;
     private Run running = new Run();
-
-    /** One computation, which ends when a newer one begins. */
-    private static final class Run {
-        private volatile boolean isCancelled;
-        private volatile long toldNanos;
-    }
 
     HeatOverlay(ProvingSubject subject) {
         this.subject = subject;
@@ -80,7 +79,7 @@ public final class HeatOverlay {
             PlacedLevel placed = before == null
                     ? PlacedLevel.of(level, assets)
                     : before.placed().edited(level);
-            PlacementHeatMap map = new PlacementHeatMap(placed, HeatSettings.DEFAULT, before);
+            PlacementHeatMap map = new PlacementHeatMap(placed, PlacementHeatMap.Settings.DEFAULT, before);
             boolean isDone = map.compute(() -> run.isCancelled, part -> progress(run, map.done()));
             if (isDone) {
                 HeatMemory result = map.memory();

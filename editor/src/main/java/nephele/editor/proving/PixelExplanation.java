@@ -112,7 +112,7 @@ public record PixelExplanation(List<String> lines) {
             List<String> lines, Language language, Level level, TracedLevel traced, PaneEye eye, PaneEye.Pixel pixel) {
         float[] radiance =
                 ReferencePicture.trace(traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), share -> {});
-        Picture shown = TraceProgress.picture(radiance, 1, level);
+        Picture shown = TracedCorner.TraceProgress.picture(radiance, 1, level);
         lines.add(ProvingText.LIGHT.in(
                 language,
                 number(radiance[0]) + " " + number(radiance[1]) + " " + number(radiance[2]),

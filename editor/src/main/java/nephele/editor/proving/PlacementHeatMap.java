@@ -47,8 +47,31 @@ public final class PlacementHeatMap {
     private static final int MOST_DOUBLINGS = 20;
 
     private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+    /** Passes cells on in parts of one size. */
+    private static final class Parts {
+        private final Consumer<List<HeatCell>> part;
+        private final List<HeatCell> cells = new ArrayList<>();
 
-    private final HeatSettings settings;
+        Parts(Consumer<List<HeatCell>> part) {
+            this.part = part;
+        }
+
+        void add(HeatCell cell) {
+            cells.add(cell);
+            if (cells.size() >= CHUNK_CELLS) {
+                end();
+            }
+        }
+
+        void end() {
+            if (!cells.isEmpty()) {
+                part.accept(List.copyOf(cells));
+                cells.clear();
+            }
+        }
+    }
+
+    private final Settings settings;
     private final List<HeatSurface> surfaces;
     private final BrushIndex solids;
     private final Placement placement;
@@ -60,12 +83,12 @@ public final class PlacementHeatMap {
     private volatile int dealtWith;
 
     /** Prepares the map of a level; the shots are made by {@link #compute}. */
-    public PlacementHeatMap(PlacedLevel placed, HeatSettings settings) {
+    public PlacementHeatMap(PlacedLevel placed, Settings settings) {
         this(placed, settings, null);
     }
 
     /** @param before a map of the level before an edit, with the same settings, or {@code null} */
-    public PlacementHeatMap(PlacedLevel placed, HeatSettings settings, HeatMemory before) {
+    public PlacementHeatMap(PlacedLevel placed, Settings settings, HeatMemory before) {
         this.settings = settings;
         this.placed = placed;
         Level level = placed.level();
@@ -141,30 +164,6 @@ public final class PlacementHeatMap {
         return true;
     }
 
-    /** Passes cells on in parts of one size. */
-    private static final class Parts {
-        private final Consumer<List<HeatCell>> part;
-        private final List<HeatCell> cells = new ArrayList<>();
-
-        Parts(Consumer<List<HeatCell>> part) {
-            this.part = part;
-        }
-
-        void add(HeatCell cell) {
-            cells.add(cell);
-            if (cells.size() >= CHUNK_CELLS) {
-                end();
-            }
-        }
-
-        void end() {
-            if (!cells.isEmpty()) {
-                part.accept(List.copyOf(cells));
-                cells.clear();
-            }
-        }
-    }
-
     /** Returns {@code null} if cancelled. */
     private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled, Parts parts) {
         List<HeatCell> cells = new ArrayList<>();
@@ -217,5 +216,17 @@ public final class PlacementHeatMap {
             sum = sum.plus(corner);
         }
         return sum.scaled(1.0 / polygon.size());
+    }
+
+    /**
+     * The fineness of a heat map and its shooter.
+     *
+     * @param spacingMetres side of its cells; coarser where the level would have more than {@code mostCells}
+     * @param yawRadians direction that the shooter faces over floors and under ceilings; 0 looks along −z, positive to the
+     *     left
+     */
+    public record Settings(double spacingMetres, double yawRadians, int mostCells) {
+        /** Cells of a quarter of a metre, seen by a shooter who faces −z. */
+        public static final Settings DEFAULT = new Settings(0.25, 0, 40_000);
     }
 }

@@ -21,7 +21,7 @@ public interface ProvingSubject {
     BackgroundReading background();
 
     /** Returns the level's file; empty for an untitled one. */
-    Optional<Path> file();
+    Optional<Path> levelFile();
 
     Selection selection();
 

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
-import nephele.editor.pane.MarkOutline;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.RecordedSolution;
 import nephele.editor.play.RecordedSolution.Outcome;
@@ -84,7 +83,7 @@ public final class SolutionProof {
         verdict = result;
         marks = result.deviation().map(SolutionProof::marks).orElse(List.of());
         subject.status(PlayText.of(result));
-        ProblemSight.of(subject, marks).ifPresent(subject::panes);
+        ProblemTour.lookingAt(subject, marks).ifPresent(subject::panes);
         subject.redraw();
     }
 
@@ -103,7 +102,7 @@ public final class SolutionProof {
     }
 
     private static List<Mark> body(Vec3 feet, MarkColour colour) {
-        return MarkOutline.box(
+        return Mark.box(
                 Aabb.around(feet.addScaled(BODY.y() / 2, new Vec3(0, 1, 0)), BODY), colour, Mark.Visibility.ALWAYS);
     }
 

@@ -1,5 +1,6 @@
 package nephele.editor.proving;
 
+import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import nephele.editor.text.Words;
@@ -13,6 +14,8 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
+import nephele.engine.render.ToneMappedPicture;
+import nephele.host.draw.Outputs;
 
 /**
  * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
@@ -26,6 +29,59 @@ public final class TracedCorner {
     private static final int WIDEST_PIXELS = 400;
     private static final int MOST_SAMPLES_AT_ONCE = 16;
     private static final int PREVIEW_DIVISOR = 4;
+
+    private static final class Run {
+        private volatile boolean isCancelled;
+
+        void requireWanted() {
+            if (isCancelled) {
+                throw new CancellationException("the camera or the level has changed");
+            }
+        }
+    }
+    /** The mean of traced pictures, weighted by their samples. */
+    static final class TraceProgress {
+        private final int width;
+        private final double[] sum;
+        private int samples;
+
+        TraceProgress(int width, int height) {
+            this.width = width;
+            sum = new double[3 * width * height];
+        }
+
+        int samples() {
+            return samples;
+        }
+
+        void add(float[] radiance, int itsSamples) {
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] += (double) radiance[i] * itsSamples;
+            }
+            samples += itsSamples;
+        }
+
+        Picture picture(Level level) {
+            float[] mean = new float[sum.length];
+            for (int i = 0; i < sum.length; i++) {
+                mean[i] = (float) (sum[i] / samples);
+            }
+            return picture(mean, width, level);
+        }
+
+        /** Returns radiance, the bottom row first, as the engine would display it. */
+        static Picture picture(float[] radiance, int width, Level level) {
+            BufferedImage image = ToneMappedPicture.of(radiance, width, level.environment(), Outputs.defaultFor(level));
+            byte[] rgb = new byte[3 * width * image.getHeight()];
+            for (int i = 0; i < width * image.getHeight(); i++) {
+                int colour = image.getRGB(i % width, i / width);
+                rgb[3 * i] = (byte) (colour >> 16);
+                rgb[3 * i + 1] = (byte) (colour >> 8);
+                rgb[3 * i + 2] = (byte) colour;
+            }
+            return new Picture(width, image.getHeight(), 3, 8, rgb);
+        }
+    }
 
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
@@ -61,16 +117,6 @@ public final class TracedCorner {
      * @param samples per pixel; 0 for the coarse picture at the beginning
      */
     public record Traced(Picture picture, int samples) {}
-
-    private static final class Run {
-        private volatile boolean isCancelled;
-
-        void requireWanted() {
-            if (isCancelled) {
-                throw new CancellationException("the camera or the level has changed");
-            }
-        }
-    }
 
     TracedCorner(ProvingSubject subject) {
         this.subject = subject;

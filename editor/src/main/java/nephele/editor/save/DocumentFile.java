@@ -3,12 +3,20 @@ package nephele.editor.save;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.FileName;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.ToneCurve;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.math.Vec3;
 
 /**
  * The file of a document, and its content when the document was opened or last saved.
@@ -87,5 +95,19 @@ public record DocumentFile(Optional<Path> path, String sha256) {
         } catch (IOException unreadable) {
             return "";
         }
+    }
+
+    /** Returns an untitled level with nothing in it but daylight; its assets are those of the working folder. */
+    public static Opened untitled() {
+        var sun = new Sun(new Vec3(-0.5, 0.75, 0.43), new Vec3(3.4, 3.1, 2.6), true);
+        var sky = new Sky.Gradient(new Vec3(0.1, 0.24, 0.56), new Vec3(0.5, 0.6, 0.7), new Vec3(0.26, 0.24, 0.21));
+        // Even light inside: a room without lamps is not black while it is built, and needs no bake.
+        var inside = new Vec3(0.2, 0.22, 0.25);
+        var environment = new Environment(sun, sky, inside, Exposure.NEUTRAL, ToneCurve.FILMIC, null, List.of());
+        return new DocumentFile.Opened(
+                DocumentFile.UNTITLED,
+                Level.of("Untitled", "", environment, List.of()),
+                LevelAssets.beside(Path.of("untitled.json")),
+                Optional.empty());
     }
 }

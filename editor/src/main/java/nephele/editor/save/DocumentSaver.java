@@ -9,12 +9,17 @@ import java.nio.file.Path;
 import java.nio.file.attribute.DosFileAttributes;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import nephele.editor.text.Words;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.FileOperations;
 import nephele.engine.level.json.LevelFile;
@@ -100,7 +105,7 @@ public final class DocumentSaver {
      * @param from the files of the level where it is now
      */
     public SaveResult saveAs(Path path, Level level, AssetSource from) {
-        Optional<Words> obstacle = obstacle(path).or(() -> AssetCopies.copy(level, from, path));
+        Optional<Words> obstacle = obstacle(path).or(() -> copy(level, from, path));
         return obstacle.isPresent() ? new SaveResult.Failed(obstacle.get()) : saveAs(path, level);
     }
 
@@ -153,4 +158,45 @@ public final class DocumentSaver {
     }
 
     /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */
+
+    /**
+     * Copies what a level at its new place would not find, or find otherwise.
+     *
+     * @param from the files of the level where it is now
+     * @return why the level cannot be saved there; a file that cannot be read is left to the level's check
+     */
+    private static Optional<Words> copy(Level level, AssetSource from, Path levelFile) {
+        LevelAssets there = LevelAssets.beside(levelFile);
+        List<String> copies = new ArrayList<>();
+        for (String id : NamedAssets.of(level, from)) {
+            if (!from.exists(id) || isSame(id, from, there)) {
+                continue;
+            }
+            Path place = levelFile.resolveSibling(id);
+            if (Files.exists(place)) {
+                return Optional.of(SaveText.ASSET_TAKEN.with(place));
+            }
+            copies.add(id);
+        }
+        for (String id : copies) {
+            Path place = levelFile.resolveSibling(id);
+            try {
+                Files.createDirectories(place.toAbsolutePath().getParent());
+                AtomicFile.write(place, from.bytes(id));
+            } catch (IOException problem) {
+                return Optional.of(DocumentSaver.message(place, problem));
+            } catch (AssetException unreadable) {
+                continue;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isSame(String id, AssetSource from, AssetSource there) {
+        try {
+            return there.exists(id) && Arrays.equals(there.bytes(id), from.bytes(id));
+        } catch (AssetException unreadable) {
+            return false;
+        }
+    }
 }

@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
@@ -36,22 +37,22 @@ public final class LevelPackage {
      * Writes a package.
      *
      * @param levelName file name of the level in it, such as {@code courtyard.json}
-     * @throws PackageException if a file is missing or the package cannot be written; an older package is then unchanged
+     * @throws EditorRefusal if a file is missing or the package cannot be written; an older package is then unchanged
      */
-    public static void export(Path zip, String levelName, Level level, AssetSource assets) {
+    public static void export(Path zip, String levelName, Level level, AssetSource assets) throws EditorRefusal {
         Map<String, byte[]> entries = new TreeMap<>();
         for (String id : NamedAssets.of(level, assets)) {
             try {
                 entries.put(id, assets.bytes(id));
             } catch (AssetException problem) {
-                throw new PackageException(SaveText.PACKAGE_ASSET.with(zip, problem.getMessage()), problem);
+                throw new EditorRefusal(SaveText.PACKAGE_ASSET.with(zip, problem.getMessage()), problem);
             }
         }
         entries.put(entryName(levelName), LevelJson.write(level).getBytes(StandardCharsets.UTF_8));
         try {
             write(zip, entries);
         } catch (IOException problem) {
-            throw new PackageException(DocumentSaver.message(zip, problem), problem);
+            throw new EditorRefusal(DocumentSaver.message(zip, problem), problem);
         }
     }
 
@@ -87,14 +88,14 @@ public final class LevelPackage {
      *
      * @param folder missing or empty
      * @return the level's file
-     * @throws PackageException if it is no package, or has an entry that is unsafe; the folder is then as before
+     * @throws EditorRefusal if it is no package, or has an entry that is unsafe; the folder is then as before
      */
-    public static Path extract(Path zip, Path folder) {
+    public static Path extract(Path zip, Path folder) throws EditorRefusal {
         Path target = folder.toAbsolutePath().normalize();
         PackageContent content = content(zip);
         try {
             if (Files.exists(target) && !isEmpty(target)) {
-                throw new PackageException(SaveText.PACKAGE_TARGET.with(folder));
+                throw new EditorRefusal(SaveText.PACKAGE_TARGET.with(folder));
             }
             Files.createDirectories(target.getParent());
             Path fresh = Files.createTempDirectory(target.getParent(), ".nephele-package");
@@ -107,16 +108,16 @@ public final class LevelPackage {
             }
             return target.resolve(content.levelName());
         } catch (IOException problem) {
-            throw new PackageException(DocumentSaver.message(folder, problem), problem);
+            throw new EditorRefusal(DocumentSaver.message(folder, problem), problem);
         }
     }
 
-    private static PackageContent content(Path zip) {
+    private static PackageContent content(Path zip) throws EditorRefusal {
         try {
             return PackageContent.read(zip);
         } catch (PackageContent.Refused refused) {
             String reason = refused.getMessage();
-            throw new PackageException(
+            throw new EditorRefusal(
                     refused.entry()
                             .map(entry -> SaveText.PACKAGE_ENTRY.with(zip, entry, reason))
                             .orElseGet(() -> SaveText.PACKAGE_UNREADABLE.with(zip, reason)),

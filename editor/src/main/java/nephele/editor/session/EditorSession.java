@@ -10,12 +10,13 @@ import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
 import nephele.editor.document.Grid;
 import nephele.editor.document.Registration;
+import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.play.WarmGame;
 import nephele.editor.proving.Proving;
+import nephele.editor.proving.ProvingSubject;
 import nephele.editor.save.DocumentFile;
-import nephele.editor.session.SessionListener.Change;
 import nephele.editor.terrain.PaintedMaps;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Tool;
@@ -31,15 +32,15 @@ import nephele.engine.level.Level;
  * One open level and everything that an action or a window needs of it. It is used by one thread, the event dispatch
  * thread if there is a window.
  */
-public final class EditorSession {
+public final class EditorSession implements ProvingSubject {
     private final Document document;
     private final ToolOptions options = new ToolOptions();
     private final ToolContext context;
     private final Proving proving;
     private final ToolDrag drag;
     private final PaintedMaps maps = new PaintedMaps(() -> file().path());
-    private final List<SessionListener> listeners = new ArrayList<>();
-    private Filing filing = Filing.ofThisUser();
+    private final List<Consumer<SessionChange>> listeners = new ArrayList<>();
+    private FileServices fileServices = FileServices.ofThisUser();
     private EditorSettings settings;
     private DocumentFile file;
     private AssetSource assets;
@@ -65,30 +66,60 @@ public final class EditorSession {
         this.settings = settings;
         document = new Document(level);
         context = new ToolContext(document, options, this::grid, this::status, () -> Optional.of(this.assets), maps);
-        proving = new Proving(new ProvedSession(this));
+        proving = new Proving(this);
         drag = new ToolDrag(this);
-        document.listen((before, after) -> tell(Change.DOCUMENT));
+        document.listen((before, after) -> tell(SessionChange.DOCUMENT));
         document.onRefusal(this::status);
         toolEntry = Tools.ALL.get(0);
         tool = toolEntry.make().apply(context);
     }
 
     /** Registers a listener until the registration is closed. */
-    public Registration listen(SessionListener listener) {
+    public Registration listen(Consumer<SessionChange> listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);
     }
 
-    /** Tells all listeners of a change. */
-    public void tell(Change change) {
-        if (change != Change.STATUS && change != Change.SETTINGS) {
+    /** Notifies all listeners of a change. */
+    public void tell(SessionChange change) {
+        if (change != SessionChange.STATUS && change != SessionChange.SETTINGS) {
             proving.follow();
         }
-        List.copyOf(listeners).forEach(listener -> listener.changed(change));
+        List.copyOf(listeners).forEach(listener -> listener.accept(change));
     }
 
     public Document document() {
         return document;
+    }
+
+    @Override
+    public Level level() {
+        return document.level();
+    }
+
+    @Override
+    public Selection selection() {
+        return document.selection();
+    }
+
+    @Override
+    public boolean isSettled() {
+        return !document.isDragging();
+    }
+
+    @Override
+    public Optional<Path> levelFile() {
+        return file.path();
+    }
+
+    @Override
+    public void panes(PaneLayout layout) {
+        panes(before -> layout);
+    }
+
+    @Override
+    public void redraw() {
+        tell(SessionChange.VIEW);
     }
 
     /** Returns the drag of the tool in use. */
@@ -101,6 +132,7 @@ public final class EditorSession {
     }
 
     /** Returns what runs the reading of files. */
+    @Override
     public BackgroundReading background() {
         return context.background();
     }
@@ -118,6 +150,7 @@ public final class EditorSession {
         return file;
     }
 
+    @Override
     public AssetSource assets() {
         return assets;
     }
@@ -137,7 +170,7 @@ public final class EditorSession {
         files = otherAssets;
         assets = maps.over(files);
         document.reset(level);
-        tell(Change.FILE);
+        tell(SessionChange.FILE);
     }
 
     /** Notes that the level was saved to a file; its files are from then on those beside it. */
@@ -151,27 +184,27 @@ public final class EditorSession {
         }
         document.markSaved();
         maps.saved(document.level());
-        tell(Change.FILE);
+        tell(SessionChange.FILE);
     }
 
     /** Notes what the file on disk holds now, of which the user knows; the document stays as it is. */
     public void known(DocumentFile outside) {
         file = outside;
-        tell(Change.FILE);
+        tell(SessionChange.FILE);
     }
 
-    public Filing filing() {
-        return filing;
+    public FileServices fileServices() {
+        return fileServices;
     }
 
-    public void filing(Filing next) {
-        filing = next;
+    public void fileServices(FileServices next) {
+        fileServices = next;
     }
 
     /** Makes the pictures and meshes be read again, since a file has changed. */
     public void reloadAssets(LevelAssets fresh) {
         follow(fresh);
-        tell(Change.VIEW);
+        tell(SessionChange.VIEW);
     }
 
     private void follow(LevelAssets beside) {
@@ -190,9 +223,10 @@ public final class EditorSession {
 
     public void settings(EditorSettings next) {
         settings = next;
-        tell(Change.SETTINGS);
+        tell(SessionChange.SETTINGS);
     }
 
+    @Override
     public Language language() {
         return settings.get(EditorSetting.LANGUAGE);
     }
@@ -203,19 +237,21 @@ public final class EditorSession {
 
     public void grid(Grid next) {
         grid = next;
-        tell(Change.VIEW);
+        tell(SessionChange.VIEW);
     }
 
+    @Override
     public PaneLayout panes() {
         return panes;
     }
 
     public void panes(UnaryOperator<PaneLayout> change) {
         panes = change.apply(panes);
-        tell(Change.VIEW);
+        tell(SessionChange.VIEW);
     }
 
     /** Returns the size of the whole viewport in pixels. */
+    @Override
     public PaneSize viewport() {
         return viewport;
     }
@@ -240,7 +276,7 @@ public final class EditorSession {
         document.cancelDrag();
         toolEntry = entry;
         tool = entry.make().apply(context);
-        tell(Change.VIEW);
+        tell(SessionChange.VIEW);
     }
 
     public Words status() {
@@ -248,9 +284,10 @@ public final class EditorSession {
     }
 
     /** Shows a message in the status bar. */
+    @Override
     public void status(Words words) {
         status = words;
-        tell(Change.STATUS);
+        tell(SessionChange.STATUS);
     }
 
     /** Returns the text that was copied last. */

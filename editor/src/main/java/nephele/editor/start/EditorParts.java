@@ -1,13 +1,16 @@
 package nephele.editor.start;
 
+import java.awt.Component;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import javax.swing.JTabbedPane;
 import nephele.editor.action.Actions;
-import nephele.editor.action.Desk;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.ProvingActions;
+import nephele.editor.action.UserInterface;
 import nephele.editor.document.Registration;
 import nephele.editor.document.Selection;
 import nephele.editor.paint.MaterialLibrary;
@@ -19,15 +22,20 @@ import nephele.editor.panel.PalettePanel;
 import nephele.editor.panel.ProblemsPanel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.EntityRef;
+import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
-import nephele.editor.session.Tools;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorSlots;
 import nephele.editor.window.dialog.AssetDialog;
 import nephele.editor.window.dialog.DialogFrame;
+import nephele.editor.window.dialog.DialogOpener;
+import nephele.editor.window.dialog.EditorDialogs;
+import nephele.editor.window.page.PageText;
+import nephele.editor.window.page.SettingsPage;
+import nephele.host.userfile.UserFolders;
 
 /** Puts the panels around the viewport. */
 public final class EditorParts {
@@ -43,15 +51,15 @@ public final class EditorParts {
      *
      * @param parts receives the name of each part that can be shown, and what opens it
      */
-    public static EditorPanel panel(EditorSession session, Desk desk, BiConsumer<String, Runnable> parts) {
-        return panel(session, new EditorSurroundings(desk, parts, DialogFrame::new));
+    public static EditorPanel panel(EditorSession session, UserInterface ui, BiConsumer<String, Runnable> parts) {
+        return panel(session, new EditorSurroundings(ui, parts, DialogFrame::new));
     }
 
     /** Returns the whole editor of a session among what surrounds it. */
     public static EditorPanel panel(EditorSession session, EditorSurroundings around) {
         BiConsumer<String, Runnable> parts = around.parts();
         session.options().material(MaterialLibrary.FIRST);
-        EditorCommands commands = new EditorCommands(session, around.desk(), Actions.ALL, Tools.ALL);
+        EditorCommands commands = new EditorCommands(session, around.ui(), Actions.ALL);
         AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
         OutlinerPanel outliner = new OutlinerPanel(
@@ -68,7 +76,7 @@ public final class EditorParts {
         };
         titles.run();
         Registration translation = session.listen(change -> {
-            if (change == Change.SETTINGS) {
+            if (change == SessionChange.SETTINGS) {
                 titles.run();
             }
         });
@@ -77,7 +85,7 @@ public final class EditorParts {
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, slots);
         panel.closeToo(translation);
-        EditorPages.register(session, panel, around);
+        register(session, panel, around);
         parts.accept("guide", guide::start);
         parts.accept("search", () -> {
             left.setSelectedIndex(0);
@@ -103,4 +111,30 @@ public final class EditorParts {
         session.document().select(Selection.of(ref));
         commands.named("focus").ifPresent(command -> command.run());
     }
+
+    /** Registers each part by its name with what opens it. */
+    private static void register(EditorSession session, EditorPanel panel, EditorSurroundings around) {
+        DialogOpener dialogues = around.dialogues().apply(panel);
+        BiConsumer<String, Runnable> parts = around.parts();
+        new EditorDialogs(session, around.ui(), panel, dialogues).register(parts);
+        parts.accept("settings", () -> show(session, panel, dialogues, SettingsPage.Tab.GENERAL));
+        parts.accept("keys", () -> show(session, panel, dialogues, SettingsPage.Tab.KEYS));
+    }
+
+    private static void show(EditorSession session, EditorPanel panel, DialogOpener dialogues, SettingsPage.Tab tab) {
+        Path file = EditorFiles.in(UserFolders.ofThisUser()).settings();
+        dialogues.open(PageText.SETTINGS.in(session.language()), close -> {
+            SettingsPage page = new SettingsPage(session, panel.commands().all(), file, close).at(tab);
+            return new DialogFrame.Content(page, page.tabs(), null);
+        });
+    }
+
+    /**
+     * What an editor's panel is connected with.
+     *
+     * @param parts receives the name of each part that can be shown, and what opens it
+     * @param dialogues returns what shows dialogues over the window of a component
+     */
+    public record EditorSurroundings(
+            UserInterface ui, BiConsumer<String, Runnable> parts, Function<Component, DialogOpener> dialogues) {}
 }

@@ -3,11 +3,11 @@ package nephele.editor.start;
 import java.awt.Dimension;
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
@@ -27,14 +27,14 @@ public final class ScriptedEditing {
 
     /** Runs the lines in order and ends the session; returns the failed one as {@code LINE: reason}, or empty. */
     public Optional<String> run(List<String> lines) {
-        ScriptDesk desk = new ScriptDesk(this::picture);
-        ScriptRunner script = new ScriptRunner(session, desk);
-        for (int i = 0; i < lines.size() && !desk.isEnded(); i++) {
+        ScriptInterface ui = new ScriptInterface(this::picture);
+        ScriptRunner script = new ScriptRunner(session, ui);
+        for (int i = 0; i < lines.size() && !ui.isEnded(); i++) {
             try {
                 script.run(lines.get(i));
-            } catch (ActionFailure failure) {
+            } catch (EditorRefusal failure) {
                 session.maps().discard();
-                return Optional.of((i + 1) + ": " + failure.told().in(session.language()));
+                return Optional.of((i + 1) + ": " + failure.words().in(session.language()));
             }
         }
         session.maps().discard();
@@ -44,7 +44,7 @@ public final class ScriptedEditing {
     /** Draws the whole editor as its window would show it. */
     private java.awt.image.BufferedImage picture() {
         WindowLook.apply(session.settings());
-        try (EditorPanel panel = EditorParts.panel(session, new ScriptDesk(() -> null), (part, opener) -> {})) {
+        try (EditorPanel panel = EditorParts.panel(session, new ScriptInterface(() -> null), (part, opener) -> {})) {
             PanelPicture.layOut(panel, SIZE);
             return PanelPicture.of(panel);
         }

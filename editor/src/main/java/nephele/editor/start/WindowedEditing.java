@@ -9,7 +9,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.play.PlayEnd;
 import nephele.editor.play.PlayText;
@@ -18,12 +17,13 @@ import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
-import nephele.editor.window.WindowDesk;
+import nephele.editor.window.WindowInterface;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.ProvingWindow;
 import nephele.editor.window.file.WindowFiles;
@@ -57,33 +57,33 @@ public final class WindowedEditing {
         Thread.setDefaultUncaughtExceptionHandler(new FaultFile(files.fault(), this::tellFault));
         SwingUtilities.invokeLater(() -> {
             WindowLook.apply(session.settings());
-            WindowDesk desk = new WindowDesk(session);
-            EditorPanel panel = EditorParts.panel(session, desk, desk::part);
-            ProvingWindow.connect(session, desk, panel);
-            Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(desk));
-            window = new EditorWindow(session, panel, desk, closing, () -> closed(ended));
-            work = new WindowFiles(session, panel, window, desk, journals());
+            WindowInterface ui = new WindowInterface(session);
+            EditorPanel panel = EditorParts.panel(session, ui, ui::part);
+            ProvingWindow.connect(session, ui, panel);
+            Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(ui));
+            window = new EditorWindow(session, panel, ui, closing, () -> closed(ended));
+            work = new WindowFiles(session, panel, window, ui, journals());
             session.playsWith(request -> {
                 isRecording = request.record() != null;
                 game.play(request);
             });
             session.listen(this::remember);
-            remember(Change.FILE);
+            remember(SessionChange.FILE);
             window.setVisible(true);
             work.offerLostWork();
             if (isFirstRoom()) {
-                desk.show("guide");
+                ui.show("guide");
             }
             SwingUtilities.invokeLater(game::warm);
         });
     }
 
     /** Keeps the settings as soon as they change, and the open file among the recent ones. */
-    private void remember(Change change) {
-        if (change == Change.SETTINGS) {
+    private void remember(SessionChange change) {
+        if (change == SessionChange.SETTINGS) {
             keepSettings();
         }
-        Optional<Path> file = change == Change.FILE ? session.file().path() : Optional.empty();
+        Optional<Path> file = change == SessionChange.FILE ? session.file().path() : Optional.empty();
         List<String> before = session.settings().get(EditorSetting.RECENT_FILES);
         file.map(session.settings()::withRecent)
                 .filter(after -> !after.get(EditorSetting.RECENT_FILES).equals(before))
@@ -101,11 +101,11 @@ public final class WindowedEditing {
         return files.journals() != null ? new JournalFolder(files.journals(), Clock.systemUTC()) : null;
     }
 
-    private boolean isSaved(WindowDesk desk) {
+    private boolean isSaved(WindowInterface ui) {
         try {
-            Actions.named("save").orElseThrow().run(new ActionCall(session, desk, java.util.Map.of()));
-        } catch (ActionFailure failure) {
-            session.status(failure.told());
+            Actions.named("save").orElseThrow().run(new ActionCall(session, ui, java.util.Map.of()));
+        } catch (EditorRefusal failure) {
+            session.status(failure.words());
         }
         return !session.document().isModified();
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.record.ListEdit;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LayerMap;
@@ -21,10 +22,10 @@ public final class LayerOrder {
      *
      * @param before the edit
      * @param after the edit of the lists of layers, with the terrains in the same order
-     * @throws TerrainRefusal if a new map cannot be kept
+     * @throws EditorRefusal if a new map cannot be kept
      */
     public static Level followed(Level before, Level after, ListEdit edit, AssetSource assets, PaintedMaps maps)
-            throws TerrainRefusal {
+            throws EditorRefusal {
         List<Terrain> terrains = new ArrayList<>();
         boolean differs = false;
         for (int i = 0; i < after.terrains().size(); i++) {
@@ -38,7 +39,7 @@ public final class LayerOrder {
     }
 
     private static Terrain followed(Terrain said, ListEdit edit, AssetSource assets, PaintedMaps maps)
-            throws TerrainRefusal {
+            throws EditorRefusal {
         LayerMap map;
         try {
             map = assets.decoded(said.layerMap(), LayerMap.class, LayerMapFile::read);
@@ -50,12 +51,12 @@ public final class LayerOrder {
             return said;
         }
         if (!maps.canKeep()) {
-            throw new TerrainRefusal(TerrainText.SAVE_FIRST.words());
+            throw new EditorRefusal(TerrainText.SAVE_FIRST.words());
         }
         try {
-            return said.withLayerMap(maps.keep(LayerStroke.fileName(said), PaintedMap.of(renumbered)));
+            return said.withLayerMap(maps.keep(LayerStroke.fileName(said), PaintedMaps.PaintedMap.of(renumbered)));
         } catch (IOException problem) {
-            throw new TerrainRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
+            throw new EditorRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
         }
     }
 

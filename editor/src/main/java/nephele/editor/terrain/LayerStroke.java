@@ -124,8 +124,8 @@ public final class LayerStroke implements TerrainStroke {
     }
 
     @Override
-    public PaintedMap painted() {
-        return PaintedMap.of(map());
+    public PaintedMaps.PaintedMap painted() {
+        return PaintedMaps.PaintedMap.of(map());
     }
 
     @Override

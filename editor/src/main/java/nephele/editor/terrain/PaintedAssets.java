@@ -9,14 +9,14 @@ import nephele.engine.asset.AssetSource;
 public record PaintedAssets(PaintedMaps maps, AssetSource files) implements AssetSource {
     @Override
     public byte[] bytes(String assetId) {
-        Optional<PaintedMap> map = maps.known(assetId);
+        Optional<PaintedMaps.PaintedMap> map = maps.known(assetId);
         return map.isPresent() && !files.exists(assetId) ? map.get().file().get() : files.bytes(assetId);
     }
 
     @Override
     public <T> T decoded(String assetId, Class<T> kind, BiFunction<String, byte[], T> decode) {
         return maps.known(assetId)
-                .map(PaintedMap::decoded)
+                .map(PaintedMaps.PaintedMap::decoded)
                 .filter(kind::isInstance)
                 .map(kind::cast)
                 .orElseGet(() -> files.decoded(assetId, kind, decode));

@@ -15,6 +15,10 @@ import nephele.editor.save.ContentHash;
 import nephele.editor.save.NamedAssets;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.HeightMap;
+import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.LayerMap;
+import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 
@@ -145,5 +149,21 @@ public final class PaintedMaps {
             }
         }
         unsaved.clear();
+    }
+
+    /**
+     * A map that a stroke has made.
+     *
+     * @param decoded what its file decodes to
+     * @param file makes the file
+     */
+    record PaintedMap(Object decoded, Supplier<byte[]> file) {
+        static PaintedMap of(HeightMap map) {
+            return new PaintedMap(map, () -> HeightMapFile.png(map));
+        }
+
+        static PaintedMap of(LayerMap map) {
+            return new PaintedMap(map, () -> LayerMapFile.png(map));
+        }
     }
 }

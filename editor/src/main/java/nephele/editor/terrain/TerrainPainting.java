@@ -9,6 +9,7 @@ import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -51,14 +52,14 @@ public final class TerrainPainting {
     /**
      * Begins a stroke with its first dab.
      *
-     * @throws TerrainRefusal if the terrain cannot be painted; nothing has changed then
+     * @throws EditorRefusal if the terrain cannot be painted; nothing has changed then
      */
-    public void begin(Terrain said, AssetSource assets, TerrainBrush with, double x, double z) throws TerrainRefusal {
+    public void begin(Terrain said, AssetSource assets, TerrainBrush with, double x, double z) throws EditorRefusal {
         if (document.level().editor().locked().contains(SECTION + "/" + said.id())) {
-            throw new TerrainRefusal(TerrainText.LOCKED.with(said.id()));
+            throw new EditorRefusal(TerrainText.LOCKED.with(said.id()));
         }
         if (!maps.canKeep()) {
-            throw new TerrainRefusal(TerrainText.SAVE_FIRST.words());
+            throw new EditorRefusal(TerrainText.SAVE_FIRST.words());
         }
         stroke = background.get(() -> stroke(said, assets, with, x, z));
         brush = with;
@@ -67,18 +68,18 @@ public final class TerrainPainting {
     }
 
     private static TerrainStroke stroke(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
-            throws TerrainRefusal {
+            throws EditorRefusal {
         try {
             return with.effect().isPaint() ? paint(said, assets, with, x, z) : shape(said, assets, with, x, z);
         } catch (AssetException unusable) {
-            throw new TerrainRefusal(TerrainText.UNUSABLE.with(unusable.getMessage()));
+            throw new EditorRefusal(TerrainText.UNUSABLE.with(unusable.getMessage()));
         }
     }
 
     private static TerrainStroke shape(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
-            throws TerrainRefusal {
+            throws EditorRefusal {
         if (said.heightRangeMetres().low() == said.heightRangeMetres().high()) {
-            throw new TerrainRefusal(TerrainText.NO_RANGE.with(said.id()));
+            throw new EditorRefusal(TerrainText.NO_RANGE.with(said.id()));
         }
         return new HeightStroke(said, heights(said, assets), with, x, z);
     }
@@ -88,12 +89,12 @@ public final class TerrainPainting {
     }
 
     private static TerrainStroke paint(Terrain said, AssetSource assets, TerrainBrush with, double x, double z)
-            throws TerrainRefusal {
+            throws EditorRefusal {
         if (said.layers().size() < 2) {
-            throw new TerrainRefusal(TerrainText.FEW_LAYERS.with(said.id()));
+            throw new EditorRefusal(TerrainText.FEW_LAYERS.with(said.id()));
         }
         if (with.effect() == Effect.PAINT && with.layer() >= said.layers().size()) {
-            throw new TerrainRefusal(TerrainText.NO_LAYER.with(said.id(), with.layer()));
+            throw new EditorRefusal(TerrainText.NO_LAYER.with(said.id(), with.layer()));
         }
         Optional<LayerMap> before = LayerPaint.read(said, assets);
         return new LayerStroke(said, before.orElseGet(() -> blank(heights(said, assets))), with, x, z);
@@ -129,9 +130,9 @@ public final class TerrainPainting {
      * Makes the stroke one step; one that has changed nothing makes none.
      *
      * @return the reason why it has changed nothing, empty if it has or if there is none to tell
-     * @throws TerrainRefusal if its map cannot be kept; the level is then as before
+     * @throws EditorRefusal if its map cannot be kept; the level is then as before
      */
-    public Optional<Words> end() throws TerrainRefusal {
+    public Optional<Words> end() throws EditorRefusal {
         if (painted == null) {
             return Optional.empty();
         }
@@ -146,7 +147,7 @@ public final class TerrainPainting {
             return Optional.empty();
         } catch (IOException problem) {
             document.cancelDrag();
-            throw new TerrainRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
+            throw new EditorRefusal(TerrainText.NOT_KEPT.with(problem.getMessage()));
         } finally {
             forget();
         }

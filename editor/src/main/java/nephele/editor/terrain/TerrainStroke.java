@@ -17,7 +17,7 @@ interface TerrainStroke {
     boolean isChange();
 
     /** Returns the map now; what was returned before does not change. */
-    PaintedMap painted();
+    PaintedMaps.PaintedMap painted();
 
     /** Returns a terrain with a map of this stroke. */
     Terrain on(Terrain said, String map);

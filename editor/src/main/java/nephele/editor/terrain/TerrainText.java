@@ -1,5 +1,6 @@
 package nephele.editor.terrain;
 
+import java.util.Locale;
 import nephele.editor.text.Words;
 
 /** What painting a terrain tells its user. */
@@ -53,5 +54,11 @@ public enum TerrainText {
     /** Returns the text with its {@code %s} replaced. */
     public Words with(Object... values) {
         return words.with(values);
+    }
+
+    /** Returns a number without zeros at its end. */
+    public static String number(double number) {
+        String text = String.format(Locale.ROOT, "%.2f", number + 0.0);
+        return text.replaceAll("\\.?0+$", "");
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.LevelShapes;
-import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -22,7 +22,7 @@ public final class FacesUnderPointer {
 
     /** Returns the nearest visible face; empty if there is none or its solid is locked. */
     public static Optional<FaceRef> at(ToolContext context, Pointer pointer) {
-        List<Pick> picks = context.picker().surfaces(pointer.ray());
+        List<Picker.Pick> picks = context.picker().surfaces(pointer.ray());
         if (picks.isEmpty()) {
             return Optional.empty();
         }

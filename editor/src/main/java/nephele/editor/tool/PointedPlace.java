@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import nephele.editor.document.Grid;
-import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.engine.math.Vec3;
@@ -26,7 +26,7 @@ public record PointedPlace(Vec3 point, Vec3 normal) {
 
     /** Returns the place under the pointer on what is not ignored. */
     public static Optional<PointedPlace> under(ToolContext context, Pointer pointer, Predicate<EntityRef> isIgnored) {
-        Optional<Pick> surface = context.picker().surfaces(pointer.ray()).stream()
+        Optional<Picker.Pick> surface = context.picker().surfaces(pointer.ray()).stream()
                 .filter(pick -> !isIgnored.test(pick.entity()))
                 .findFirst();
         if (surface.isPresent()) {

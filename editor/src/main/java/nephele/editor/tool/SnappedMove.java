@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.LevelShapes;
-import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
@@ -89,7 +89,7 @@ public final class SnappedMove {
         return Optional.ofNullable(nearest);
     }
 
-    private Optional<Pick> surface(Pointer pointer) {
+    private Optional<Picker.Pick> surface(Pointer pointer) {
         if (!Snap.is(context, Snapping.SURFACE) || pointer.isPlan()) {
             return Optional.empty();
         }
@@ -100,7 +100,7 @@ public final class SnappedMove {
     }
 
     /** Returns how far along the normal the displaced entities are from resting on a surface. */
-    private double height(Pick surface, Vec3 by) {
+    private double height(Picker.Pick surface, Vec3 by) {
         Aabb box = bounds();
         if (box.isEmpty()) {
             return 0;

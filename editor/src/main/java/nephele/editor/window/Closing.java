@@ -2,6 +2,7 @@ package nephele.editor.window;
 
 import java.util.function.BooleanSupplier;
 import nephele.editor.session.EditorSession;
+import nephele.engine.level.Language;
 
 /**
  * Decides whether a window may close.
@@ -14,10 +15,24 @@ public record Closing(EditorSession session, CloseQuestion question, BooleanSupp
         if (!session.document().isModified()) {
             return true;
         }
-        return switch (question.ask(EditorTitle.name(session), session.language())) {
+        return switch (question.ask(EditorWindow.name(session), session.language())) {
             case SAVE -> save.getAsBoolean();
             case DISCARD -> true;
             case CANCEL -> false;
         };
+    }
+
+    /** Asks what happens to unsaved changes. */
+    @FunctionalInterface
+    public interface CloseQuestion {
+        /** The user's choice. */
+        enum Choice {
+            SAVE,
+            DISCARD,
+            CANCEL
+        }
+
+        /** Asks about the level of this name. */
+        Choice ask(String level, Language language);
     }
 }

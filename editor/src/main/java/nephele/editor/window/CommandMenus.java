@@ -1,8 +1,11 @@
 package nephele.editor.window;
 
+import java.awt.event.KeyEvent;
 import java.util.List;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import nephele.editor.action.EditorAction.Menu;
@@ -14,6 +17,19 @@ import nephele.engine.level.Language;
 
 /** Makes the menu bar from the commands; a menu without commands is left out. */
 final class CommandMenus {
+    /**
+     * An item of a menu that shows its key but does not react to it: {@code EditorKeys} finds commands by keys, so that a
+     * letter typed into a text field starts none.
+     */
+    private static final class CommandMenuItem extends JCheckBoxMenuItem {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean isPressed) {
+            return false;
+        }
+    }
+
     private CommandMenus() {}
 
     /** Fills a menu bar anew. */

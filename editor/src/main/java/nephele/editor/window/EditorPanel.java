@@ -18,7 +18,7 @@ import nephele.editor.action.EditorKeys;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.ViewportPanel;
 import nephele.editor.window.viewport.ViewportPanel.Told;
@@ -86,12 +86,12 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         session.proving().pointed(place);
     }
 
-    private void follow(Change change) {
-        if (change == Change.SETTINGS) {
+    private void follow(SessionChange change) {
+        if (change == SessionChange.SETTINGS) {
             fill();
         }
         status.refresh();
-        if (change != Change.STATUS) {
+        if (change != SessionChange.STATUS) {
             toolbar.refresh();
             options.refresh();
         }

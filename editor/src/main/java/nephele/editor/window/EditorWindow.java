@@ -7,13 +7,14 @@ import java.awt.GraphicsEnvironment;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 
 /** The window of an editor. It follows theme, scale and language of the settings while it is open. */
 public final class EditorWindow extends JFrame {
@@ -32,14 +33,15 @@ public final class EditorWindow extends JFrame {
      *
      * @param closed called after the window was closed, such as to keep its settings
      */
-    public EditorWindow(EditorSession session, EditorPanel panel, WindowDesk desk, Closing closing, Runnable closed) {
+    public EditorWindow(
+            EditorSession session, EditorPanel panel, WindowInterface ui, Closing closing, Runnable closed) {
         this.session = session;
         this.panel = panel;
         this.closing = closing;
         this.closed = closed;
         look = session.settings();
         keys = new WindowKeys(this, panel);
-        desk.attach(this);
+        ui.attach(this);
         add(panel);
         setSize(fitting(1280, 800));
         setLocationByPlatform(true);
@@ -52,7 +54,7 @@ public final class EditorWindow extends JFrame {
         });
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(keys);
         registration = session.listen(this::follow);
-        setTitle(EditorTitle.of(session));
+        setTitle(title(session));
     }
 
     /** Returns a size in points of text at the scale of the settings, at most that of the screen without its bars. */
@@ -65,17 +67,17 @@ public final class EditorWindow extends JFrame {
     }
 
     /** Returns the question of a window about unsaved changes. */
-    public static CloseQuestion question(Component owner) {
+    public static Closing.CloseQuestion question(Component owner) {
         return new SwingQuestions(owner);
     }
 
-    private void follow(Change change) {
-        if (change == Change.SETTINGS && WindowLook.differs(look, session.settings())) {
+    private void follow(SessionChange change) {
+        if (change == SessionChange.SETTINGS && WindowLook.differs(look, session.settings())) {
             look = session.settings();
             WindowLook.apply(look);
             SwingUtilities.updateComponentTreeUI(this);
         }
-        String title = EditorTitle.of(session);
+        String title = title(session);
         if (!title.equals(getTitle())) {
             setTitle(title);
         }
@@ -103,5 +105,20 @@ public final class EditorWindow extends JFrame {
         dispose();
         closed.run();
         return true;
+    }
+
+    /** Returns the level's file name, or a word for none. */
+    static String name(EditorSession session) {
+        return session.file()
+                .path()
+                .map(Path::getFileName)
+                .map(Path::toString)
+                .orElseGet(() -> WindowText.UNTITLED.in(session.language()));
+    }
+
+    /** Returns the title, with an asterisk if something is not saved. */
+    static String title(EditorSession session) {
+        String mark = session.document().isModified() ? "*" : "";
+        return mark + name(session) + " – " + WindowText.TITLE.in(session.language());
     }
 }

@@ -7,7 +7,7 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
@@ -37,7 +37,7 @@ final class LayerBox extends JComboBox<Integer> {
         TerrainBrush before = session.options().terrainBrush();
         if (!isFilling && getSelectedItem() instanceof Integer layer) {
             session.options().terrainBrush(before.ofLayer(layer).with(Effect.PAINT));
-            session.tell(Change.VIEW);
+            session.tell(SessionChange.VIEW);
         }
     }
 

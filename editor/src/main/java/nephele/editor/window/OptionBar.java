@@ -5,6 +5,8 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
@@ -26,6 +28,77 @@ import nephele.engine.level.Language;
 /** The bar below the toolbar: how the active pane looks, panes, snapping, grid, and the options of the tool in use. */
 final class OptionBar extends JPanel {
     private static final long serialVersionUID = 1;
+
+    private static final class StepCell extends DefaultListCellRenderer {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
+            String text = value instanceof Double metres ? NumberExpression.text(metres) + " m" : "";
+            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
+        }
+    }
+    /** Groups of the view, in order; the step of the grid is chosen between the last two. */
+    private static final List<List<String>> VIEW = List.of(
+            List.of("lit", "unlit", "portalable", "collision", "wireframe"),
+            List.of("one-pane", "two-panes", "four-panes"),
+            List.of("snap-grid", "snap-vertex", "snap-surface", "snap-absolute"));
+    /** Actions that do something at once instead of choosing a state. */
+    private static final List<String> MOMENTARY = List.of(
+            "texture-pick",
+            "texture-fit",
+            "texture-left",
+            "texture-centre",
+            "texture-right",
+            "texture-top",
+            "texture-middle",
+            "texture-bottom",
+            "texture-reset",
+            "terrain-smaller",
+            "terrain-larger",
+            "terrain-weaker",
+            "terrain-stronger");
+
+    private static final List<String> TEXTURES =
+            MOMENTARY.stream().filter(id -> id.startsWith("texture-")).toList();
+    private static final List<String> TEXTURE_LOCK = List.of("texture-lock");
+    private static final Map<String, List<String>> OF_TOOL = Map.of(
+            "terrain",
+            List.of(
+                    "terrain-raise",
+                    "terrain-lower",
+                    "terrain-smooth",
+                    "terrain-flatten",
+                    "terrain-paint",
+                    "terrain-erase",
+                    "terrain-smaller",
+                    "terrain-larger",
+                    "terrain-weaker",
+                    "terrain-stronger"),
+            "brush",
+            List.of(
+                    "shape-box",
+                    "shape-wedge",
+                    "shape-stairs",
+                    "shape-arch",
+                    "shape-cylinder",
+                    "shape-room",
+                    "new-portalable"),
+            "clip",
+            List.of("keep-behind", "keep-front", "keep-both"),
+            "paint",
+            Stream.concat(TEXTURES.stream(), TEXTURE_LOCK.stream()).toList(),
+            "portalable",
+            List.of("new-portalable"),
+            "select",
+            TEXTURE_LOCK,
+            "move",
+            TEXTURE_LOCK,
+            "rotate",
+            TEXTURE_LOCK,
+            "scale",
+            TEXTURE_LOCK);
 
     private final transient EditorSession session;
     private final transient EditorCommands commands;
@@ -68,7 +141,7 @@ final class OptionBar extends JPanel {
         Language language = session.language();
         shownTool = session.toolEntry().id();
         getAccessibleContext().setAccessibleName(WindowText.OPTIONS.in(language));
-        for (List<String> group : ToolBarOptions.VIEW) {
+        for (List<String> group : VIEW) {
             group(group);
             separator();
         }
@@ -76,9 +149,9 @@ final class OptionBar extends JPanel {
         grid.getAccessibleContext().setAccessibleName(WindowText.GRID_STEP.in(language));
         grid.updateUI();
         add(grid);
-        if (!ToolBarOptions.of(shownTool).isEmpty()) {
+        if (!of(shownTool).isEmpty()) {
             separator();
-            group(ToolBarOptions.of(shownTool));
+            group(of(shownTool));
         }
         isLayersShown = LayerBox.isOffered(session);
         if (isLayersShown) {
@@ -97,7 +170,7 @@ final class OptionBar extends JPanel {
     }
 
     private void add(EditorCommand command) {
-        AbstractButton button = ToolBarOptions.MOMENTARY.contains(command.id()) ? new JButton() : new JToggleButton();
+        AbstractButton button = MOMENTARY.contains(command.id()) ? new JButton() : new JToggleButton();
         CommandButton made = CommandButton.of(command, button, keys, session.language());
         button.addActionListener(event -> refresh());
         add(button);
@@ -124,14 +197,8 @@ final class OptionBar extends JPanel {
         }
     }
 
-    private static final class StepCell extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text = value instanceof Double metres ? NumberExpression.text(metres) + " m" : "";
-            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
-        }
+    /** Returns the ids of the actions of a tool, in order. */
+    private static List<String> of(String tool) {
+        return OF_TOOL.getOrDefault(tool, List.of());
     }
 }

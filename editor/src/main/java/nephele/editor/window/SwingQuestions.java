@@ -10,7 +10,7 @@ import javax.swing.UIManager;
 import nephele.engine.level.Language;
 
 /** Questions in dialogues, with buttons in the user's language. */
-public final class SwingQuestions implements CloseQuestion {
+public final class SwingQuestions implements Closing.CloseQuestion {
     private final Component owner;
 
     /** @param owner over which the dialogues appear */

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.action.ScriptedSession;
+import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
-import nephele.editor.problem.ProblemSeverity;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.LevelStructure;
@@ -28,7 +28,7 @@ class AddedPartsTest {
 
     private static List<String> errors(Level level) {
         return ProblemSearch.of(level, ASSETS).stream()
-                .filter(problem -> problem.severity() == ProblemSeverity.ERROR)
+                .filter(problem -> problem.severity() == LevelProblem.Severity.ERROR)
                 .map(problem -> problem.path() + ": " + problem.message())
                 .toList();
     }

@@ -26,7 +26,7 @@ class TornJournalTest {
     }
 
     private static JournalRecord.Edit edit(int edits) {
-        TextDelta delta = TextDelta.between(text(edits - 1), text(edits));
+        JournalRecord.TextDelta delta = JournalRecord.TextDelta.between(text(edits - 1), text(edits));
         return new JournalRecord.Edit(NOW, edits, "move", delta);
     }
 
@@ -94,7 +94,8 @@ class TornJournalTest {
         for (String old : texts) {
             for (String now : texts) {
                 byte[] before = old.getBytes(StandardCharsets.UTF_8);
-                TextDelta delta = TextDelta.between(before, now.getBytes(StandardCharsets.UTF_8));
+                JournalRecord.TextDelta delta =
+                        JournalRecord.TextDelta.between(before, now.getBytes(StandardCharsets.UTF_8));
                 assertTrue(delta.fits(before), old + " to " + now);
                 assertEquals(now, new String(delta.applied(before), StandardCharsets.UTF_8), old + " to " + now);
             }

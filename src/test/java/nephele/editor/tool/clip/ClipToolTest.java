@@ -9,12 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.brush.BrushText;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneKind;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.EndedDrags;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.ToolScene;
@@ -108,7 +108,7 @@ class ClipToolTest {
     }
 
     @Test
-    void theActionChoosesThePartAndTheHintNamesIt() throws ActionFailure {
+    void theActionChoosesThePartAndTheHintNamesIt() throws EditorRefusal {
         cutAcross();
         String behind = scene.tool().hint().english();
         Actions.named("clip-keep").orElseThrow().effect().run(new ActionCall(scene.session(), null, Map.of()));

@@ -14,14 +14,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainText;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.asset.LayerMapFile;
@@ -202,8 +202,8 @@ class LayerBrushTest {
     }
 
     @Test
-    void scriptsPaintByIndexOrMaterial() throws ActionFailure {
-        ScriptRunner script = new ScriptRunner(session, new ScriptDesk(() -> null));
+    void scriptsPaintByIndexOrMaterial() throws EditorRefusal {
+        ScriptRunner script = new ScriptRunner(session, new ScriptInterface(() -> null));
         hand.stroke(-4, 4);
         String byHand = file();
         session.document().undo();
@@ -220,8 +220,8 @@ class LayerBrushTest {
         assertEquals(1, session.options().terrainBrush().layer());
         script.run("terrain-erase");
         assertEquals(Effect.ERASE, session.options().terrainBrush().effect());
-        ActionFailure failure =
-                assertThrows(ActionFailure.class, () -> script.run("terrain-stroke effect=paint layer=2 from=0,0,0"));
-        assertEquals("there is no layer '2': grass, rock", failure.told().english());
+        EditorRefusal failure =
+                assertThrows(EditorRefusal.class, () -> script.run("terrain-stroke effect=paint layer=2 from=0,0,0"));
+        assertEquals("there is no layer '2': grass, rock", failure.words().english());
     }
 }

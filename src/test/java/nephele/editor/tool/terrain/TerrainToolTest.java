@@ -13,8 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.document.Notes;
 import nephele.editor.pane.Mark;
@@ -24,6 +23,7 @@ import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainText;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.HeightMapFile;
@@ -185,8 +185,8 @@ class TerrainToolTest {
     }
 
     @Test
-    void scriptsPaintByNumbersAndSayWhatIsWrong() throws ActionFailure {
-        ScriptRunner script = new ScriptRunner(session, new ScriptDesk(() -> null));
+    void scriptsPaintByNumbersAndSayWhatIsWrong() throws EditorRefusal {
+        ScriptRunner script = new ScriptRunner(session, new ScriptInterface(() -> null));
         script.run("terrain-stroke effect=lower from=-4,0,0 to=4,0,0 radius=8 strength=1");
         int lowered = value(16, 16);
         assertTrue(lowered < 20_000);
@@ -204,9 +204,9 @@ class TerrainToolTest {
     private static void assertFailure(ScriptRunner script, String line, String begin) {
         try {
             script.run(line);
-        } catch (ActionFailure failure) {
+        } catch (EditorRefusal failure) {
             assertTrue(
-                    failure.told().english().startsWith(begin), failure.told().english());
+                    failure.words().english().startsWith(begin), failure.words().english());
             return;
         }
         throw new AssertionError(line + " succeeded");

@@ -28,7 +28,7 @@ class AssetFamilyTest {
             Files.write(folder.resolve(name), new byte[0]);
         }
         List<String> found =
-                AssetFiles.of(LevelAssets.beside(folder.resolve("level.json")), AssetFamily.of(component, current));
+                AssetDialog.of(LevelAssets.beside(folder.resolve("level.json")), AssetFamily.of(component, current));
         assertEquals(
                 List.of(offered.split(" ")),
                 found.stream().filter(id -> !id.contains("/")).toList());

@@ -13,12 +13,11 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
 import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.document.Selection;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.record.EntityRef;
@@ -27,7 +26,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.Tools;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.WindowLook;
@@ -55,7 +54,7 @@ class DialogsSwingTest {
     }
 
     private List<EditorCommand> commands() {
-        return new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, Tools.ALL).all();
+        return new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL).all();
     }
 
     private Words run(String action, Map<String, String> values) {
@@ -63,10 +62,10 @@ class DialogsSwingTest {
             Actions.named(action)
                     .orElseThrow()
                     .effect()
-                    .run(new ActionCall(session, new ScriptDesk(() -> null), values));
+                    .run(new ActionCall(session, new ScriptInterface(() -> null), values));
             return Words.NONE;
-        } catch (ActionFailure failure) {
-            return failure.told();
+        } catch (EditorRefusal failure) {
+            return failure.words();
         }
     }
 
@@ -196,10 +195,10 @@ class DialogsSwingTest {
 
     @Test
     void assetsAreThoseOfTheFamilyThatTheLevelCanName() {
-        List<String> pictures = AssetFiles.of(session.assets(), AssetFamily.of("texture", ""));
+        List<String> pictures = AssetDialog.of(session.assets(), AssetFamily.of("texture", ""));
         assertTrue(pictures.stream().anyMatch(id -> id.startsWith("textures/")), pictures.toString());
         assertTrue(pictures.stream().allMatch(id -> session.assets().exists(id)));
-        List<String> models = AssetFiles.of(session.assets(), AssetFamily.of("file", "models/any.obj"));
+        List<String> models = AssetDialog.of(session.assets(), AssetFamily.of("file", "models/any.obj"));
         assertTrue(models.stream().allMatch(id -> AssetFamily.of(id) == AssetFamily.MODEL));
         assertFalse(models.isEmpty());
     }
@@ -208,7 +207,7 @@ class DialogsSwingTest {
     void whatIsAddedLiesInView() {
         assertEquals(
                 "",
-                run("add", Map.of("kind", "bodies.box", "at", ViewedPlace.text(session)))
+                run("add", Map.of("kind", "bodies.box", "at", EditorDialogs.text(session)))
                         .english());
         assertEquals(
                 LEVEL.level().bodies().size() + 1,

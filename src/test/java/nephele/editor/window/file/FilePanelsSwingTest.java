@@ -206,7 +206,7 @@ class FilePanelsSwingTest {
         look(theme, percent);
         Path file = folder.resolve("room.json");
         EditorSession session = FiledSession.of(folder, file, level());
-        session.filing().saver().saveAs(file, DraftLevel.after(1));
+        session.fileServices().saver().saveAs(file, DraftLevel.after(1));
         BackupList backups = new BackupList(session, Instant.now(), ZoneOffset.UTC);
         BackupsPanel panel = new BackupsPanel(
                 backups,

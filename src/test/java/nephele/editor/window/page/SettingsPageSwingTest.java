@@ -16,13 +16,12 @@ import nephele.editor.action.Actions;
 import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
+import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
-import nephele.editor.session.Tools;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
 import nephele.workshop.prove.editor.PaintedPanel;
@@ -38,10 +37,9 @@ class SettingsPageSwingTest {
 
     private void open(EditorSettings settings) {
         WindowLook.apply(settings);
-        var level = NewDocument.opened();
+        var level = DocumentFile.untitled();
         session = new EditorSession(level.file(), level.level(), level.assets(), settings);
-        List<EditorCommand> commands =
-                new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, Tools.ALL).all();
+        List<EditorCommand> commands = new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL).all();
         page = new SettingsPage(session, commands, Path.of("editor.json"), () -> {});
     }
 
@@ -121,8 +119,7 @@ class SettingsPageSwingTest {
     @Test
     void theDefaultsHaveNoConflicts() {
         open(EditorSettings.DEFAULT);
-        List<EditorCommand> commands =
-                new EditorCommands(session, new ScriptDesk(() -> null), Actions.ALL, Tools.ALL).all();
+        List<EditorCommand> commands = new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL).all();
         assertEquals(List.of(), new EditorKeys(commands, Map.of()).conflicts());
     }
 

@@ -117,7 +117,10 @@ final class JournalFormat {
                 case BASE -> Optional.of(new JournalRecord.Base(time, text(in), file(in), inflated(in)));
                 case EDIT ->
                     Optional.of(new JournalRecord.Edit(
-                            time, in.readLong(), text(in), new TextDelta(in.readInt(), in.readInt(), inflated(in))));
+                            time,
+                            in.readLong(),
+                            text(in),
+                            new JournalRecord.TextDelta(in.readInt(), in.readInt(), inflated(in))));
                 default -> Optional.empty();
             };
         } catch (IOException | DateTimeException | InvalidPathException damaged) {

@@ -62,7 +62,8 @@ final class JournalLog {
     }
 
     private static JournalRecord.Edit edit(Unsaved state, byte[] before, byte[] text) {
-        return new JournalRecord.Edit(state.time(), state.number(), state.label(), TextDelta.between(before, text));
+        return new JournalRecord.Edit(
+                state.time(), state.number(), state.label(), JournalRecord.TextDelta.between(before, text));
     }
 
     private static byte[] text(Level level) {

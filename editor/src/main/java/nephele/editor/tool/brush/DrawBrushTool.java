@@ -14,7 +14,6 @@ import nephele.editor.brush.BrushStyle;
 import nephele.editor.brush.BrushText;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.EntityBounds;
-import nephele.editor.document.Pick;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -89,12 +88,12 @@ public final class DrawBrushTool implements Tool {
         if (pointer.isPlan()) {
             return inPlan(pointer);
         }
-        List<Pick> surfaces = context.picker().surfaces(pointer.ray());
+        List<Picker.Pick> surfaces = context.picker().surfaces(pointer.ray());
         if (surfaces.isEmpty()) {
             Vec3 up = WorldAxis.Y.unit();
             return pointer.onPlane(Vec3.ZERO, up).map(at -> on(pointer, at, up, -wall()));
         }
-        Pick surface = surfaces.get(0);
+        Picker.Pick surface = surfaces.get(0);
         WorldAxis axis = WorldAxis.nearest(surface.normal());
         return Optional.of(on(pointer, surface.point(), surface.normal(), height(surface, axis)));
     }
@@ -106,7 +105,7 @@ public final class DrawBrushTool implements Tool {
     }
 
     /** A vertex of the face is exact where the place of the pick is rounded; a sloped face has the place itself. */
-    private double height(Pick surface, WorldAxis axis) {
+    private double height(Picker.Pick surface, WorldAxis axis) {
         if (Math.abs(axis.of(surface.normal())) < 1) {
             return axis.of(surface.point());
         }

@@ -14,7 +14,6 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.BrushText;
 import nephele.editor.brush.VertexEdit;
 import nephele.editor.document.Notes;
-import nephele.editor.document.Pick;
 import nephele.editor.document.Picker;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
@@ -145,7 +144,7 @@ public final class ClipTool implements Tool {
         if (pointer.isPlan()) {
             return pointer.onPlane(Vec3.ZERO, pointer.camera().forward());
         }
-        List<Pick> surfaces = context.picker().surfaces(pointer.ray());
+        List<Picker.Pick> surfaces = context.picker().surfaces(pointer.ray());
         return surfaces.isEmpty()
                 ? pointer.onPlane(Vec3.ZERO, new Vec3(0, 1, 0))
                 : Optional.of(surfaces.get(0).point());

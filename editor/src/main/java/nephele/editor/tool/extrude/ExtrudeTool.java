@@ -7,7 +7,6 @@ import java.util.Optional;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
 import nephele.editor.document.Notes;
-import nephele.editor.document.Pick;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
@@ -99,7 +98,7 @@ public final class ExtrudeTool implements Tool {
      * can move only along the direction of sight.
      */
     private Optional<FaceGrip> under(Pointer pointer) {
-        Optional<Pick> solid = context.picker().along(pointer.ray()).stream()
+        Optional<Picker.Pick> solid = context.picker().along(pointer.ray()).stream()
                 .filter(pick -> pick.entity().section().equals(Picker.SOLIDS))
                 .findFirst();
         Optional<Brush> brush = solid.flatMap(pick -> context.shapes().brushes().stream()
@@ -111,7 +110,7 @@ public final class ExtrudeTool implements Tool {
         return pointer.isPlan() ? side(brush.get(), pointer) : named(brush.get(), solid.get());
     }
 
-    private static Optional<FaceGrip> named(Brush brush, Pick pick) {
+    private static Optional<FaceGrip> named(Brush brush, Picker.Pick pick) {
         for (int i = 0; i < brush.faces().size(); i++) {
             if (brush.faces().get(i).name().equals(pick.face())) {
                 return Optional.of(new FaceGrip(brush, i, pick.point()));

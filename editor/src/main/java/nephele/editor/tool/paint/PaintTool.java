@@ -13,7 +13,6 @@ import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
-import nephele.editor.pane.MarkOutline;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
@@ -210,7 +209,7 @@ public final class PaintTool implements Tool {
     public List<Mark> marks() {
         return Optional.ofNullable(hovered)
                 .flatMap(face -> FacesUnderPointer.shape(context.document().level(), face))
-                .map(face -> MarkOutline.polygon(face.polygon(), MarkColour.PREVIEW, Mark.Visibility.ALWAYS))
+                .map(face -> Mark.polygon(face.polygon(), MarkColour.PREVIEW, Mark.Visibility.ALWAYS))
                 .orElse(List.of());
     }
 

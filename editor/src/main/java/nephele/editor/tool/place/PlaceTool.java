@@ -6,7 +6,6 @@ import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
-import nephele.editor.pane.MarkOutline;
 import nephele.editor.text.EntityWords;
 import nephele.editor.text.Words;
 import nephele.editor.tool.PointedPlace;
@@ -116,7 +115,7 @@ public final class PlaceTool implements Tool {
     @Override
     public List<Mark> marks() {
         Aabb box = ghost == null ? Aabb.EMPTY : EntityBounds.of(ghost.entity());
-        return box.isEmpty() ? List.of() : MarkOutline.box(box, MarkColour.PREVIEW, Mark.Visibility.ALWAYS);
+        return box.isEmpty() ? List.of() : Mark.box(box, MarkColour.PREVIEW, Mark.Visibility.ALWAYS);
     }
 
     @Override

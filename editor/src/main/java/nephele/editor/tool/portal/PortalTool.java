@@ -9,7 +9,6 @@ import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
-import nephele.editor.pane.MarkOutline;
 import nephele.editor.proving.HeatText;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
@@ -304,7 +303,7 @@ public final class PortalTool implements Tool {
 
     /** Returns the border of a portal, with a line in the direction in which it faces. */
     private static List<Mark> outline(Portal portal, MarkColour colour) {
-        List<Mark> marks = new ArrayList<>(MarkOutline.polygon(portal.corners(), colour, Mark.Visibility.ALWAYS));
+        List<Mark> marks = new ArrayList<>(Mark.polygon(portal.corners(), colour, Mark.Visibility.ALWAYS));
         marks.add(new Mark.Line(portal.centre(), portal.world(0, 0, 0.3), colour, Mark.Visibility.ALWAYS));
         return marks;
     }

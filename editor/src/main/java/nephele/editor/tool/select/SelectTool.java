@@ -8,7 +8,6 @@ import java.util.Set;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.EntityTransform;
 import nephele.editor.document.Notes;
-import nephele.editor.document.Pick;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.Mark;
@@ -70,7 +69,7 @@ public final class SelectTool implements Tool {
         now = pointer;
         isDragging = false;
         grabbed = null;
-        for (Pick pick : context.picker().along(pointer.ray())) {
+        for (Picker.Pick pick : context.picker().along(pointer.ray())) {
             boolean isGround = pick.entity().section().equals(TERRAINS);
             if (!isGround && context.document().selection().contains(pick.entity())) {
                 grabbed = pick.point();
@@ -130,7 +129,7 @@ public final class SelectTool implements Tool {
 
     private void click(Pointer pointer) {
         List<EntityRef> hit = context.picker().along(pointer.ray()).stream()
-                .map(Pick::entity)
+                .map(Picker.Pick::entity)
                 .distinct()
                 .toList();
         boolean isAgain = lastClick != null

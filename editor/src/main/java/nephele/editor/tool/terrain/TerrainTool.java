@@ -7,14 +7,13 @@ import nephele.editor.pane.Mark;
 import nephele.editor.pane.Mark.Visibility;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.terrain.LayerChoice;
-import nephele.editor.terrain.NumberWords;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
-import nephele.editor.terrain.TerrainRefusal;
 import nephele.editor.terrain.TerrainSight;
 import nephele.editor.terrain.TerrainSight.Hit;
 import nephele.editor.terrain.TerrainText;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -97,8 +96,8 @@ public final class TerrainTool implements Tool {
                     hovered.point().z());
             pressed = hovered;
             painting.notice().ifPresent(context::status);
-        } catch (TerrainRefusal refusal) {
-            context.status(refusal.told());
+        } catch (EditorRefusal refusal) {
+            context.status(refusal.words());
         }
     }
 
@@ -119,8 +118,8 @@ public final class TerrainTool implements Tool {
         pressed = null;
         try {
             painting.end().ifPresent(context::status);
-        } catch (TerrainRefusal refusal) {
-            context.status(refusal.told());
+        } catch (EditorRefusal refusal) {
+            context.status(refusal.words());
         }
         moved(pointer);
     }
@@ -157,14 +156,14 @@ public final class TerrainTool implements Tool {
         if (shown.effect().isPaint()) {
             return TerrainText.PAINT_BRUSH.with(
                     title(shown, hovered.terrain()),
-                    NumberWords.of(shown.radiusMetres()),
+                    TerrainText.number(shown.radiusMetres()),
                     Math.round(100 * shown.strength()));
         }
         return TerrainText.BRUSH.with(
                 shown.effect().title(),
-                NumberWords.of(shown.radiusMetres()),
+                TerrainText.number(shown.radiusMetres()),
                 Math.round(100 * shown.strength()),
-                NumberWords.of(y(hovered.point().x(), hovered.point().z())
+                TerrainText.number(y(hovered.point().x(), hovered.point().z())
                         - hovered.terrain().centre().y()));
     }
 

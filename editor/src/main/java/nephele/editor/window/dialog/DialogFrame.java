@@ -1,5 +1,7 @@
 package nephele.editor.window.dialog;
 
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
 import java.awt.Dimension;
@@ -15,6 +17,9 @@ import nephele.editor.widget.ComponentKeys;
 
 /** Shows a panel in a dialogue over the window of a component, and waits until it is closed; Esc closes it. */
 public final class DialogFrame implements DialogOpener {
+    private static final Color ERROR_ON_DARK = new Color(0xff8a80);
+    private static final Color ERROR_ON_LIGHT = new Color(0xb3261e);
+
     private final Component owner;
 
     public DialogFrame(Component owner) {
@@ -28,6 +33,11 @@ public final class DialogFrame implements DialogOpener {
      * @param main the button of Enter; {@code null} for none
      */
     public record Content(JComponent panel, JComponent first, JButton main) {}
+
+    /** Returns the colour of texts that report an error, legible in the theme in use. */
+    public static Color errorColour() {
+        return FlatLaf.isLafDark() ? ERROR_ON_DARK : ERROR_ON_LIGHT;
+    }
 
     @Override
     public void open(String title, Function<Runnable, Content> making) {

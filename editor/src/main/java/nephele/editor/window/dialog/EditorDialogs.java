@@ -10,27 +10,38 @@ import java.util.function.Function;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import nephele.editor.action.ActionCall;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.Actions;
-import nephele.editor.action.Desk;
 import nephele.editor.action.EditorCommand;
+import nephele.editor.action.UserInterface;
+import nephele.editor.document.Picker;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.PaneView;
+import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.window.EditorPanel;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 
 /** The dialogues of one window, opened by the names of its parts. */
 public final class EditorDialogs {
+    private static final double MOST_METRES = 20;
+    private static final double FREE_METRES = 4;
+    private static final double STANDOFF_METRES = 0.5;
+
     private final EditorSession session;
-    private final Desk desk;
+    private final UserInterface ui;
     private final EditorPanel panel;
     private final DialogOpener frame;
 
     /** @param frame shows the dialogues */
-    public EditorDialogs(EditorSession session, Desk desk, EditorPanel panel, DialogOpener frame) {
+    public EditorDialogs(EditorSession session, UserInterface ui, EditorPanel panel, DialogOpener frame) {
         this.session = session;
-        this.desk = desk;
+        this.ui = ui;
         this.panel = panel;
         this.frame = frame;
     }
@@ -82,7 +93,7 @@ public final class EditorDialogs {
     private void add(PaletteModel.Entry entry) {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("kind", entry.section() + "." + entry.kind());
-        values.put("at", ViewedPlace.text(session));
+        values.put("at", text(session));
         session.status(run("add", values));
     }
 
@@ -102,10 +113,10 @@ public final class EditorDialogs {
     /** Runs an action with values; returns what went wrong, or {@link Words#NONE}. */
     private Words run(String action, Map<String, String> values) {
         try {
-            Actions.named(action).orElseThrow().run(new ActionCall(session, desk, values));
+            Actions.named(action).orElseThrow().run(new ActionCall(session, ui, values));
             return Words.NONE;
-        } catch (ActionFailure failure) {
-            return failure.told();
+        } catch (EditorRefusal failure) {
+            return failure.words();
         }
     }
 
@@ -117,5 +128,29 @@ public final class EditorDialogs {
             String path = chooser.getSelectedFile().getPath();
             session.status(run("screenshot", Map.of("file", path.endsWith(".png") ? path : path + ".png")));
         }
+    }
+
+    private static Ray ahead(PerspectiveCamera camera, PaneSize size) {
+        return camera.ray(size.width() / 2.0, size.height() / 2.0, size);
+    }
+
+    /** Returns the place on the grid as {@code x,y,z}. */
+    static String text(EditorSession session) {
+        Vec3 at = session.grid().snapped(of(session));
+        return at.x() + "," + at.y() + "," + at.z();
+    }
+
+    /** Returns a place in front of the nearest surface ahead, or ahead in the air; in a plan, its middle. */
+    static Vec3 of(EditorSession session) {
+        PaneView view = session.panes().activeView();
+        if (view.kind() != PaneKind.PERSPECTIVE) {
+            return view.plan().centre();
+        }
+        PerspectiveCamera camera = view.perspective();
+        List<Picker.Pick> ahead = session.context().picker().surfaces(ahead(camera, session.viewport()));
+        if (ahead.isEmpty() || ahead.get(0).point().minus(camera.eye()).length() > MOST_METRES) {
+            return camera.eye().addScaled(FREE_METRES, camera.forward());
+        }
+        return ahead.get(0).point().addScaled(STANDOFF_METRES, ahead.get(0).normal());
     }
 }

@@ -48,7 +48,7 @@ final class FormPanel extends JPanel {
             add(label);
             add(input.component());
         }
-        message.setForeground(ToldColour.error());
+        message.setForeground(DialogFrame.errorColour());
         message.setName("message");
         add(message, "span 2, growx, wmin 0");
         JButton cancel = new JButton(DialogText.CANCEL.in(session.language()));

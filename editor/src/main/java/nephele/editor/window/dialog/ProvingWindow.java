@@ -3,35 +3,42 @@ package nephele.editor.window.dialog;
 import java.awt.Component;
 import java.awt.Desktop;
 import java.awt.GraphicsEnvironment;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.function.Consumer;
+import javax.swing.JDialog;
 import javax.swing.SwingUtilities;
+import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.ProvingText;
 import nephele.editor.proving.ProvingThreads;
 import nephele.editor.session.EditorSession;
-import nephele.editor.window.WindowDesk;
+import nephele.editor.widget.ComponentKeys;
+import nephele.editor.window.WindowInterface;
+import nephele.engine.level.Language;
 
 /** Gives the proofs of a session a window: threads for their work, a dialogue and the browser for their results. */
 public final class ProvingWindow {
     private final EditorSession session;
-    private final WindowDesk desk;
+    private final WindowInterface ui;
 
-    private ProvingWindow(EditorSession session, WindowDesk desk) {
+    private ProvingWindow(EditorSession session, WindowInterface ui) {
         this.session = session;
-        this.desk = desk;
+        this.ui = ui;
     }
 
     /** Connects the proofs with a window, once. */
-    public static void connect(EditorSession session, WindowDesk desk, Component owner) {
-        ProvingWindow window = new ProvingWindow(session, desk);
+    public static void connect(EditorSession session, WindowInterface ui, Component owner) {
+        ProvingWindow window = new ProvingWindow(session, ui);
         session.proving().runOn(ProvingThreads.background(SwingUtilities::invokeLater));
-        desk.part("explanation", () -> window.explain(owner));
-        desk.part("trade-page", window::browse);
+        ui.part("explanation", () -> window.explain(owner));
+        ui.part("trade-page", window::browse);
     }
 
     private void explain(Component owner) {
-        session.proving().explain(found -> ExplanationDialog.of(owner, found, session.language(), desk::copy)
-                .setVisible(true));
+        session.proving()
+                .explain(found -> of(owner, found, session.language(), ui::copy).setVisible(true));
     }
 
     /** Opens the page; without a browser, its path stays in the status line. */
@@ -56,5 +63,24 @@ public final class ProvingWindow {
         } catch (IOException | UnsupportedOperationException withoutBrowser) {
             return false;
         }
+    }
+
+    private static JDialog of(Component owner, PixelExplanation explanation, Language language, Consumer<String> copy) {
+        JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), ProvingText.EXPLANATION.in(language));
+        ExplanationPanel panel = new ExplanationPanel(explanation, language, copy, dialog::dispose);
+        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
+        dialog.add(panel);
+        dialog.getRootPane().setDefaultButton(panel.closeButton());
+        ComponentKeys.bind(dialog.getRootPane(), "ESCAPE", dialog::dispose);
+        dialog.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                // Not every window system gives the focus back by itself.
+                owner.requestFocus();
+            }
+        });
+        dialog.pack();
+        dialog.setLocationRelativeTo(owner);
+        return dialog;
     }
 }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import nephele.editor.action.CommandSearch;
 import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.KeyText;
 import nephele.editor.panel.model.PaletteModel;
@@ -25,7 +25,7 @@ public final class Searches {
         return new SearchList<>(
                 new SearchList.Search<>(
                         DialogText.SEARCH_COMMANDS,
-                        query -> CommandSearch.find(commands, query, language),
+                        query -> EditorCommands.find(commands, query, language),
                         command -> new SearchRow(
                                 command.title().in(language),
                                 command.menu().title().in(language),

@@ -9,7 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import nephele.editor.file.BackupList;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.widget.ComponentKeys;
 import nephele.engine.level.Language;
@@ -36,7 +36,7 @@ public final class BackupsPanel extends JPanel {
     /** Something that is done with the version of a row. */
     @FunctionalInterface
     private interface Effect {
-        void on(int index) throws FileRefusal;
+        void on(int index) throws EditorRefusal;
     }
 
     public BackupsPanel(BackupList backups, Language language, Answers answers) {
@@ -89,15 +89,15 @@ public final class BackupsPanel extends JPanel {
         try {
             effect.on(list.selected());
             answers.done().run();
-        } catch (FileRefusal refusal) {
-            answers.tell().accept(refusal.told());
+        } catch (EditorRefusal refusal) {
+            answers.tell().accept(refusal.words());
         }
     }
 
     private Optional<BufferedImage> picture(int index) {
         try {
             return Optional.of(PicturedList.plan(backups.level(index)));
-        } catch (FileRefusal unreadable) {
+        } catch (EditorRefusal unreadable) {
             return Optional.empty();
         }
     }

@@ -26,7 +26,7 @@ import nephele.editor.file.DroppedFile.Kind;
 import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.file.DroppedFile.Target;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.FileRefusal;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.PointedPlace;
@@ -116,8 +116,8 @@ public final class FileDrops {
         for (Path file : files) {
             try {
                 drop(file, at);
-            } catch (FileRefusal refusal) {
-                refusals.add(refusal.told());
+            } catch (EditorRefusal refusal) {
+                refusals.add(refusal.words());
             }
         }
         if (!refusals.isEmpty()) {
@@ -126,7 +126,7 @@ public final class FileDrops {
         }
     }
 
-    private void drop(Path file, Point at) throws FileRefusal {
+    private void drop(Path file, Point at) throws EditorRefusal {
         Kind kind = Kind.of(file);
         Optional<SceneUse> use = kind != Kind.SCENE || DroppedFile.isUntouched(session)
                 ? Optional.of(SceneUse.REPLACE)

@@ -15,7 +15,7 @@ import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.window.viewport.ViewportPanel;
 
 /** Keeps a small picture of what the user saw last, some seconds after an edit: the viewport has drawn it anyway. */
@@ -38,7 +38,7 @@ final class JournalPictures implements AutoCloseable {
         timer = new Timer(DELAY_MILLIS, event -> take());
         timer.setRepeats(false);
         registration = session.listen(change -> {
-            if (change == Change.DOCUMENT && session.document().isModified() && !timer.isRunning()) {
+            if (change == SessionChange.DOCUMENT && session.document().isModified() && !timer.isRunning()) {
                 timer.start();
             }
         });

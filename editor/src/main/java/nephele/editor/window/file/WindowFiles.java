@@ -23,7 +23,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.SwingQuestions;
-import nephele.editor.window.WindowDesk;
+import nephele.editor.window.WindowInterface;
 import nephele.engine.level.Language;
 
 /**
@@ -33,7 +33,7 @@ import nephele.engine.level.Language;
 public final class WindowFiles implements AutoCloseable {
     private final EditorSession session;
     private final Window window;
-    private final WindowDesk desk;
+    private final WindowInterface ui;
     private final SwingQuestions questions;
     private final SessionJournal journal;
     private final JournalPictures pictures;
@@ -50,21 +50,21 @@ public final class WindowFiles implements AutoCloseable {
      * @param journals of this process; {@code null} if edits are not to be recorded
      */
     public WindowFiles(
-            EditorSession session, EditorPanel panel, Window window, WindowDesk desk, JournalFolder journals) {
+            EditorSession session, EditorPanel panel, Window window, WindowInterface ui, JournalFolder journals) {
         this.session = session;
         this.window = window;
-        this.desk = desk;
+        this.ui = ui;
         questions = new SwingQuestions(window);
         journal = journals == null ? null : new SessionJournal(session, journals, this::tellSoon);
         pictures =
                 journal == null ? null : new JournalPictures(session, panel.viewport(), background, journal::picture);
         var changes = new OutsideChanges(session, new Asked());
         watch = new SessionWatch(session, changes, new SessionWatch.Threads(SwingUtilities::invokeLater, background));
-        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, desk::sceneUse);
+        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, ui::sceneUse);
         drops.accept(panel);
         drops.accept(panel.viewport().surface().component());
-        desk.part("backups", this::showBackups);
-        desk.part("recover", () -> findLost(true));
+        ui.part("backups", this::showBackups);
+        ui.part("recover", () -> findLost(true));
     }
 
     /** Looks for lost work beside the opening window, and offers it if there is some. */
@@ -77,7 +77,7 @@ public final class WindowFiles implements AutoCloseable {
     }
 
     private boolean mayLeave() {
-        return !session.document().isModified() || desk.isAgreed(FileText.LOSES.words());
+        return !session.document().isModified() || ui.isAgreed(FileText.LOSES.words());
     }
 
     private void tell(Words message) {
@@ -126,7 +126,7 @@ public final class WindowFiles implements AutoCloseable {
         RecoveryList lost = new RecoveryList(journal, works, Instant.now(), ZoneId.systemDefault());
         JDialog dialog = dialog(FileDialogText.RECOVER_TITLE.in(session.language()));
         RecoveryPanel panel = new RecoveryPanel(
-                lost, session.language(), new RecoveryPanel.Answers(desk::isAgreed, this::mayLeave, dialog::dispose));
+                lost, session.language(), new RecoveryPanel.Answers(ui::isAgreed, this::mayLeave, dialog::dispose));
         show(dialog, panel, panel.recoverButton(), panel.rows());
     }
 

@@ -4,10 +4,13 @@ import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -18,18 +21,69 @@ import javax.swing.ListSelectionModel;
 import javax.swing.UIManager;
 import javax.swing.table.DefaultTableCellRenderer;
 import nephele.editor.action.EditorCommand;
+import nephele.editor.action.EditorKeys;
 import nephele.editor.action.KeyText;
 import nephele.editor.session.EditorSession;
+import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.widget.ComponentKeys;
 import nephele.editor.widget.TextListener;
-import nephele.editor.window.dialog.ToldColour;
+import nephele.editor.window.dialog.DialogFrame;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
 /** All actions with their keys: search, press a key to bind it, see conflicts, reset. Changes hold at once. */
 final class KeysPage extends JPanel {
     private static final long serialVersionUID = 1;
+    /** The keys that a user has chosen instead of the defaults, as the settings keep them. */
+    private static final class KeyChoices {
+        private final List<EditorCommand> commands;
+        private final EditorSettings settings;
+
+        public KeyChoices(List<EditorCommand> commands, EditorSettings settings) {
+            this.commands = List.copyOf(commands);
+            this.settings = settings;
+        }
+
+        /** Returns the keys in use. */
+        public EditorKeys keys() {
+            return new EditorKeys(commands, settings.get(EditorSetting.KEYS));
+        }
+
+        /** Returns the settings with exactly these keys of a command; its defaults leave no entry. */
+        public EditorSettings with(EditorCommand command, List<KeyText> keys) {
+            Map<String, List<String>> chosen = new LinkedHashMap<>(settings.get(EditorSetting.KEYS));
+            List<KeyText> defaults = command.keys().stream()
+                    .flatMap(text -> KeyText.parse(text).stream())
+                    .toList();
+            if (keys.equals(defaults)) {
+                chosen.remove(command.id());
+            } else {
+                chosen.put(command.id(), keys.stream().map(KeyText::text).toList());
+            }
+            return settings.with(EditorSetting.KEYS, chosen);
+        }
+
+        /** Returns the settings with one more key of a command; the oldest goes if there are too many. */
+        public EditorSettings withAdded(EditorCommand command, KeyText key) {
+            List<KeyText> all = Stream.concat(keys().of(command.id()).stream(), Stream.of(key))
+                    .distinct()
+                    .toList();
+            return with(command, all.subList(Math.max(0, all.size() - EditorSetting.MOST_KEYS), all.size()));
+        }
+
+        /** Returns the settings with the default keys of a command. */
+        public EditorSettings reset(EditorCommand command) {
+            Map<String, List<String>> chosen = new LinkedHashMap<>(settings.get(EditorSetting.KEYS));
+            chosen.remove(command.id());
+            return settings.with(EditorSetting.KEYS, chosen);
+        }
+
+        /** Returns the settings with the default keys of all commands. */
+        public EditorSettings resetAll() {
+            return settings.with(EditorSetting.KEYS, Map.of());
+        }
+    }
 
     private final transient EditorSession session;
     private final transient List<EditorCommand> commands;
@@ -140,7 +194,7 @@ final class KeysPage extends JPanel {
         capture.setText(PageText.HOW.in(language));
         int count = choices().keys().conflicts().size();
         conflicts.setText(count == 0 ? PageText.NO_CONFLICTS.in(language) : PageText.CONFLICTS.in(language, count));
-        conflicts.setForeground(count == 0 ? UIManager.getColor("Label.foreground") : ToldColour.error());
+        conflicts.setForeground(count == 0 ? UIManager.getColor("Label.foreground") : DialogFrame.errorColour());
     }
 
     JTable table() {
@@ -159,7 +213,10 @@ final class KeysPage extends JPanel {
                 JTable all, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
             super.getTableCellRendererComponent(all, value, isSelected, hasFocus, row, column);
             boolean isRed = !isSelected && column >= KeyTable.CONFLICT - 1 && model.hasConflict(row);
-            setForeground(isRed ? ToldColour.error() : isSelected ? all.getSelectionForeground() : all.getForeground());
+            setForeground(
+                    isRed
+                            ? DialogFrame.errorColour()
+                            : isSelected ? all.getSelectionForeground() : all.getForeground());
             setToolTipText(String.valueOf(value));
             return this;
         }

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import javax.swing.Timer;
-import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
+import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 
 /** Flight of the camera by W, A, S, D, E and Q, by their places on the keyboard, while the right button is held. */
 final class Flight {

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
-import nephele.editor.document.Pick;
+import nephele.editor.document.Picker;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
@@ -106,6 +106,6 @@ final class PanePointers {
     private Optional<Vec3> surface(Pointer pointer) {
         return session.context().picker().surfaces(pointer.ray()).stream()
                 .findFirst()
-                .map(Pick::point);
+                .map(Picker.Pick::point);
     }
 }

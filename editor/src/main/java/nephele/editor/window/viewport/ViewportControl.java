@@ -13,16 +13,17 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import nephele.editor.pane.PaneCamera;
+import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveNavigation;
-import nephele.editor.pane.PerspectiveNavigation.FlightKeys;
+import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.editor.pane.PlanCamera;
-import nephele.editor.pane.PlanNavigation;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Button;
+import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
@@ -187,17 +188,16 @@ final class ViewportControl extends MouseAdapter {
 
     private PaneCamera wheeled(PaneCamera before, double notches, Pointer pointer) {
         if (before instanceof PlanCamera plan) {
-            return PlanNavigation.zoom(plan, notches, pointer.x(), pointer.y(), pointer.size());
+            return PlanCamera.zoom(plan, notches, pointer.x(), pointer.y(), pointer.size());
         }
         Ray sight = pointer.ray();
         Vec3 eye = ((PerspectiveCamera) before).eye();
         double distance = pointers.grabbed(pointer).minus(eye).length();
-        return PerspectiveNavigation.dolly((PerspectiveCamera) before, notches, sight, distance);
+        return PerspectiveCamera.dolly((PerspectiveCamera) before, notches, sight, distance);
     }
 
     private void fly(FlightKeys keys, double metres) {
-        look(before ->
-                before instanceof PerspectiveCamera eye ? PerspectiveNavigation.fly(eye, keys, metres, 1) : before);
+        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres, 1) : before);
     }
 
     /** Takes a key that belongs to the flight or to the tool; returns false for any other. */
@@ -227,5 +227,41 @@ final class ViewportControl extends MouseAdapter {
             pointed.accept(Optional.empty());
         }
         return isBusy;
+    }
+
+    /**
+     * Moves a camera by a drag of the right or the middle button.
+     *
+     * @param grabbed the point under the pointer when the button was pressed
+     */
+    private record CameraDrag(Way way, Vec3 grabbed, PaneSize size) {
+        private static final double DEGREES_PER_POINT = 0.2;
+
+        /** The kind of movement. */
+        enum Way {
+            LOOK,
+            ORBIT,
+            PAN
+        }
+
+        static CameraDrag of(Pointer pointer, Vec3 grabbed) {
+            boolean pans = pointer.isPlan() || pointer.button() == Button.MIDDLE;
+            Way way = pans ? Way.PAN : pointer.isHeld(Modifier.ALT) ? Way.ORBIT : Way.LOOK;
+            return new CameraDrag(way, grabbed, pointer.size());
+        }
+
+        /** Returns the camera after a movement of the pointer by pixels to the right and down. */
+        PaneCamera moved(PaneCamera camera, double across, double down, double pixelsPerPoint) {
+            if (camera instanceof PlanCamera plan) {
+                return PlanCamera.pan(plan, across, down);
+            }
+            PerspectiveCamera eye = (PerspectiveCamera) camera;
+            double degrees = DEGREES_PER_POINT / pixelsPerPoint;
+            return switch (way) {
+                case LOOK -> PerspectiveCamera.look(eye, across, down, degrees);
+                case ORBIT -> PerspectiveCamera.orbit(eye, grabbed, across * degrees * 2, down * degrees * 2);
+                case PAN -> PerspectiveCamera.pan(eye, across, down, grabbed, size);
+            };
+        }
     }
 }

@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.SessionChange;
 import nephele.editor.tool.Pointer;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
@@ -54,7 +54,7 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         surface.listen(control, new KeyAdapter() {});
         surface.listen(new FocusOnPress(), new KeyAdapter() {});
         registration = session.listen(change -> {
-            if (change != Change.STATUS) {
+            if (change != SessionChange.STATUS) {
                 surface.repaintSoon();
             }
         });

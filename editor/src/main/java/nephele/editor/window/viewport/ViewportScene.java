@@ -1,26 +1,39 @@
 package nephele.editor.window.viewport;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import nephele.editor.draw.Background;
+import nephele.editor.draw.PaneInset;
+import nephele.editor.draw.PaneInset.LegendLine;
+import nephele.editor.draw.PaneInset.Pattern;
 import nephele.editor.draw.ViewportDrawing;
 import nephele.editor.draw.ViewportFrame;
 import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
+import nephele.editor.pane.Mark;
+import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
+import nephele.editor.pane.ViewMode;
+import nephele.editor.proving.HeatOverlay;
+import nephele.editor.proving.HeatText;
+import nephele.editor.proving.ProvingText;
+import nephele.editor.proving.TracedCorner.Traced;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.SessionMarks.Marked;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
@@ -146,12 +159,7 @@ final class ViewportScene implements SurfacePainter {
 
     private Pane pane(PaneRectangle place) {
         PaneView view = session.panes().views().get(place.index());
-        return new Pane(
-                place,
-                view,
-                PaneCaption.of(view).in(session.language()),
-                ProvingInset.marks(session, view),
-                ProvingInset.of(session, place));
+        return new Pane(place, view, of(view).in(session.language()), marks(session, view), of(session, place));
     }
 
     @Override
@@ -170,5 +178,74 @@ final class ViewportScene implements SurfacePainter {
     @Override
     public String waiting(int seconds) {
         return DRAWING.with(seconds).in(session.language());
+    }
+
+    private static Words of(PaneView view) {
+        return view.kind() == PaneKind.PERSPECTIVE ? of(view.mode()) : of(view.kind());
+    }
+
+    private static Words of(PaneKind kind) {
+        return switch (kind) {
+            case PERSPECTIVE -> Words.of("Perspective", "Perspectiva", "Perspetiva");
+            case TOP -> Words.of("Top", "Topo", "Topo");
+            case FRONT -> Words.of("Front", "Frente", "Frente");
+            case SIDE -> Words.of("Side", "Lado", "Lado");
+        };
+    }
+
+    private static Words of(ViewMode mode) {
+        return switch (mode) {
+            case LIT -> Words.of("Perspective, lit", "Perspectiva, iluminada", "Perspetiva, iluminada");
+            case UNLIT -> Words.of("Perspective, unlit", "Perspectiva, sem luz", "Perspetiva, sem luz");
+            case PORTALABLE -> Words.of("Perspective, portalable", "Perspectiva, portais", "Perspetiva, portais");
+            case COLLISION -> Words.of("Perspective, collision", "Perspectiva, colisão", "Perspetiva, colisão");
+            case WIREFRAME -> Words.of("Perspective, edges", "Perspectiva, arestas", "Perspetiva, arestas");
+        };
+    }
+
+    private static List<Mark> marks(EditorSession session, PaneView view) {
+        return view.kind() == PaneKind.PERSPECTIVE ? session.proving().heat().marks() : List.of();
+    }
+
+    private static PaneInset of(EditorSession session, PaneRectangle place) {
+        PaneView view = session.panes().views().get(place.index());
+        if (view.kind() != PaneKind.PERSPECTIVE) {
+            return PaneInset.NONE;
+        }
+        Language language = session.language();
+        Traced traced = session.proving().corner().traced(place.index()).orElse(null);
+        String caption = traced == null
+                ? ""
+                : traced.samples() == 0
+                        ? ProvingText.TRACING.in(language)
+                        : ProvingText.TRACED.in(language, traced.samples());
+        return new PaneInset(
+                legend(session.proving().heat(), language), traced == null ? null : traced.picture(), caption);
+    }
+
+    private static List<LegendLine> legend(HeatOverlay heat, Language language) {
+        if (!heat.isShown()) {
+            return List.of();
+        }
+        List<LegendLine> lines = new ArrayList<>();
+        heat.counts().forEach((text, count) -> lines.add(line(text, count, language)));
+        return lines;
+    }
+
+    private static LegendLine line(HeatText text, int count, Language language) {
+        String words = count + "  " + text.legend().in(language);
+        return switch (text) {
+            case FITS -> new LegendLine(MarkColour.ALLOWED, Pattern.PLAIN, words);
+            case SLIDES -> new LegendLine(MarkColour.SLIDES, Pattern.SLANTED, words);
+            case NOTHING_HIT,
+                    OUT_OF_RANGE,
+                    MOVING_SURFACE,
+                    NOT_PORTALABLE,
+                    NOT_FLAT,
+                    OVERLAPS_OTHER,
+                    TOO_SMALL,
+                    EDGE,
+                    OCCUPIED -> new LegendLine(MarkColour.REFUSED, Pattern.CROSSED, words);
+        };
     }
 }

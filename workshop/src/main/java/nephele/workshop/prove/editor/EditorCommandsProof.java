@@ -6,8 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.ScriptDesk;
+import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
@@ -16,7 +15,7 @@ import nephele.editor.save.ContentHash;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.NewDocument;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.workshop.prove.proof.Claim;
@@ -101,10 +100,10 @@ public final class EditorCommandsProof implements Proof {
 
         Run(SplittableRandom random) {
             this.random = random;
-            DocumentFile.Opened fresh = NewDocument.opened();
+            DocumentFile.Opened fresh = DocumentFile.untitled();
             session = new EditorSession(fresh.file(), fresh.level(), fresh.assets(), EditorSettings.DEFAULT);
             script = new ScriptRunner(
-                    session, new ScriptDesk(() -> new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB)));
+                    session, new ScriptInterface(() -> new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB)));
         }
 
         void chooseSelection() {
@@ -131,7 +130,7 @@ public final class EditorCommandsProof implements Proof {
             Level before = session.document().level();
             try {
                 script.run(line);
-            } catch (ActionFailure failure) {
+            } catch (EditorRefusal failure) {
                 refused++;
                 if (session.document().level() != before) {
                     failures.add("refused, but changed the level: " + line);
@@ -150,7 +149,7 @@ public final class EditorCommandsProof implements Proof {
                 backwards.add(hash());
             }
             steps = backwards.size() - 1;
-            String empty = LevelJson.write(NewDocument.opened().level());
+            String empty = LevelJson.write(DocumentFile.untitled().level());
             if (!LevelJson.write(document.level()).equals(empty)) {
                 failures.add("all undone, the level is not the one of the beginning");
             }

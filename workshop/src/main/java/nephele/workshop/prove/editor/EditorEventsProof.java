@@ -103,8 +103,8 @@ public final class EditorEventsProof implements Proof {
 
         private void open(DocumentFile.Opened base) {
             DialogStage dialogues = new DialogStage(random);
-            StageDesk desk = new StageDesk(dialogues, () -> Optional.of(levels.any(random)));
-            editor = new EditorUnderEvents(base, levels.folder(), desk, dialogues);
+            StageDesk ui = new StageDesk(dialogues, () -> Optional.of(levels.any(random)));
+            editor = new EditorUnderEvents(base, levels.folder(), ui, dialogues);
             events = new RandomEvents(editor, random, () -> levels.anyToDrop(random));
             objects = editor.liveObjects();
             // The level of the beginning is not edited: saving would change what the end is compared with.

@@ -120,7 +120,7 @@ public final class EditorStallsProof implements Proof {
         private final Edited edited;
         private final BufferedImage screen = new BufferedImage(SIZE.width, SIZE.height, BufferedImage.TYPE_INT_RGB);
         private final AnswerWatch answers = new AnswerWatch();
-        private StageDesk desk;
+        private StageDesk ui;
         private EditorUnderEvents editor;
         private ScriptRunner script;
         private CompletableFuture<?> drawing;
@@ -161,10 +161,10 @@ public final class EditorStallsProof implements Proof {
 
         private void begin(DocumentFile.Opened empty, Path level) {
             var dialogues = new DialogStage(new SplittableRandom(1));
-            desk = new StageDesk(dialogues, () -> Optional.of(level));
-            editor = new EditorUnderEvents(empty, folder, desk, dialogues);
+            ui = new StageDesk(dialogues, () -> Optional.of(level));
+            editor = new EditorUnderEvents(empty, folder, ui, dialogues);
             editor.resize(SIZE);
-            script = new ScriptRunner(editor.session(), desk);
+            script = new ScriptRunner(editor.session(), ui);
         }
 
         private Optional<String> step(String line) throws Exception {

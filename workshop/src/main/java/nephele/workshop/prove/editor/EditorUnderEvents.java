@@ -15,8 +15,8 @@ import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.session.Filing;
-import nephele.editor.session.SessionListener.Change;
+import nephele.editor.session.FileServices;
+import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.start.EditorParts;
 import nephele.editor.window.EditorPanel;
@@ -43,25 +43,25 @@ final class EditorUnderEvents implements AutoCloseable {
      * @param base the level at the beginning, to which {@link #liveObjects} returns
      * @param folder for backups
      */
-    EditorUnderEvents(DocumentFile.Opened base, Path folder, StageDesk desk, DialogStage dialogues) {
+    EditorUnderEvents(DocumentFile.Opened base, Path folder, StageDesk ui, DialogStage dialogues) {
         this.base = base;
         this.dialogues = dialogues;
         WindowLook.apply(look);
         session = new EditorSession(base.file(), base.level(), base.assets(), look);
-        session.filing(Filing.of(EditorFiles.of(null, folder)));
-        panel = EditorParts.panel(session, desk.surroundings());
+        session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
+        panel = EditorParts.panel(session, ui.surroundings());
         panel.closeToo(session.listen(this::follow));
         session.proving().runOn(new ProvingThreads(new WaitingLoop(() -> {}), SwingUtilities::invokeLater));
         resize(SIZE);
     }
 
     /** Changes the look as the window does. */
-    private void follow(Change change) {
+    private void follow(SessionChange change) {
         EditorSettings now = session.settings();
         boolean isSame = now.get(EditorSetting.THEME) == look.get(EditorSetting.THEME)
                 && now.get(EditorSetting.SCALE_PERCENT).equals(look.get(EditorSetting.SCALE_PERCENT));
         look = now;
-        if (change == Change.SETTINGS && !isSame) {
+        if (change == SessionChange.SETTINGS && !isSame) {
             WindowLook.apply(now);
             SwingUtilities.updateComponentTreeUI(panel);
         }

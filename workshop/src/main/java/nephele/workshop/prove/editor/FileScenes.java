@@ -16,8 +16,8 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.save.journal.JournalFolder;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.Filing;
-import nephele.editor.session.NewDocument;
+import nephele.editor.session.FileServices;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.dialog.ExplanationPanel;
@@ -40,7 +40,7 @@ final class FileScenes {
     private static EditorSession sessionIn(Path folder, DocumentFile.Opened opened, PicturedEditor editor) {
         var session = new EditorSession(
                 opened.file(), opened.level(), opened.assets(), editor.look().settings());
-        session.filing(Filing.of(EditorFiles.of(null, folder)));
+        session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
         session.background().runOn(new WaitingLoop(() -> {}));
         return session;
     }
@@ -49,12 +49,12 @@ final class FileScenes {
         Path folder = Files.createTempDirectory("nephele-editor-pictures");
         try {
             Level level = editor.session().document().level();
-            EditorSession lost = sessionIn(folder, NewDocument.opened(), editor);
+            EditorSession lost = sessionIn(folder, DocumentFile.untitled(), editor);
             var journals = new JournalFolder(folder.resolve("journal"), Clock.systemUTC());
             var journal = new SessionJournal(lost, journals, words -> {});
             lost.document().edit(Words.of("Draw room", "Desenhar sala", "Desenhar sala"), before -> level);
             journal.leave();
-            EditorSession next = sessionIn(folder, NewDocument.opened(), editor);
+            EditorSession next = sessionIn(folder, DocumentFile.untitled(), editor);
             try (var finder = new SessionJournal(
                     next, new JournalFolder(folder.resolve("journal"), Clock.systemUTC()), words -> {})) {
                 var works = new RecoveryList(finder, finder.lost(), Instant.now(), ZoneOffset.UTC);
@@ -77,14 +77,13 @@ final class FileScenes {
         }
     }
 
-    private static JComponent backups(PicturedEditor editor, Path folder)
-            throws IOException, nephele.editor.session.FileRefusal {
+    private static JComponent backups(PicturedEditor editor, Path folder) throws IOException, EditorRefusal {
         Path file = folder.resolve("room.json");
-        EditorSession session = sessionIn(folder, NewDocument.opened(), editor);
-        session.filing().saver().saveAs(file, editor.session().document().level());
+        EditorSession session = sessionIn(folder, DocumentFile.untitled(), editor);
+        session.fileServices().saver().saveAs(file, editor.session().document().level());
         EditorSession opened =
                 sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
-        opened.filing().saver().saveAs(file, NewDocument.opened().level());
+        opened.fileServices().saver().saveAs(file, DocumentFile.untitled().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),
                 editor.look().language(),

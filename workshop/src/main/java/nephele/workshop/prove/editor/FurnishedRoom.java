@@ -1,7 +1,6 @@
 package nephele.workshop.prove.editor;
 
 import java.util.List;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneKind;
@@ -9,6 +8,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
+import nephele.editor.text.EditorRefusal;
 import nephele.engine.math.Vec3;
 
 /** A small level with something of each kind, made by the action table. */
@@ -62,12 +62,12 @@ final class FurnishedRoom {
     }
 
     /** Makes the room in the session of a script. */
-    static void make(ScriptRunner script, StageDesk desk) throws ActionFailure {
-        desk.copy(FLIGHT);
+    static void make(ScriptRunner script, StageDesk ui) throws EditorRefusal {
+        ui.copy(FLIGHT);
         for (String line : LINES) {
             try {
                 script.run(line);
-            } catch (ActionFailure failure) {
+            } catch (EditorRefusal failure) {
                 throw new IllegalStateException(line + ": " + failure.getMessage(), failure);
             }
         }

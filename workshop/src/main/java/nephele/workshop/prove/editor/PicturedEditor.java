@@ -9,14 +9,13 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractButton;
-import nephele.editor.action.ActionFailure;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.NewDocument;
 import nephele.editor.start.EditorParts;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
@@ -25,20 +24,20 @@ import nephele.editor.window.dialog.DialogFrame;
 /** The real editor over a furnished room, in one look, without a display. Used on the event dispatch thread. */
 final class PicturedEditor implements AutoCloseable {
     private final EditorLook look;
-    private final StageDesk desk = new StageDesk((title, making) -> opened = making.apply(() -> {}), Optional::empty);
+    private final StageDesk ui = new StageDesk((title, making) -> opened = making.apply(() -> {}), Optional::empty);
     private final EditorSession session;
     private final EditorPanel panel;
     private final ScriptRunner script;
     private DialogFrame.Content opened;
 
-    PicturedEditor(EditorLook look) throws ActionFailure {
+    PicturedEditor(EditorLook look) throws EditorRefusal {
         this.look = look;
         WindowLook.apply(look.settings());
-        DocumentFile.Opened empty = NewDocument.opened();
+        DocumentFile.Opened empty = DocumentFile.untitled();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
-        panel = EditorParts.panel(session, desk.surroundings());
-        script = new ScriptRunner(session, desk);
-        FurnishedRoom.make(script, desk);
+        panel = EditorParts.panel(session, ui.surroundings());
+        script = new ScriptRunner(session, ui);
+        FurnishedRoom.make(script, ui);
         session.panes(FurnishedRoom::seen);
         layOut();
     }
@@ -55,19 +54,19 @@ final class PicturedEditor implements AutoCloseable {
         return panel;
     }
 
-    StageDesk desk() {
-        return desk;
+    StageDesk ui() {
+        return ui;
     }
 
     /** Shows a part; returns what its dialogue holds, if it is one that can be used now. */
     Optional<DialogFrame.Content> dialogue(String part) {
         opened = null;
-        desk.show(part);
+        ui.show(part);
         return Optional.ofNullable(opened);
     }
 
     /** Runs a line of the action table. */
-    void run(String... lines) throws ActionFailure {
+    void run(String... lines) throws EditorRefusal {
         for (String line : lines) {
             script.run(line);
         }

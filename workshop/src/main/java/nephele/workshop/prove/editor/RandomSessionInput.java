@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import nephele.editor.action.ProvingActions;
-import nephele.editor.problem.HiddenProblems;
 import nephele.editor.problem.LevelProblem;
-import nephele.editor.problem.ProblemFix;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.proving.TracedCorner;
 import nephele.editor.session.EditorSession;
@@ -59,9 +57,10 @@ final class RandomSessionInput {
         if (what == 0) {
             ProvingActions.choose(session, problem);
         } else if (what == 1) {
-            session.document().edit(Words.same("hide"), level -> HiddenProblems.hide(level, problem));
+            session.document().edit(Words.same("hide"), level -> LevelProblem.hide(level, problem));
         } else if (!problem.fixes().isEmpty()) {
-            ProblemFix fix = problem.fixes().get(random.nextInt(problem.fixes().size()));
+            LevelProblem.Fix fix =
+                    problem.fixes().get(random.nextInt(problem.fixes().size()));
             session.document().edit(fix.label(), fix.change());
         }
         return "problem " + what + ": " + problem.path() + " " + problem.message();

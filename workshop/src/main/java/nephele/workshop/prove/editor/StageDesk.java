@@ -6,13 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import nephele.editor.action.Desk;
-import nephele.editor.start.EditorSurroundings;
+import nephele.editor.action.UserInterface;
+import nephele.editor.start.EditorParts;
 import nephele.editor.text.Words;
 import nephele.editor.window.dialog.DialogOpener;
 
-/** The desk of an editor without a window: its user agrees to everything, and cancels every choice of a place to save. */
-final class StageDesk implements Desk {
+/** The ui of an editor without a window: its user agrees to everything, and cancels every choice of a place to save. */
+final class StageDesk implements UserInterface {
     private final Map<String, Runnable> parts = new LinkedHashMap<>();
     private final DialogOpener dialogues;
     private final Supplier<Optional<Path>> toOpen;
@@ -24,9 +24,9 @@ final class StageDesk implements Desk {
         this.toOpen = toOpen;
     }
 
-    /** Returns what connects an editor with this desk. */
-    EditorSurroundings surroundings() {
-        return new EditorSurroundings(this, parts::put, owner -> dialogues);
+    /** Returns what connects an editor with this ui. */
+    EditorParts.EditorSurroundings surroundings() {
+        return new EditorParts.EditorSurroundings(this, parts::put, owner -> dialogues);
     }
 
     @Override

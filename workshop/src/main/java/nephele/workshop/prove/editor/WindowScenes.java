@@ -96,7 +96,7 @@ final class WindowScenes {
         int last = GuideStep.values().length;
         scenes.add(EditorScene.whole("guide-" + last, editor -> {
             editor.run("select-none", "lit");
-            editor.desk().show("guide");
+            editor.ui().show("guide");
         }));
         for (int step = last - 1; step > 0; step--) {
             scenes.add(EditorScene.whole("guide-" + step, editor -> editor.click("guide-back")));

@@ -4,10 +4,11 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
 import nephele.editor.file.DroppedFile.SceneUse;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 
 /** The services that an action requests: a window answers with dialogues, a script without a user. */
-public interface Desk {
+public interface UserInterface {
     /** Returns false in a script, where nobody can be asked and nothing is shown. */
     default boolean hasUser() {
         return true;
@@ -43,7 +44,7 @@ public interface Desk {
     boolean isAgreed(Words question);
 
     /** Returns the picture of the whole editor. */
-    BufferedImage picture() throws ActionFailure;
+    BufferedImage picture() throws EditorRefusal;
 
     /** Puts text where other programs can paste it. */
     void copy(String text);

@@ -7,12 +7,12 @@ import java.util.function.Supplier;
 import nephele.editor.text.Words;
 
 /** The surroundings of a script: no user is asked, everything is agreed to, and copied text stays in the session. */
-public final class ScriptDesk implements Desk {
+public final class ScriptInterface implements UserInterface {
     private final Supplier<BufferedImage> picture;
     private boolean isEnded;
 
     /** @param picture draws the whole editor */
-    public ScriptDesk(Supplier<BufferedImage> picture) {
+    public ScriptInterface(Supplier<BufferedImage> picture) {
         this.picture = picture;
     }
 

@@ -17,18 +17,18 @@ import java.util.Map;
 import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import nephele.editor.action.ActionFailure;
-import nephele.editor.action.Desk;
+import nephele.editor.action.UserInterface;
 import nephele.editor.file.DroppedFile;
 import nephele.editor.file.DroppedFile.SceneUse;
 import nephele.editor.file.FileText;
 import nephele.editor.session.EditorSession;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.host.userfile.UserFolders;
 
-/** The desk of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
-public final class WindowDesk implements Desk {
+/** The user interface of a window: file choosers, questions, the system's clipboard and the parts that can be shown. */
+public final class WindowInterface implements UserInterface {
     private static final Words NO_PICTURE = Words.of(
             "There is no window to take a picture of",
             "Não há janela para capturar a imagem",
@@ -38,11 +38,11 @@ public final class WindowDesk implements Desk {
     private final Map<String, Runnable> parts = new LinkedHashMap<>();
     private EditorWindow window;
 
-    public WindowDesk(EditorSession session) {
+    public WindowInterface(EditorSession session) {
         this.session = session;
     }
 
-    /** Names the window that the desk belongs to; called once, when it exists. */
+    /** Names the window that this belongs to; called once, when it exists. */
     void attach(EditorWindow owner) {
         window = owner;
     }
@@ -76,7 +76,7 @@ public final class WindowDesk implements Desk {
         if (session.file().path().isEmpty()) {
             inOwnLevels(chooser);
         }
-        String name = EditorTitle.name(session).replaceFirst("\\.json$", "") + ".zip";
+        String name = EditorWindow.name(session).replaceFirst("\\.json$", "") + ".zip";
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
                 ? Optional.of(chooser.getSelectedFile().toPath())
@@ -145,9 +145,9 @@ public final class WindowDesk implements Desk {
     }
 
     @Override
-    public BufferedImage picture() throws ActionFailure {
+    public BufferedImage picture() throws EditorRefusal {
         if (window == null) {
-            throw new ActionFailure(NO_PICTURE);
+            throw new EditorRefusal(NO_PICTURE);
         }
         return PanelPicture.asShown(window.panel());
     }
@@ -172,7 +172,7 @@ public final class WindowDesk implements Desk {
 
     @Override
     public String pasted() {
-        return clipboard().flatMap(WindowDesk::text).orElseGet(session::clipboard);
+        return clipboard().flatMap(WindowInterface::text).orElseGet(session::clipboard);
     }
 
     private static Optional<String> text(Clipboard system) {
