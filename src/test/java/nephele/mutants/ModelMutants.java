@@ -46,7 +46,7 @@ final class ModelMutants {
             new Mutant(
                     MODEL,
                     "a patch rises where it falls",
-                    ENGINE + "model/shape/BernsteinWeights.java",
+                    ENGINE + "model/shape/BezierShape.java",
                     "6 * t * rest - 3 * t * t",
                     "6 * t * rest + 3 * t * t",
                     "BezierPatchesTest"));

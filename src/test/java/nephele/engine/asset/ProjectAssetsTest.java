@@ -118,7 +118,7 @@ class ProjectAssetsTest {
     @Test
     void aFileThatIsTooLargeIsNotRead() throws IOException {
         try (var sparse = new RandomAccessFile(scenes.resolve("../huge.3d").toFile(), "rw")) {
-            sparse.setLength(AssetLimits.MAX_FILE_BYTES + 1L);
+            sparse.setLength(FolderAssets.MAX_FILE_BYTES + 1L);
         }
         var refused = assertThrows(AssetException.class, () -> assets.bytes("../huge.3d"));
         assertTrue(refused.getMessage().contains("is larger than"), refused.getMessage());

@@ -195,8 +195,10 @@ public final class TestLevel {
     }
 
     public Level level() {
-        Environment environment = new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.copyOf(clouds))
-                .withLightning(lightning);
+        Environment environment = RecordCopy.with(
+                new Environment(sun, sky, ambient, exposure, toneCurve, fog, List.copyOf(clouds)),
+                "lightning",
+                lightning);
         return Level.of("test", "", environment, List.of())
                 .with(List.copyOf(materials), List.copyOf(solids), List.copyOf(bodies), List.copyOf(models))
                 .with(environment, List.copyOf(lights))

@@ -118,7 +118,7 @@ class CatmullRomTest {
         var random = new SplittableRandom(1);
         for (int trial = 0; trial < 200; trial++) {
             List<Vec3> points = randomPoints(random);
-            CurveKnots knots = CurveKnots.loop(points, exponent);
+            CatmullRom.CurveKnots knots = CatmullRom.CurveKnots.loop(points, exponent);
             CatmullRom curve = exponent == 0 ? CatmullRom.uniformLoop(points) : CatmullRom.centripetalLoop(points);
             for (int i = 0; i < points.size(); i++) {
                 assertEquals(
@@ -160,7 +160,7 @@ class CatmullRomTest {
                 assertTrue(position(curve, i / 1000.0).isFinite());
                 assertTrue(derivative(curve, i / 1000.0).isFinite());
             }
-            CurveKnots knots = CurveKnots.loop(points, loop.exponent);
+            CatmullRom.CurveKnots knots = CatmullRom.CurveKnots.loop(points, loop.exponent);
             for (int i = 1; i < points.size(); i++) {
                 assertNoJump(curve, knots.knot(i));
             }

@@ -11,6 +11,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Emitter.Kind;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -54,7 +55,8 @@ class LevelParticlesTest {
         Emitter now = TestEmitters.of(kind, 60);
         float[] early = TestEmitters.numbers(TestEmitters.particles(List.of(now)), 2.3);
         float[] late = TestEmitters.numbers(
-                TestEmitters.particles(List.of(now.startingAt(MONTH_SECONDS))), MONTH_SECONDS + 2.3);
+                TestEmitters.particles(List.of(RecordCopy.with(now, "startSeconds", MONTH_SECONDS))),
+                MONTH_SECONDS + 2.3);
         assertArrayEquals(early, late, 1e-5f);
     }
 
@@ -149,7 +151,7 @@ class LevelParticlesTest {
     void nothingIsThereBeforeTheStartAndAtRateZero() {
         for (Kind kind : Kind.values()) {
             LevelParticles later =
-                    TestEmitters.particles(List.of(TestEmitters.of(kind, 60).startingAt(5)));
+                    TestEmitters.particles(List.of(RecordCopy.with(TestEmitters.of(kind, 60), "startSeconds", 5)));
             assertEquals(0, later.at(4.99).count());
             assertEquals(
                     0,

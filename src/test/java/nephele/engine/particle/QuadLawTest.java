@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.level.Emitter;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -45,7 +46,7 @@ class QuadLawTest {
 
     @Test
     void thereAreAlwaysAHundredOfThem() {
-        LevelParticles particles = TestEmitters.particles(List.of(EMITTER.startingAt(-5)));
+        LevelParticles particles = TestEmitters.particles(List.of(RecordCopy.with(EMITTER, "startSeconds", -5)));
         for (double seconds = 0; seconds < 10; seconds += 0.173) {
             ParticleArrays at = particles.at(seconds);
             assertEquals(100, at.count());

@@ -28,7 +28,7 @@ class ShaftsTest {
 
     private final SplittableRandom random = new SplittableRandom(7);
     private final TracedItems surfaces = surfaces();
-    private final ShadowRays shadows = new ShadowRays(surfaces, shafts(Long.MAX_VALUE));
+    private final Shafts.ShadowRays shadows = new Shafts.ShadowRays(surfaces, shafts(Long.MAX_VALUE));
     private int blocked;
 
     /** Returns boxes: some adjacent, some far away, some so thin that few rays of a shaft intersect them. */
@@ -131,7 +131,7 @@ class ShaftsTest {
 
     @Test
     void whatWasForgottenIsAnsweredAlike() {
-        ShadowRays forgetful = new ShadowRays(surfaces, shafts(10_000));
+        Shafts.ShadowRays forgetful = new Shafts.ShadowRays(surfaces, shafts(10_000));
         for (int i = 0; i < RAYS / 10; i++) {
             Vector3d from = place();
             Vector3d way = new Vector3d(within(1), within(1), within(1)).normalize();

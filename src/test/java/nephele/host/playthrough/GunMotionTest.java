@@ -14,7 +14,6 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.MuzzleLight;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.dynamic.DynamicInstances;
@@ -129,8 +128,8 @@ class GunMotionTest {
     @Test
     void aShotFliesToItsPlaceAndIsGone() {
         HandWalk room = inHall().hold(FIRST).ticks(1).hold(PlayerInput.NONE);
-        ShotEffect bolt = room.walk().frameState().shotEffects().get(0);
-        assertEquals(ShotEffect.Kind.BOLT, bolt.kind());
+        FrameState.ShotEffect bolt = room.walk().frameState().shotEffects().get(0);
+        assertEquals(FrameState.ShotEffect.Kind.BOLT, bolt.kind());
         assertEquals(-8, bolt.to().z(), 1e-6, "on the wall");
         assertTrue(room.ticks(60).walk().frameState().shotEffects().isEmpty());
     }
@@ -165,8 +164,8 @@ class GunMotionTest {
                 .level();
         HandWalk room =
                 new HandWalk(level).hold(FIRST).ticks(1).hold(PlayerInput.NONE).ticks(20);
-        ShotEffect shimmer = room.walk().frameState().shotEffects().stream()
-                .filter(effect -> effect.kind() == ShotEffect.Kind.SHIMMER)
+        FrameState.ShotEffect shimmer = room.walk().frameState().shotEffects().stream()
+                .filter(effect -> effect.kind() == FrameState.ShotEffect.Kind.SHIMMER)
                 .findFirst()
                 .orElseThrow();
         assertEquals(-8, shimmer.from().z(), 1e-6);

@@ -16,7 +16,7 @@ import nephele.engine.level.TestTerrain;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.scene.PortalPreview;
+import nephele.engine.scene.FrameState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.GunPortals.Colour;
 import nephele.engine.sim.state.PlayerInput;
@@ -85,7 +85,7 @@ class ShotPreviewsTest {
     /** The outline is where the shot will open the portal, on ground as on a wall. */
     @Test
     void theOutlineOnUnevenGroundIsThePortalThatFollows() {
-        PortalPreview shown = previews.previews(state).get(0);
+        FrameState.PortalPreview shown = previews.previews(state).get(0);
         assertEquals(1, previews.previews(state).size());
         step(PlayerInput.NONE.holding(Action.FIRE_FIRST));
         assertEquals(shown.portal(), state.world().portals().portal(0));
@@ -102,7 +102,7 @@ class ShotPreviewsTest {
 
     @Test
     void theyAreKeptUntilTheAimMoves() {
-        List<PortalPreview> shown = previews.previews(state);
+        List<FrameState.PortalPreview> shown = previews.previews(state);
         step(PlayerInput.NONE);
         assertSame(shown, previews.previews(state));
         step(PlayerInput.NONE.turning(1, 0));
@@ -113,7 +113,7 @@ class ShotPreviewsTest {
     @Test
     void theyAreNotKeptWhileABodyMoves() {
         start(new Body.Sphere("ball", new Vec3(4, 60, 4), 0.3, 1, null, 0.6, 0));
-        List<PortalPreview> shown = previews.previews(state);
+        List<FrameState.PortalPreview> shown = previews.previews(state);
         step(PlayerInput.NONE);
         assertNotSame(shown, previews.previews(state));
     }

@@ -1,6 +1,7 @@
 package nephele.engine.asset;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -10,6 +11,9 @@ import java.nio.file.Path;
  * because it would work on some systems only.
  */
 public final class FolderAssets implements AssetSource {
+    /** Maximum bytes of any asset file; raw heights of 8193 x 8193 samples need a little more than 128 MiB. */
+    static final int MAX_FILE_BYTES = 129 << 20;
+
     private final Path root;
 
     public FolderAssets(Path root) {
@@ -32,7 +36,7 @@ public final class FolderAssets implements AssetSource {
         Path file = root.resolve(assetId);
         try {
             requireInside(assetId, file);
-            return AssetLimits.readBounded(assetId, Files.newInputStream(file));
+            return readBounded(assetId, Files.newInputStream(file));
         } catch (IOException problem) {
             throw new AssetException(
                     assetId,
@@ -53,6 +57,22 @@ public final class FolderAssets implements AssetSource {
         }
         if (!Files.isRegularFile(file)) {
             throw new AssetException(assetId, "is not a regular file", "name a file");
+        }
+    }
+
+    /**
+     * Reads a stream to its end and closes it; throws if it has more than {@link #MAX_FILE_BYTES}, without reading on.
+     */
+    static byte[] readBounded(String assetId, InputStream stream) throws IOException {
+        try (stream) {
+            byte[] bytes = stream.readNBytes(MAX_FILE_BYTES + 1);
+            if (bytes.length > MAX_FILE_BYTES) {
+                throw new AssetException(
+                        assetId, "is larger than " + (MAX_FILE_BYTES >> 20) + " MiB", "make it smaller");
+            }
+            return bytes;
+        } catch (OutOfMemoryError tooLarge) {
+            throw new AssetException(assetId, "does not fit into memory", "make it smaller");
         }
     }
 }

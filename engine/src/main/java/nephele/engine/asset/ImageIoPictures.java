@@ -44,7 +44,8 @@ final class ImageIoPictures {
         }
         JpegHeader header = JpegHeader.of(bytes);
         if (header.objection() != null) {
-            throw new UnreadablePicture(header.objection(), "save it again as a plain JPEG in RGB, or as PNG");
+            throw new PictureDecoder.UnreadablePicture(
+                    header.objection(), "save it again as a plain JPEG in RGB, or as PNG");
         }
         byte[] profile = header.profile();
         byte[] plain = header.withoutProfile();
@@ -141,7 +142,8 @@ final class ImageIoPictures {
         ColorModel model = image.getColorModel();
         int colours = ColourProfile.colours(model);
         if (colours == 0 || model.isAlphaPremultiplied()) {
-            throw new UnreadablePicture("has colours that are neither grey nor RGB", "save it again as a PNG in RGB");
+            throw new PictureDecoder.UnreadablePicture(
+                    "has colours that are neither grey nor RGB", "save it again as a PNG in RGB");
         }
         boolean hasBands = model.getNumComponents() == colours + (model.hasAlpha() ? 1 : 0);
         boolean components = model instanceof ComponentColorModel && hasBands;

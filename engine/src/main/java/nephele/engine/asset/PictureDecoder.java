@@ -118,4 +118,20 @@ public final class PictureDecoder {
                     assetId, "claims " + pixels + " pixels in " + bytes.length + " bytes", "copy the file again");
         }
     }
+
+    /** A picture that is whole, but of a kind that is not read; the message says which. */
+    static final class UnreadablePicture extends IOException {
+        private static final long serialVersionUID = 1;
+
+        private final String remedy;
+
+        UnreadablePicture(String reason, String remedy) {
+            super(reason);
+            this.remedy = remedy;
+        }
+
+        String remedy() {
+            return remedy;
+        }
+    }
 }

@@ -19,7 +19,7 @@ record PictureLimits(int sidePixels, long pixels, int fileBytes, boolean isColou
     static final PictureLimits HEIGHTS = new PictureLimits(
             HeightMap.MOST_SAMPLES,
             (long) HeightMap.MOST_SAMPLES * HeightMap.MOST_SAMPLES,
-            AssetLimits.MAX_FILE_BYTES,
+            FolderAssets.MAX_FILE_BYTES,
             false,
             "16-bit PNG");
 

@@ -32,7 +32,7 @@ record PngColours(byte[] profile, double gamma, double[] chromaticities) {
     private static final double[] SRGB_CHROMATICITIES = {.3127, .329, .64, .33, .3, .6, .15, .06};
 
     /** Returns the colours of a file whose chunks are known to be whole. */
-    static PngColours of(ByteBuffer file, int firstChunk) throws UnreadablePicture {
+    static PngColours of(ByteBuffer file, int firstChunk) throws PictureDecoder.UnreadablePicture {
         byte[] profile = null;
         boolean isSrgb = false;
         double gamma = 0;
@@ -58,11 +58,11 @@ record PngColours(byte[] profile, double gamma, double[] chromaticities) {
     }
 
     /** Refuses colours of a wide or a high dynamic range, coded as ITU-T H.273 says. */
-    private static void requireSrgb(ByteBuffer file, int at, int length) throws UnreadablePicture {
+    private static void requireSrgb(ByteBuffer file, int at, int length) throws PictureDecoder.UnreadablePicture {
         int primaries = length == 4 ? file.get(at) : 0;
         int curve = length == 4 ? file.get(at + 1) : 0;
         if (primaries != 1 || curve != 13 && curve != 1) {
-            throw new UnreadablePicture(
+            throw new PictureDecoder.UnreadablePicture(
                     "has colours of a wide or a high dynamic range (cICP " + primaries + ", " + curve + ")",
                     "save it again in sRGB");
         }

@@ -70,7 +70,7 @@ record PngFile(byte[] bytes, Header header, Span palette, Span transparency, Lis
     }
 
     /** Returns what colours the pixels are. */
-    PngColours colours() throws UnreadablePicture {
+    PngColours colours() throws PictureDecoder.UnreadablePicture {
         return PngColours.of(ByteBuffer.wrap(bytes), FIRST_AFTER_HEADER);
     }
 

@@ -71,7 +71,7 @@ public final class ProjectAssets implements AssetSource {
             throw new AssetException(AssetId.printable(name), objection, "name a file of the project");
         }
         try {
-            return AssetLimits.readBounded(name, Files.newInputStream(real(name)));
+            return FolderAssets.readBounded(name, Files.newInputStream(real(name)));
         } catch (IOException problem) {
             throw new AssetException(
                     name,

@@ -46,7 +46,7 @@ public final class ResourceAssets implements AssetSource {
             if (stream == null) {
                 throw new AssetException(assetId, "is not in the jar's " + folder, "check the name");
             }
-            return AssetLimits.readBounded(assetId, stream);
+            return FolderAssets.readBounded(assetId, stream);
         } catch (IOException problem) {
             throw new AssetException(assetId, "cannot be read from the jar", "download or build the jar again");
         }

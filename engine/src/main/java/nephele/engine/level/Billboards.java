@@ -93,11 +93,6 @@ public record Billboards(
                 id, sprite, null, facing, new Size(width, height), 0, at, null, 1, 0, 0, false, Vec3.ZERO, null);
     }
 
-    /** Returns these billboards with a picture of several frames. */
-    public Billboards animated(int frameCount, double perSecond) {
-        return copy(planted(), new Motion(frameCount, perSecond, windMetresPerSecond), look());
-    }
-
     /** Returns these billboards without wind. */
     public Billboards withoutWind() {
         return copy(planted(), new Motion(frames, framesPerSecond, 0), look());

@@ -96,14 +96,4 @@ public record Emitter(
             default -> ratePerSecond == 0 ? 0 : Math.ceil(ratePerSecond * longestLifeSeconds()) + 1;
         };
     }
-
-    /** Returns this emitter with another start. */
-    public Emitter startingAt(double seconds) {
-        return RecordCopy.with(this, "startSeconds", seconds);
-    }
-
-    /** Returns this emitter with another centre. */
-    public Emitter at(Vec3 place) {
-        return RecordCopy.with(this, "centre", place);
-    }
 }

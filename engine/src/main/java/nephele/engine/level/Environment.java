@@ -161,11 +161,6 @@ public record Environment(
         return RecordCopy.with(this, "weather", newWeather, "weatherSeed", seed, "weatherKeyframes", List.of());
     }
 
-    /** Returns this environment with other lightning; {@code null} for none. */
-    public Environment withLightning(Lightning newLightning) {
-        return RecordCopy.with(this, "lightning", newLightning);
-    }
-
     /** Returns this environment without clouds, those of its weather included. */
     public Environment withoutClouds() {
         return RecordCopy.with(

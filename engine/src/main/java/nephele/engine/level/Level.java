@@ -156,11 +156,6 @@ public record Level(
         return RecordCopy.with(this, "billboards", otherBillboards);
     }
 
-    /** Returns this level with another landmark, which can be {@code null}, and other hints. */
-    public Level with(Place otherLandmark, List<Hint> otherHints) {
-        return RecordCopy.with(this, "landmark", otherLandmark, "hints", otherHints);
-    }
-
     /** Returns this level with another observer; {@code null} for none. */
     public Level withObserver(Observer other) {
         return RecordCopy.with(this, "observer", other);

@@ -81,9 +81,4 @@ public record Terrain(
     public Terrain withLayerMap(String file) {
         return RecordCopy.with(this, "layerMap", file);
     }
-
-    /** Returns this terrain at another place. */
-    public Terrain at(Vec3 place) {
-        return RecordCopy.with(this, "centre", place);
-    }
 }

@@ -33,14 +33,6 @@ public final class TriangleHit {
         return weightA;
     }
 
-    public double weightB() {
-        return weightB;
-    }
-
-    public double weightC() {
-        return weightC;
-    }
-
     /** Interpolates the hit point from the corners, which is nearer to the plane than origin + distance · direction. */
     public Vec3 point(double[] corners, int at) {
         return new Vec3(mixed(corners, at), mixed(corners, at + 1), mixed(corners, at + 2));

@@ -68,7 +68,7 @@ final class Illumination {
      *
      * @param sample chooses the rays towards the sky
      */
-    Vector3d radiance(SurfacePoint surface, ShadowRays shadows, PixelSample sample) {
+    Vector3d radiance(SurfacePoint surface, Shafts.ShadowRays shadows, PixelSample sample) {
         Vector3d sum = new Vector3d();
         Vector3d origin = lifted(surface);
         if (sun != null) {
@@ -94,7 +94,8 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
+    private void addSun(
+            SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
         if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
@@ -105,7 +106,12 @@ final class Illumination {
     }
 
     private void addLight(
-            int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
+            int index,
+            SurfacePoint surface,
+            Vector3d origin,
+            Shafts.ShadowRays shadows,
+            PixelSample sample,
+            Vector3d sum) {
         PunctualLight light = lights.get(index);
         Vector3d way = light.position().toVector().sub(origin);
         double distance = way.length();
@@ -122,7 +128,8 @@ final class Illumination {
         }
     }
 
-    private void addSky(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
+    private void addSky(
+            SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
         Vector3d across =
                 Directions.perpendicular(Vec3.of(surface.smoothNormal())).toVector();
         Vector3d up = new Vector3d(surface.smoothNormal()).cross(across);

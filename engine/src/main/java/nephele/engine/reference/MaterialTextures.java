@@ -1,10 +1,12 @@
 package nephele.engine.reference;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.Brdf;
@@ -117,5 +119,48 @@ final class MaterialTextures {
         double roughness = material.roughness() == null ? 1 : material.roughness();
         double metallic = material.metallic() == null ? 0 : material.metallic();
         return Brdf.of(colour, roughness * roughnessFactor, metallic, cosine);
+    }
+
+    /** A picture that repeats in both directions, interpolated bilinearly between its pixel centres, in linear values. */
+    static final class RepeatedPicture {
+        private final Picture picture;
+        private final double[] linear;
+
+        RepeatedPicture(Picture picture, ColourDecoding decoding) {
+            this.picture = picture.toRgba8();
+            linear = decoding.table();
+        }
+
+        /**
+         * Writes red, green, blue and alpha (never decoded) at texture coordinates.
+         *
+         * @param t 0 at the top row, growing downwards
+         */
+        void read(double s, double t, double[] rgba) {
+            double x = (s - Math.floor(s)) * picture.width() - 0.5;
+            double y = (t - Math.floor(t)) * picture.height() - 0.5;
+            int left = (int) Math.floor(x);
+            int top = (int) Math.floor(y);
+            double fx = x - left;
+            double fy = y - top;
+            int right = left + 1 == picture.width() ? 0 : left + 1;
+            int bottom = top + 1 == picture.height() ? 0 : top + 1;
+            left = left < 0 ? picture.width() - 1 : left;
+            top = top < 0 ? picture.height() - 1 : top;
+            Arrays.fill(rgba, 0);
+            add(left, top, (1 - fx) * (1 - fy), rgba);
+            add(right, top, fx * (1 - fy), rgba);
+            add(left, bottom, (1 - fx) * fy, rgba);
+            add(right, bottom, fx * fy, rgba);
+        }
+
+        private void add(int column, int row, double weight, double[] rgba) {
+            byte[] samples = picture.samples();
+            int at = 4 * (row * picture.width() + column);
+            for (int channel = 0; channel < 3; channel++) {
+                rgba[channel] += weight * linear[samples[at + channel] & 0xff];
+            }
+            rgba[3] += weight * ((samples[at + 3] & 0xff) / 255.0);
+        }
     }
 }

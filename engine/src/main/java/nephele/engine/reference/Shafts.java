@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Hash64;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
@@ -193,5 +194,80 @@ final class Shafts {
             case 1 -> new Vec3(s, side, t);
             default -> new Vec3(s, t, side);
         };
+    }
+
+    /** Tests shadow rays. Use one per thread. */
+    static final class ShadowRays {
+        private final TracedItems surfaces;
+        private final Shafts shafts;
+        private final Ray ray = Ray.reusable();
+        private Shafts.Cube cube;
+
+        ShadowRays(TracedItems surfaces, Shafts shafts) {
+            this.surfaces = surfaces;
+            this.shafts = shafts;
+        }
+
+        /**
+         * Returns true if light is blocked.
+         *
+         * @param light number of the sun or of a punctual light in {@code direction}
+         * @param limit parameter of the ray up to which items block it
+         * @param lit the lit item: a convex item does not shade itself
+         */
+        boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int lit) {
+            int except = surfaces.withoutOwnShade(lit);
+            ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+            cube = shafts.cube(origin, cube);
+            return cube == null
+                    ? surfaces.blocker(ray, limit, except) >= 0
+                    : shafts.shaft(cube, light).isBlocked(ray, limit, except);
+        }
+
+        /** Returns true if the sky is occluded in a direction. */
+        boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int lit) {
+            return isBlocked(shafts.patch(direction), origin, direction, Double.POSITIVE_INFINITY, lit);
+        }
+    }
+
+    /** The items that the rays of a shaft may intersect. */
+    static final class Shaft {
+        /** The size of an object, its fields and the header of its list. */
+        private static final int EMPTY_BYTES = 48;
+
+        private final TracedItems surfaces;
+        private final int[] items;
+        /** The index of the item that blocked the last ray, tried first. Unsynchronised: it only affects speed. */
+        private int likely;
+
+        Shaft(TracedItems surfaces, int[] items) {
+            this.surfaces = surfaces;
+            this.items = items;
+        }
+
+        /** Returns the approximate size in memory. */
+        long bytes() {
+            return EMPTY_BYTES + (long) Integer.BYTES * items.length;
+        }
+
+        /**
+         * Returns true if a ray of the shaft intersects any item except {@code except} up to the parameter {@code limit}.
+         */
+        boolean isBlocked(Ray ray, double limit, int except) {
+            int first = likely;
+            return isBlocked(ray, limit, except, first, items.length) || isBlocked(ray, limit, except, 0, first);
+        }
+
+        private boolean isBlocked(Ray ray, double limit, int except, int from, int to) {
+            int i = surfaces.firstBox(ray, limit, items, from, to);
+            while (i < to) {
+                if (items[i] != except && surfaces.isBlockedBy(items[i], ray, limit)) {
+                    likely = i;
+                    return true;
+                }
+                i = surfaces.firstBox(ray, limit, items, i + 1, to);
+            }
+            return false;
+        }
     }
 }

@@ -142,7 +142,7 @@ final class TracedItems {
      *
      * @param items all that are {@link #near} this shaft or a wider one
      */
-    Shaft shaft(ShaftShape shape, int[] items) {
+    Shafts.Shaft shaft(ShaftShape shape, int[] items) {
         long[] met = new long[items.length];
         int count = 0;
         for (int i = 0; i < items.length; i++) {
@@ -152,7 +152,7 @@ final class TracedItems {
             }
         }
         Arrays.sort(met, 0, count);
-        return new Shaft(
+        return new Shafts.Shaft(
                 this,
                 Arrays.stream(met, 0, count).mapToInt(key -> items[(int) key]).toArray());
     }

@@ -85,7 +85,7 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, shafts));
+        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new Shafts.ShadowRays(rays, shafts));
     }
 
     public boolean hasClouds() {
@@ -114,8 +114,8 @@ public final class TracedLevel {
 
     /** Returns an object for one thread that finds clouds on eye paths; empty without clouds. */
     Optional<CloudSight> cloudSight() {
-        return clouds.map(
-                all -> new CloudSight(all.media(), new LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
+        return clouds.map(all -> new CloudSight(
+                all.media(), new CloudSight.LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */

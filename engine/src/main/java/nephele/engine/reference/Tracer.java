@@ -12,11 +12,11 @@ final class Tracer {
     private final Pinhole eye;
     private final Vector3dc from;
     private final EyePath path;
-    private final ShadowRays shadows;
+    private final Shafts.ShadowRays shadows;
     /** {@code null} without clouds. */
     private final CloudSight clouds;
 
-    Tracer(TracedLevel level, Pinhole eye, EyePath path, ShadowRays shadows) {
+    Tracer(TracedLevel level, Pinhole eye, EyePath path, Shafts.ShadowRays shadows) {
         this.level = level;
         this.eye = eye;
         this.path = path;

@@ -10,6 +10,7 @@ import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
@@ -335,6 +336,40 @@ public final class FrameState {
         /** Returns the shortest rotation that maps the world's up direction to {@code up}. */
         public static Quaterniond leaning(Vec3 up) {
             return Rotations.normalised(new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z()));
+        }
+    }
+
+    /**
+     * A portal that a shot has taken away, while its rim closes.
+     *
+     * @param colour 0 or 1, the number of the shot
+     * @param openness 1 when it begins, 0 when it has closed
+     */
+    public record ClosingPortal(Portal portal, int colour, double openness) {}
+
+    /**
+     * The preview of the portal that a shot would open.
+     *
+     * @param colour 0 or 1, the number of the shot
+     */
+    public record PortalPreview(Portal portal, int colour) {}
+
+    /**
+     * The short light of a shot; a value of the frame state.
+     *
+     * @param kind what is drawn
+     * @param colour 0 or 1, the number of the shot
+     * @param age share of its duration that has passed, 0 to 1
+     * @param from where a bolt begins, metres; the place of a shimmer
+     * @param to where a bolt ends; of a shimmer a metre from its place along the surface's normal
+     */
+    public record ShotEffect(Kind kind, int colour, double age, Vec3 from, Vec3 to) {
+        /** The effects. */
+        public enum Kind {
+            /** A streak from the gun to the surface. */
+            BOLT,
+            /** Rings on a surface that takes no portal. */
+            SHIMMER
         }
     }
 }

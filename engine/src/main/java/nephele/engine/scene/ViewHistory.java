@@ -31,10 +31,6 @@ public final class ViewHistory {
         matches.clear();
     }
 
-    public boolean isEmpty() {
-        return before == null;
-    }
-
     /** Finds the match of every terminal opening of {@code now}. */
     public void match(ViewTree now) {
         matches.clear();

@@ -155,14 +155,14 @@ public final class ViewNode {
     }
 
     /** Becomes a drawn view, clipped at the opening's exit plane. */
-    void open(Projections projections, PixelRectangle picture) {
+    void open(ViewTree.Projections projections, PixelRectangle picture) {
         look(projections);
         terminal = false;
         setFrustum(picture);
     }
 
     /** Sets the view behind the opening. */
-    void look(Projections projections) {
+    void look(ViewTree.Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
         own.setThrough(before, opening, projection);

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.scene.ClosingPortal;
+import nephele.engine.scene.FrameState;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.SimState;
 
@@ -66,16 +66,16 @@ final class PortalAges {
     }
 
     /** Returns the portals that are closing, at a share of the tick that ends in {@code tick}. */
-    List<ClosingPortal> closing(long tick, double share) {
+    List<FrameState.ClosingPortal> closing(long tick, double share) {
         moved.removeIf(earlier -> seconds(earlier, tick, 0) >= CLOSING_SECONDS);
         if (moved.isEmpty()) {
             return List.of();
         }
-        List<ClosingPortal> closing = new ArrayList<>(moved.size());
+        List<FrameState.ClosingPortal> closing = new ArrayList<>(moved.size());
         for (Moved earlier : moved) {
             double left = 1 - seconds(earlier, tick, share) / CLOSING_SECONDS;
             if (left > 0) {
-                closing.add(new ClosingPortal(earlier.from, earlier.colour, left * left));
+                closing.add(new FrameState.ClosingPortal(earlier.from, earlier.colour, left * left));
             }
         }
         return closing;

@@ -9,11 +9,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.scene.ClosingPortal;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.MuzzleLight;
-import nephele.engine.scene.PortalPreview;
-import nephele.engine.scene.ShotEffect;
 import nephele.engine.scene.View;
 import org.joml.Quaterniond;
 
@@ -97,11 +94,13 @@ public final class Rehearsal {
         Portal window = all.portals().portal(all.portals().size() - 2);
         Vec3 place = window.centre();
         all.gun(begun.gun());
-        all.previews(List.of(new PortalPreview(window, 0), new PortalPreview(window, 1)));
-        all.closing(List.of(new ClosingPortal(window, 1, HALF_OPEN)));
+        all.previews(List.of(new FrameState.PortalPreview(window, 0), new FrameState.PortalPreview(window, 1)));
+        all.closing(List.of(new FrameState.ClosingPortal(window, 1, HALF_OPEN)));
         all.shotEffects(List.of(
-                new ShotEffect(ShotEffect.Kind.BOLT, 0, HALF_OPEN, place, place.plus(view.right())),
-                new ShotEffect(ShotEffect.Kind.SHIMMER, 1, HALF_OPEN, place, place.plus(view.back()))));
+                new FrameState.ShotEffect(
+                        FrameState.ShotEffect.Kind.BOLT, 0, HALF_OPEN, place, place.plus(view.right())),
+                new FrameState.ShotEffect(
+                        FrameState.ShotEffect.Kind.SHIMMER, 1, HALF_OPEN, place, place.plus(view.back()))));
         all.muzzleLight(new MuzzleLight(view.eye(), 0, 1));
     }
 }

@@ -5,10 +5,10 @@ import java.util.List;
 import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.FrameState.ShotEffect.Kind;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.MuzzleLight;
-import nephele.engine.scene.ShotEffect;
-import nephele.engine.scene.ShotEffect.Kind;
 import nephele.engine.sim.player.PlayerPose;
 import nephele.engine.sim.state.SimState;
 import nephele.engine.sim.state.TickEvent;
@@ -124,16 +124,16 @@ final class ShotEffects {
     }
 
     /** Returns the effects at a share of the tick that ends in {@code tick}. */
-    List<ShotEffect> at(long tick, double share) {
+    List<FrameState.ShotEffect> at(long tick, double share) {
         lasting.removeIf(each -> (tick - each.beginTick) * secondsPerTick >= each.seconds);
         if (lasting.isEmpty()) {
             return List.of();
         }
-        List<ShotEffect> now = new ArrayList<>(lasting.size());
+        List<FrameState.ShotEffect> now = new ArrayList<>(lasting.size());
         for (Lasting each : lasting) {
             double age = (tick - each.beginTick + share) * secondsPerTick / each.seconds;
             if (age >= 0 && age < 1) {
-                now.add(new ShotEffect(each.kind, each.colour, age, each.from, each.to));
+                now.add(new FrameState.ShotEffect(each.kind, each.colour, age, each.from, each.to));
             }
         }
         return now;

@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
-import nephele.engine.scene.PortalPreview;
+import nephele.engine.scene.FrameState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerState;
@@ -36,7 +36,7 @@ final class ShotPreviews {
     private final PlacementResult[] placed = new PlacementResult[GunPortals.Colour.BOTH.size()];
     private final CrosshairState.Half[] halves = new CrosshairState.Half[GunPortals.Colour.BOTH.size()];
     private SimState asked;
-    private List<PortalPreview> previews = List.of();
+    private List<FrameState.PortalPreview> previews = List.of();
     private GunPortals.Colour lastShot = GunPortals.Colour.SECOND;
 
     ShotPreviews(Simulation simulation) {
@@ -59,7 +59,7 @@ final class ShotPreviews {
      * Returns the previews of the portals that shots would open; if both are at one place, that of the shot not fired
      * last.
      */
-    List<PortalPreview> previews(SimState state) {
+    List<FrameState.PortalPreview> previews(SimState state) {
         ask(state);
         return previews;
     }
@@ -156,15 +156,15 @@ final class ShotPreviews {
         return true;
     }
 
-    private List<PortalPreview> outlines(SimState state) {
+    private List<FrameState.PortalPreview> outlines(SimState state) {
         if (!(placed[0] instanceof PlacementResult.Fits) && !(placed[1] instanceof PlacementResult.Fits)) {
             return List.of();
         }
-        List<PortalPreview> all = new ArrayList<>(2);
+        List<FrameState.PortalPreview> all = new ArrayList<>(2);
         for (GunPortals.Colour shot : GunPortals.Colour.BOTH) {
             Portal portal = placed[shot.ordinal()] instanceof PlacementResult.Fits fits ? fits.portal() : null;
             if (portal != null && !isThereAlready(state, shot, portal)) {
-                all.add(new PortalPreview(portal, shot.ordinal()));
+                all.add(new FrameState.PortalPreview(portal, shot.ordinal()));
             }
         }
         if (all.size() == 2 && areOnePlace(all.get(0).portal(), all.get(1).portal())) {

@@ -24,12 +24,12 @@ import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Problem;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelJson;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.state.SimLevel;
@@ -76,7 +76,7 @@ class PlacedModelsTest {
                 model("child", "a", "parent", grow),
                 model("parent", "a", null, move, turn),
                 model("reversed", "a", null, turn, move));
-        var frames = ModelFrames.of(models);
+        var frames = PlacedModels.ModelFrames.of(models);
         assertPlace(new Vec3(1 + 4, 2 - 3, 3 - 2), frames.get(0).transformPosition(new Vector3d(1, 1, 1)));
         assertPlace(new Vec3(1 + 1, 2, 3), frames.get(1).transformPosition(new Vector3d(0, 0, 1)));
         assertPlace(new Vec3(3 + 1, 2, -1), frames.get(2).transformPosition(new Vector3d(0, 0, 1)));
@@ -96,16 +96,16 @@ class PlacedModelsTest {
                     "m" + i, "a", parent, new Translate(new Vec3(0.25, 0, 0)), new Rotate(new Vec3(1, 0, 0), 90)));
         }
         Assertions.assertTimeout(Duration.ofSeconds(2), () -> {
-            Vector3d end = ModelFrames.of(chain).get(0).transformPosition(new Vector3d());
+            Vector3d end = PlacedModels.ModelFrames.of(chain).get(0).transformPosition(new Vector3d());
             assertEquals(2500, end.x, 1e-9);
         });
     }
 
     @Test
     void whatHangsNowhereIsRefused() {
-        assertThrows(IllegalArgumentException.class, () -> ModelFrames.of(List.of(model("a", "x", "b"))));
+        assertThrows(IllegalArgumentException.class, () -> PlacedModels.ModelFrames.of(List.of(model("a", "x", "b"))));
         List<ModelPlacement> circle = List.of(model("a", "x", "b"), model("b", "x", "c"), model("c", "x", "a"));
-        assertThrows(IllegalArgumentException.class, () -> ModelFrames.of(circle));
+        assertThrows(IllegalArgumentException.class, () -> PlacedModels.ModelFrames.of(circle));
     }
 
     /** Every triangle faces outwards, as its normals do, under every kind of scale. */

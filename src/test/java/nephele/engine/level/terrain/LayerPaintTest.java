@@ -13,6 +13,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.Terrain.Layer;
 import nephele.engine.level.TestTerrain;
@@ -21,9 +22,10 @@ import org.junit.jupiter.api.Test;
 
 /** Paint replaces shares of a mixture. The terrain is 64 m square, with its least corner at (68, −62). */
 class LayerPaintTest {
-    private static final Terrain GROUND = TestTerrain.said(
-                    "t", "none", Layer.everywhere("a"), Layer.everywhere("b"), Layer.everywhere("c"))
-            .at(new Vec3(100, 7, -30));
+    private static final Terrain GROUND = RecordCopy.with(
+            TestTerrain.said("t", "none", Layer.everywhere("a"), Layer.everywhere("b"), Layer.everywhere("c")),
+            "centre",
+            new Vec3(100, 7, -30));
     private static final double[] MIXED = {0.5, 0.25, 0.25};
 
     private static LayerMap map(int columns, int rows, int... layersAndWeights) {
@@ -86,7 +88,7 @@ class LayerPaintTest {
     void paintMovesWithItsTerrain() {
         LayerMap map = map(3, 2, 0, 0, 1, 255, 2, 255, 0, 0, 1, 255, 2, 51);
         double[] weights = MIXED.clone();
-        new LayerPaint(GROUND.at(new Vec3(1100, -5, 970)), map).over(1111, 955, weights);
+        new LayerPaint(RecordCopy.with(GROUND, "centre", new Vec3(1100, -5, 970)), map).over(1111, 955, weights);
         assertArrayEquals(at(map, 111, -45), weights, 1e-12);
     }
 

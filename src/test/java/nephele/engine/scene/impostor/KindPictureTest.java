@@ -19,7 +19,7 @@ class KindPictureTest {
 
     private static Picture picture(String file) {
         KindShape shape = KindShape.of(new Kind(new MeshAssets(TestAssets.NONE).mesh(file), new Matrix4d(), null));
-        return KindPicture.of(shape, GREEN, null, ColourDecoding.AS_STORED, 64);
+        return ImpostorAtlas.sprite(shape, GREEN, null, ColourDecoding.AS_STORED, 64);
     }
 
     @Test

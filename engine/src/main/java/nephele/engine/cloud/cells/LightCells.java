@@ -1,5 +1,6 @@
 package nephele.engine.cloud.cells;
 
+import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.cells.ShadingCloud.Towards;
@@ -147,5 +148,13 @@ public final class LightCells {
 
     float[] values() {
         return values;
+    }
+
+    /** Puts a slice as texels: sun-ward depth, diffuse mean, diffuse slope, share from above. */
+    public void put(int k, FloatBuffer texels) {
+        int first = VALUES * cells.index(0, 0, k);
+        for (int n = 0; n < cells.nx() * cells.ny(); n++) {
+            texels.put(values, first + n * VALUES, 4);
+        }
     }
 }

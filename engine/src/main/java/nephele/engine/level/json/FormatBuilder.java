@@ -20,7 +20,7 @@ final class FormatBuilder {
     static RecordFormat record(Class<?> type) {
         RecordComponent[] components = type.getRecordComponents();
         Class<?>[] parameters = new Class<?>[components.length];
-        List<FieldFormat> fields = new ArrayList<>();
+        List<RecordFormat.FieldFormat> fields = new ArrayList<>();
         for (int i = 0; i < components.length; i++) {
             parameters[i] = components[i].getType();
             fields.add(field(components[i]));
@@ -32,7 +32,7 @@ final class FormatBuilder {
         }
     }
 
-    private static FieldFormat field(RecordComponent component) {
+    private static RecordFormat.FieldFormat field(RecordComponent component) {
         Written written = component.getAnnotation(Written.class);
         if (written == null) {
             throw new IllegalStateException(
@@ -40,7 +40,7 @@ final class FormatBuilder {
         }
         ValueFormat format = format(component.getGenericType(), component);
         Object absent = written.absent().isEmpty() ? format.absent() : parsed(written.absent(), format);
-        return new FieldFormat(
+        return new RecordFormat.FieldFormat(
                 component.getName(), component.getAccessor(), format, written.required(), written.beside(), absent);
     }
 
@@ -91,23 +91,23 @@ final class FormatBuilder {
         } else if (type == boolean.class || type == Boolean.class) {
             return new WordFormats.Truth(type == boolean.class ? false : null);
         } else if (type == String.class) {
-            return new TextFormat(written.text(), null);
+            return new WordFormats.TextFormat(written.text(), null);
         } else if (type.isEnum()) {
             return WordFormats.Choice.of(type);
         } else if (type.isRecord()) {
-            return written.array() ? new TupleFormat(record(type)) : record(type);
+            return written.array() ? new RecordFormat.TupleFormat(record(type)) : record(type);
         } else if (type.isSealed()) {
             return variants(type);
         }
         throw new IllegalStateException("no format for " + type);
     }
 
-    private static VariantFormat variants(Class<?> type) {
+    private static RecordFormat.VariantFormat variants(Class<?> type) {
         List<Class<?>> types = Arrays.asList(type.getPermittedSubclasses());
-        types.sort(Comparator.comparing(VariantFormat::kind));
-        return new VariantFormat(
+        types.sort(Comparator.comparing(RecordFormat.VariantFormat::kind));
+        return new RecordFormat.VariantFormat(
                 types,
-                types.stream().map(VariantFormat::kind).toList(),
+                types.stream().map(RecordFormat.VariantFormat::kind).toList(),
                 types.stream().map(FormatBuilder::record).toList());
     }
 }

@@ -8,7 +8,6 @@ import nephele.engine.level.Problem;
 public final class LevelFormatException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    private final String file;
     private final transient List<Problem> problems;
     private final boolean damage;
 
@@ -18,7 +17,6 @@ public final class LevelFormatException extends RuntimeException {
 
     private LevelFormatException(String file, List<Problem> problems, boolean damage) {
         super(problems.stream().map(problem -> problem.line(file)).collect(Collectors.joining("\n")));
-        this.file = file;
         this.problems = List.copyOf(problems);
         this.damage = damage;
     }
@@ -26,10 +24,6 @@ public final class LevelFormatException extends RuntimeException {
     /** Creates the exception for a file that cannot be read, or is no JSON document at all. */
     static LevelFormatException damage(String file, List<Problem> problems) {
         return new LevelFormatException(file, problems, true);
-    }
-
-    public String file() {
-        return file;
     }
 
     /** Returns all problems of the file. */

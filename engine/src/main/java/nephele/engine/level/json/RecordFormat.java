@@ -1,9 +1,13 @@
 package nephele.engine.level.json;
 
 import java.lang.reflect.Constructor;
+import java.lang.reflect.Method;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
+import java.util.Set;
 
 /** The format of an object whose keys are a record's components. */
 final class RecordFormat implements MembersFormat {
@@ -103,5 +107,150 @@ final class RecordFormat implements MembersFormat {
                 .with("properties", properties)
                 .with("required", SchemaDefinitions.texts(required));
         return beside.isEmpty() ? schema : schema.with("allOf", new JsonValue.Array(beside));
+    }
+
+    /** A record written as an array of its members, such as {@code [low, high]}. */
+    record TupleFormat(RecordFormat members) implements ValueFormat {
+        @Override
+        public Object read(JsonValue json, Problems problems) {
+            int count = members.fieldCount();
+            if (!(json instanceof JsonValue.Array array)) {
+                return ValueFormat.mismatch("an array: " + names(), json, problems);
+            }
+            if (array.values().size() != count) {
+                return problems.error("this must hold " + count + " numbers, " + names() + ", not "
+                        + array.values().size());
+            }
+            Object[] values = new Object[count];
+            int before = problems.count();
+            for (int i = 0; i < count; i++) {
+                int mark = problems.enter(i);
+                values[i] = members.field(i).format().read(array.values().get(i), problems);
+                problems.leave(mark);
+            }
+            return problems.count() > before ? null : members.make(values);
+        }
+
+        private String names() {
+            return "[" + String.join(", ", members.names()) + "]";
+        }
+
+        @Override
+        public JsonValue write(Object value) {
+            List<JsonValue> values = new ArrayList<>();
+            for (int i = 0; i < members.fieldCount(); i++) {
+                FieldFormat field = members.field(i);
+                values.add(field.format().write(field.get(value)));
+            }
+            return new JsonValue.Array(values);
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            List<JsonValue> items = new ArrayList<>();
+            for (int i = 0; i < members.fieldCount(); i++) {
+                items.add(members.field(i).format().schema(definitions));
+            }
+            return new JsonValue.Members()
+                    .with("type", new JsonValue.Text("array"))
+                    .with("prefixItems", new JsonValue.Array(items))
+                    .with("items", JsonValue.Literal.FALSE)
+                    .with("minItems", new JsonValue.Number(items.size()));
+        }
+    }
+
+    /** The format of a sealed interface's records; {@code kind} is the record's name in lower case. */
+    record VariantFormat(List<Class<?>> types, List<String> kinds, List<RecordFormat> formats)
+            implements MembersFormat {
+        private static final String KIND = "kind";
+
+        static String kind(Class<?> type) {
+            return type.getSimpleName().toLowerCase(Locale.ROOT);
+        }
+
+        @Override
+        public Object readMembers(JsonValue.Members members, Problems problems) {
+            JsonValue kind = members.ask(KIND);
+            int index = kind instanceof JsonValue.Text text ? kinds.indexOf(text.value()) : -1;
+            if (index >= 0) {
+                return formats.get(index).readMembers(members, problems);
+            }
+            // The kind decides which keys are known; without a kind, no key is reported as unknown.
+            names().forEach(members::ask);
+            int mark = problems.enter(KIND);
+            String found = kind instanceof JsonValue.Text text ? "'" + JsonTree.shortened(text.value()) + "'" : "this";
+            problems.error(
+                    kind == null ? "is missing: one of " + kinds : found + " is no kind that is known here: " + kinds);
+            problems.leave(mark);
+            return null;
+        }
+
+        @Override
+        public void writeMembers(Object value, JsonValue.Members members) {
+            int index = types.indexOf(value.getClass());
+            int before = members.size();
+            formats.get(index).writeMembers(value, members);
+            boolean named = members.size() > before && members.name(before).equals("id");
+            members.insert(named ? before + 1 : before, KIND, new JsonValue.Text(kinds.get(index)));
+        }
+
+        @Override
+        public List<String> names() {
+            Set<String> names = new LinkedHashSet<>(List.of(KIND));
+            formats.forEach(format -> names.addAll(format.names()));
+            return List.copyOf(names);
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            List<JsonValue> variants = new ArrayList<>();
+            for (int i = 0; i < types.size(); i++) {
+                RecordFormat format = formats.get(i);
+                String kind = kinds.get(i);
+                variants.add(definitions.reference(
+                        types.get(i), () -> SchemaDefinitions.closed(format.schemaOfVariant(kind, definitions))));
+            }
+            return new JsonValue.Members().with("oneOf", new JsonValue.Array(variants));
+        }
+
+        @Override
+        public JsonValue.Members schemaBeside(SchemaDefinitions definitions) {
+            List<JsonValue> variants = new ArrayList<>();
+            for (int i = 0; i < types.size(); i++) {
+                variants.add(formats.get(i).schemaOfVariant(kinds.get(i), definitions));
+            }
+            return new JsonValue.Members().with("oneOf", new JsonValue.Array(variants));
+        }
+    }
+
+    /** The format of one key: a record component with its {@link nephele.engine.level.Written} annotation. */
+    record FieldFormat(
+            String name, Method accessor, ValueFormat format, boolean required, boolean beside, Object absent) {
+        Object read(JsonValue.Members members, Problems problems) {
+            if (beside) {
+                return ((MembersFormat) format).readMembers(members, problems);
+            }
+            JsonValue json = members.ask(name);
+            if (json == null && !required) {
+                return absent;
+            }
+            int mark = problems.enter(name);
+            Object value = json == null ? problems.error("is missing") : format.read(json, problems);
+            problems.leave(mark);
+            return value;
+        }
+
+        Object get(Object owner) {
+            try {
+                return accessor.invoke(owner);
+            } catch (ReflectiveOperationException impossible) {
+                throw new IllegalStateException("cannot read " + name, impossible);
+            }
+        }
+
+        JsonValue.Members schema(SchemaDefinitions definitions) {
+            JsonValue.Members schema = format.schema(definitions);
+            return absent == null || required ? schema : schema.with("default", format.write(absent));
+        }
     }
 }

@@ -20,7 +20,7 @@ public final class WrittenRecord {
         format = FormatBuilder.record(type);
         RecordComponent[] components = type.getRecordComponents();
         for (int i = 0; i < components.length; i++) {
-            FieldFormat field = format.field(i);
+            RecordFormat.FieldFormat field = format.field(i);
             Written written = components[i].getAnnotation(Written.class);
             Object prototype = written.prototype().isEmpty() ? null : parsed(written.prototype(), field.format());
             Range range = components[i].getAnnotation(Range.class);

@@ -45,6 +45,6 @@ public record PlacedModel(
     PlacedModel split(double edgeMetres, int mostTriangles) {
         double wanted = Math.ceil(triangles.longestEdge() / edgeMetres);
         double possible = Math.floor(Math.sqrt((double) mostTriangles / Math.max(1, triangles.count())));
-        return with(index, TriangleSubdivision.of(triangles, (int) Math.min(wanted, possible)));
+        return with(index, WorldTriangles.TriangleSubdivision.of(triangles, (int) Math.min(wanted, possible)));
     }
 }

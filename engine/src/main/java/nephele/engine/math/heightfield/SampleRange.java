@@ -62,15 +62,6 @@ public record SampleRange(int firstColumn, int firstRow, int lastColumn, int las
                 Math.min(lastRow, other.lastRow));
     }
 
-    /** Returns true if this has a sample within other ends, which count. */
-    public boolean touches(int fromColumn, int fromRow, int toColumn, int toRow) {
-        return !isEmpty()
-                && firstColumn <= toColumn
-                && lastColumn >= fromColumn
-                && firstRow <= toRow
-                && lastRow >= fromRow;
-    }
-
     /** Returns this range with so many samples more on each side. */
     public SampleRange grown(int samples) {
         return isEmpty()

@@ -1,6 +1,9 @@
 package nephele.engine.model.shape;
 
+import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.model.ModelText;
+import org.joml.Vector3d;
 
 /**
  * A surface of bicubic patches, as stored in a {@code .patch} file.
@@ -18,5 +21,98 @@ public record BezierPatches(String file, List<BezierPatch> patches) {
      */
     public static BezierPatches read(String file, byte[] bytes) {
         return new PatchFile(file, bytes).read();
+    }
+
+    /** Reads a {@code .patch} file: the number of patches, 16 indices a line, the number of points, a point a line. */
+    private static final class PatchFile {
+        private static final int MOST_PATCHES = 100_000;
+        private static final int MOST_POINTS = 1_000_000;
+        private static final int CORNERS = BezierPatch.SIDE * BezierPatch.SIDE;
+
+        private final String file;
+        private final ModelText text;
+
+        /** @param indexLines line of each patch's indices, for later errors */
+        private record Net(List<int[]> indices, List<Integer> indexLines) {}
+
+        PatchFile(String file, byte[] bytes) {
+            this.file = file;
+            this.text = new ModelText(file, bytes, ",");
+        }
+
+        BezierPatches read() {
+            Net net = net();
+            Vector3d[] points = points();
+            while (text.hasNext()) {
+                if (!text.nextLine().isEmpty()) {
+                    throw text.error("something follows the last point", "correct the number of points, or delete it");
+                }
+            }
+            List<BezierPatch> patches = new ArrayList<>();
+            for (int i = 0; i < net.indices.size(); i++) {
+                patches.add(patch(net.indices.get(i), net.indexLines.get(i), points));
+            }
+            return new BezierPatches(file, List.copyOf(patches));
+        }
+
+        private Net net() {
+            int count = count("patches", MOST_PATCHES);
+            var net = new Net(new ArrayList<>(), new ArrayList<>());
+            for (int i = 0; i < count; i++) {
+                List<String> words = words("patch " + (i + 1) + " of " + count, CORNERS, "indices");
+                net.indices.add(words.stream().mapToInt(text::whole).toArray());
+                net.indexLines.add(text.line());
+            }
+            return net;
+        }
+
+        private Vector3d[] points() {
+            int count = count("points", MOST_POINTS);
+            List<Vector3d> points = new ArrayList<>();
+            for (int i = 0; i < count; i++) {
+                List<String> words = words("point " + i + " of " + count, 3, "coordinates");
+                points.add(new Vector3d(
+                        text.coordinate(words.get(0)), text.coordinate(words.get(1)), text.coordinate(words.get(2))));
+            }
+            return points.toArray(new Vector3d[0]);
+        }
+
+        private BezierPatch patch(int[] indices, int line, Vector3d[] points) {
+            Vector3d[] corners = new Vector3d[CORNERS];
+            for (int i = 0; i < CORNERS; i++) {
+                if (indices[i] < 0 || indices[i] >= points.length) {
+                    throw text.wrongAt(
+                            line,
+                            "index " + indices[i] + " names no point",
+                            "use 0 to " + (points.length - 1) + ", as there are " + points.length + " points");
+                }
+                corners[i] = points[indices[i]];
+            }
+            return new BezierPatch(corners);
+        }
+
+        private int count(String what, int most) {
+            int count = text.whole(words("the number of " + what, 1, "number").get(0));
+            if (count < 1 || count > most) {
+                throw text.error("there can't be " + count + " " + what, "write 1 to " + most);
+            }
+            return count;
+        }
+
+        private List<String> words(String what, int wanted, String unit) {
+            while (text.hasNext()) {
+                List<String> words = text.nextLine();
+                if (words.size() == wanted) {
+                    return words;
+                }
+                if (!words.isEmpty()) {
+                    throw text.error(
+                            what + " has " + words.size() + " words in its line",
+                            "write " + wanted + " " + unit + " there");
+                }
+            }
+            throw text.error(
+                    "the file ends before " + what, "write the line that is missing, or correct the number before");
+        }
     }
 }

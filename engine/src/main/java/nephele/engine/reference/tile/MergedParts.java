@@ -35,7 +35,7 @@ public final class MergedParts {
 
     private static Part read(Path path) throws IOException {
         try (FileChannel file = FileChannel.open(path, StandardOpenOption.READ)) {
-            TileRecords records = TileRecords.open(file);
+            PartFile.TileRecords records = PartFile.TileRecords.open(file);
             if (records == null) {
                 throw new PartFileException(path, "is no part of a picture; name what --shard wrote");
             }

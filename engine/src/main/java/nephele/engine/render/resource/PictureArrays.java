@@ -1,21 +1,21 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
-import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.AssetSource;
-import java.util.function.Function;
-import java.util.Map;
-import java.util.HashMap;
 import java.lang.ref.WeakReference;
 import java.nio.ByteBuffer;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import org.lwjgl.system.MemoryUtil;
@@ -32,8 +32,7 @@ public record PictureArrays(List<Texture> textures) {
 
     /** Normal maps; alpha multiplies roughness. */
     public static final SharedResource<PictureArrays> NORMALS = SharedResource.of(
-            "normal maps",
-            context -> of(context, context.scene().materials().normalArrays(), PixelFormat.RGBA8));
+            "normal maps", context -> of(context, context.scene().materials().normalArrays(), PixelFormat.RGBA8));
 
     /**
      * Decodes assets. Passes that are built one after another share a picture; it can be garbage-collected afterwards.
@@ -42,16 +41,16 @@ public record PictureArrays(List<Texture> textures) {
     public static final SharedResource<Function<String, Picture>> DECODED =
             SharedResource.of("decoded pictures", PictureArrays::decoder);
 
-    private record MadeFrom(Same array, PixelFormat format, int anisotropy) {}
+    private record MadeFrom(Identity array, PixelFormat format, int anisotropy) {}
 
-    private record Enlarged(List<Same> pictures, PixelFormat format, int anisotropy) {}
+    private record Enlarged(List<Identity> pictures, PixelFormat format, int anisotropy) {}
 
     private static PictureArrays of(LoadContext context, List<PictureArray> arrays, PixelFormat format) {
         int anisotropy = anisotropy(context);
         return new PictureArrays(arrays.stream()
                 .map(array -> context.share(
                         Texture.class,
-                        new MadeFrom(new Same(array), format, anisotropy),
+                        new MadeFrom(new Identity(array), format, anisotropy),
                         () -> texture(context.gl(), array, format, anisotropy)))
                 .toList());
     }
@@ -72,7 +71,7 @@ public record PictureArrays(List<Texture> textures) {
         int anisotropy = anisotropy(context);
         return context.share(
                 Texture.class,
-                new Enlarged(pictures.stream().map(Same::new).toList(), format, anisotropy),
+                new Enlarged(pictures.stream().map(Identity::new).toList(), format, anisotropy),
                 () -> texture(
                         context.gl(),
                         new PictureArray(

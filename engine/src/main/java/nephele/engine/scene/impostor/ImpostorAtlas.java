@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Material;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.math.Vec3;
 
 /**
  * Pictures of a kind from {@value #SIDE}² directions, with their smaller sizes; immutable.
@@ -14,6 +15,8 @@ import nephele.engine.level.appearance.ColourDecoding;
  * @param shapes 8-bit RGBA of each size: mean normal times coverage, in the kind's frame, and depth
  */
 public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes) {
+    private static final Vec3 FROM = new Vec3(0, 0, 1);
+
     /** Views along a side. */
     public static final int SIDE = 8;
 
@@ -32,7 +35,7 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
     public static ImpostorAtlas of(
             KindShape shape, Material material, Picture picture, ColourDecoding decoding, int texels) {
         AtlasImage image = new AtlasImage(SIDE * texels);
-        Albedo albedo = new Albedo(material, picture, decoding);
+        ViewRaster.Albedo albedo = new ViewRaster.Albedo(material, picture, decoding);
         IntStream.range(0, SIDE * SIDE).parallel().forEach(view -> {
             int column = view % SIDE;
             int row = view / SIDE;
@@ -89,5 +92,34 @@ public record ImpostorAtlas(int side, List<byte[]> colours, List<byte[]> shapes)
             }
         }
         return bytes;
+    }
+
+    /**
+     * Draws the view sprite an impostor from +z without its border. The result's sides are the width and the height sprite the
+     * upright cylinder around the kind.
+     *
+     * @param picture sprite the material's texture, 8-bit RGBA; {@code null} without one
+     * @param texels along a side sprite the view, a multiple sprite 32; 30 sprite 32 are within the border
+     * @return 8-bit RGBA with straight alpha
+     */
+    public static Picture sprite(
+            KindShape shape, Material material, Picture picture, ColourDecoding decoding, int texels) {
+        AtlasImage view = new AtlasImage(texels);
+        new ViewRaster(shape, AtlasView.of(FROM, shape), texels)
+                .resolve(new ViewRaster.Albedo(material, picture, decoding), view, 0, 0);
+        int side = (int) (ImpostorAtlas.FILLED * texels);
+        int border = (texels - side) / 2;
+        ColourDecoding.Codes codes = decoding.codes();
+        byte[] rgba = new byte[4 * side * side];
+        for (int i = 0; i < side * side; i++) {
+            int x = border + i % side;
+            int y = border + side - 1 - i / side;
+            float coverage = view.value(x, y, AtlasImage.ALPHA);
+            for (int channel = 0; channel < AtlasImage.ALPHA && coverage > 0; channel++) {
+                rgba[4 * i + channel] = codes.nearest(view.value(x, y, channel) / coverage);
+            }
+            rgba[4 * i + AtlasImage.ALPHA] = (byte) Math.round(255 * coverage);
+        }
+        return new Picture(side, side, 4, 8, rgba);
     }
 }

@@ -17,7 +17,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.impostor.KindPicture;
+import nephele.engine.scene.impostor.ImpostorAtlas;
 import nephele.engine.scene.impostor.KindShape;
 import org.joml.Vector3d;
 
@@ -63,7 +63,7 @@ record PlantSprites(List<Billboards> groups, AddedAssets assets) {
         Picture texture = file == null
                 ? null
                 : PictureDecoder.decode(file, placed.assets().bytes(file)).toRgba8();
-        return KindPicture.of(shape, material, texture, ColourDecoding.SRGB, TEXELS);
+        return ImpostorAtlas.sprite(shape, material, texture, ColourDecoding.SRGB, TEXELS);
     }
 
     /** Returns billboards of the model's own id: sizes of a field are random by it and the number of the place. */

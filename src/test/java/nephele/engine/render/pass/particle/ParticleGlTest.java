@@ -5,11 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.Emitter.Kind;
 import nephele.engine.level.Level;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
@@ -59,7 +60,8 @@ class ParticleGlTest {
     }
 
     private float[] radiance(Level level, View view, double... seconds) {
-        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+        try (Renderer renderer =
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             FrameState state = FrameState.atStart(level);
             for (double now : seconds) {
                 state.seconds(now);
@@ -97,10 +99,12 @@ class ParticleGlTest {
         float[] fresh = radiance(level, ahead(EYE), 0.4);
         assertTrue(differing(fresh, radiance(level().level(), ahead(EYE), 0)) > 20, "nothing is drawn");
         assertArrayEquals(fresh, radiance(level, ahead(EYE), 3, 0.1, 9, 0.4));
-        Level later = level(emitter.startingAt(MONTH_SECONDS - 20)).level();
+        Level later = level(RecordCopy.with(emitter, "startSeconds", MONTH_SECONDS - 20))
+                .level();
         assertSame(fresh, radiance(later, ahead(EYE), MONTH_SECONDS + 0.4));
         Vec3 far = new Vec3(1_048_576, -1_048_576, 524_288);
-        Level moved = level(emitter.at(CENTRE.plus(far))).level();
+        Level moved =
+                level(RecordCopy.with(emitter, "centre", CENTRE.plus(far))).level();
         assertSame(fresh, radiance(moved, ahead(EYE.plus(far)), 0.4));
     }
 
@@ -241,8 +245,8 @@ class ParticleGlTest {
     @Test
     void withoutARateThereIsNoPass() {
         Emitter nothing = new Emitter("e", Kind.SMOKE, CENTRE, new Vec3(3, 3, 3), 0);
-        try (Renderer renderer =
-                LevelRenderer.load(offscreen.gl, level(nothing).level(), TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+        try (Renderer renderer = LevelRenderer.load(
+                offscreen.gl, level(nothing).level(), TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             assertFalse(
                     renderer.stepNames().contains("particle"),
                     renderer.stepNames().toString());

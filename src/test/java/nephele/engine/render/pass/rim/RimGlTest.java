@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
@@ -23,10 +23,8 @@ import nephele.engine.portal.Portals;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.FrameState;
-import nephele.engine.scene.PortalPreview;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
@@ -113,8 +111,8 @@ class RimGlTest {
         closed.portals(new Portals(both, List.of(Portals.CLOSED, Portals.CLOSED)));
         for (FrameState frameState : List.of(FrameState.atStart(fogged), closed)) {
             try (var offscreen = new Offscreen(64, 36);
-                    var renderer =
-                            LevelRenderer.load(offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
+                    var renderer = LevelRenderer.load(
+                            offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
                 renderer.draw(offscreen.view(new Vec3(0, 1.2, 4), new Vec3(0, 1.2, 0)), frameState, offscreen.picture);
                 for (int rgb : offscreen.pixels()) {
                     assertEquals(0x336699, rgb, "0x" + Integer.toHexString(rgb));
@@ -131,10 +129,12 @@ class RimGlTest {
         closed.portals(new Portals(onFloor, List.of(Portals.CLOSED, Portals.CLOSED)));
         FrameState preview = shots(false, 0);
         preview.portals(Portals.NONE);
-        preview.previews(List.of(new PortalPreview(onFloor.get(0), 0), new PortalPreview(onFloor.get(1), 1)));
+        preview.previews(List.of(
+                new FrameState.PortalPreview(onFloor.get(0), 0), new FrameState.PortalPreview(onFloor.get(1), 1)));
         FrameState none = FrameState.atStart(wall());
         try (var offscreen = new Offscreen(WIDTH, HEIGHT);
-                var renderer = LevelRenderer.load(offscreen.gl, wall(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
+                var renderer =
+                        LevelRenderer.load(offscreen.gl, wall(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
             // Where the eye is in the plane of one of the faces of the lower bar.
             for (double away : new double[] {1.02, 3.48, 3.5, 3.52, 8.74}) {
                 View view = offscreen.view(new Vec3(0.3, 1.65, away), new Vec3(0.3, 1.65, 0));
@@ -234,7 +234,7 @@ class RimGlTest {
     void aPreviewIsSeenAndThinnerThanARim() {
         FrameState frameState = FrameState.atStart(wall());
         int[] none = draw(frameState, Decoration.ON);
-        frameState.previews(List.of(new PortalPreview(portal(LEFT), 0)));
+        frameState.previews(List.of(new FrameState.PortalPreview(portal(LEFT), 0)));
         int[] preview = draw(frameState, Decoration.ON);
         int[] rim = draw(shots(false, 1), Decoration.ON);
         assertTrue(differing(none, preview) > 50, "a ghost");
@@ -246,7 +246,7 @@ class RimGlTest {
     void withoutDecorationThereIsNone() {
         int[] none = draw(FrameState.atStart(wall()), Decoration.OFF);
         FrameState frameState = shots(false, 1);
-        frameState.previews(List.of(new PortalPreview(portal(LEFT), 0)));
+        frameState.previews(List.of(new FrameState.PortalPreview(portal(LEFT), 0)));
         assertArrayEquals(none, draw(frameState, Decoration.OFF));
         assertTrue(differing(none, draw(frameState, Decoration.ON)) > 1000);
     }

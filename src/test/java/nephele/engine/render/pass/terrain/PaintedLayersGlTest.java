@@ -12,6 +12,7 @@ import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
@@ -27,7 +28,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -48,7 +49,7 @@ class PaintedLayersGlTest {
                 .ambient(0.2)
                 .sun(new Vec3(0.4, 0.7, 0.5), 3);
         Terrain said = TestTerrain.said("t", "map.r16", layers).withLayerMap(layerMap);
-        return level.level().withTerrains(List.of(said.at(new Vec3(7, 3, -5))));
+        return level.level().withTerrains(List.of(RecordCopy.with(said, "centre", new Vec3(7, 3, -5))));
     }
 
     private static Material material(String id, Vec3 colour, String picture, double roughness, double metallic) {
@@ -106,7 +107,7 @@ class PaintedLayersGlTest {
                     offscreen.radiance(level, assets, List.of(view), quality).get(0);
             TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
             float[] traced = ReferencePicture.trace(
-                    twin, PinholeViews.of(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
+                    twin, TracedPictures.pinhole(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
             int differing = 0;
             for (int i = 0; i < drawn.length; i++) {
                 differing += Math.abs(drawn[i] - traced[i]) > share * Math.max(traced[i], 0.05) ? 1 : 0;

@@ -6,10 +6,8 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.scene.ClosingPortal;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Opening;
-import nephele.engine.scene.PortalPreview;
 import nephele.engine.scene.View;
 
 /** The appearance of one rim in a view; one object, filled again for each. */
@@ -65,7 +63,7 @@ final class RimLook {
         isOpen = frameState.portals().partner(index) != Portals.CLOSED;
     }
 
-    void of(ClosingPortal closing, FrameState frameState, View newView) {
+    void of(FrameState.ClosingPortal closing, FrameState frameState, View newView) {
         view = newView;
         lie(closing.portal());
         tint = frameState.shotPalette().rim(closing.colour());
@@ -76,7 +74,7 @@ final class RimLook {
         isOpen = false;
     }
 
-    void of(PortalPreview preview, FrameState frameState, View newView) {
+    void of(FrameState.PortalPreview preview, FrameState frameState, View newView) {
         view = newView;
         lie(preview.portal());
         tint = frameState.shotPalette().rim(preview.colour());

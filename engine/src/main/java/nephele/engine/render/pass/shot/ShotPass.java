@@ -24,7 +24,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
-import nephele.engine.scene.ShotEffect;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.lwjgl.system.MemoryUtil;
@@ -104,7 +104,7 @@ public final class ShotPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        List<ShotEffect> effects = frame.frameState().shotEffects();
+        List<FrameState.ShotEffect> effects = frame.frameState().shotEffects();
         if (effects.isEmpty()) {
             return;
         }
@@ -116,9 +116,9 @@ public final class ShotPass implements Pass {
         }
     }
 
-    private void draw(FrameContext frame, ShotEffect effect) {
+    private void draw(FrameContext frame, FrameState.ShotEffect effect) {
         View view = frame.view();
-        boolean isBolt = effect.kind() == ShotEffect.Kind.BOLT;
+        boolean isBolt = effect.kind() == FrameState.ShotEffect.Kind.BOLT;
         boolean isSoftened = frame.frameState().flashStyle() == FlashStyle.SOFTENED;
         Places places = program.uniforms();
         fromEye(view, effect.from(), origin);
