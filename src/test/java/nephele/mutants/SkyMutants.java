@@ -154,7 +154,7 @@ final class SkyMutants {
                     SKY,
                     "every strike of lightning has the first one's strokes",
                     ENGINE + "lightning/LevelLightning.java",
-                    "if (isSeen && now != strike) {",
+                    "if (isVisible && now != strike) {",
                     "if (isSeen && strike == NO_STRIKE) {",
                     "LevelLightningTest"),
             new Mutant(
