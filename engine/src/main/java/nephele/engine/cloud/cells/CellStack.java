@@ -3,7 +3,6 @@ package nephele.engine.cloud.cells;
 import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.cloud.light.DiffuseAxis;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -49,7 +48,7 @@ public record CellStack(
     }
 
     /**
-     * Returns the axis along which diffuse light flows, see {@link DiffuseAxis}.
+     * Returns the axis along which diffuse light flows, see {@link CloudLight#diffuseAxis}.
      *
      * @param towardsSun unit
      */
@@ -58,7 +57,7 @@ public record CellStack(
     }
 
     static Vec3 diffuseAxis(boolean isLayer, CellBox cells, Vec3 towardsSun) {
-        return isLayer ? DiffuseAxis.ofLayer(towardsSun) : DiffuseAxis.of(cells.box(), towardsSun);
+        return isLayer ? CloudLight.diffuseAxisOfLayer(towardsSun) : CloudLight.diffuseAxis(cells.box(), towardsSun);
     }
 
     /** Returns the least optical depth from a place to the outside along an axis; 0 outside of the boxes. */

@@ -44,14 +44,14 @@ public final class FaceRules {
     private static final class Search {
         private final Level level;
         private final BrushIndex solids;
-        private final Told told;
+        private final FirstProblems told;
         private final List<Place> places = new ArrayList<>();
         private int pairs;
 
         Search(Level level, StaticShapes statics, Consumer<Problem> report) {
             this.level = level;
             solids = new BrushIndex(statics);
-            told = new Told("solids", report);
+            told = new FirstProblems("solids", report);
             for (int i = 0; i < statics.solids().size(); i++) {
                 for (BrushFace face : statics.solids().get(i).faces()) {
                     places.add(new Place(i, face));

@@ -3,7 +3,7 @@ package nephele.workshop.prove.cloud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality;
@@ -95,7 +95,7 @@ public final class CloudRadianceProof implements Proof {
             all.add(new Drawn(at, CloudTechnique.VOLUME, "", best, 5));
             if (at.form().equals(BALLS)) {
                 all.add(new Drawn(at, CloudTechnique.PARTICLES, "", best, 10));
-                for (BallLight light : List.of(BallLight.HARRIS, BallLight.DOBASHI)) {
+                for (PuffLight light : List.of(PuffLight.HARRIS, PuffLight.DOBASHI)) {
                     all.add(new Drawn(
                             at,
                             CloudTechnique.PARTICLES,

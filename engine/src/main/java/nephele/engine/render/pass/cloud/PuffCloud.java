@@ -4,7 +4,7 @@ import java.util.function.UnaryOperator;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.light.BeamLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
@@ -18,7 +18,7 @@ public final class PuffCloud implements CloudDrawing {
     private final PlacedCloud placed;
     private final LitCloud cells;
     private final CloudPrograms<PuffUniforms> programs;
-    /** The light along the beam; {@code null} for {@link BallLight#TAIL}. */
+    /** The light along the beam; {@code null} for {@link PuffLight#TAIL}. */
     private final BeamLight beam;
 
     private final PuffQuads quads;
@@ -46,7 +46,7 @@ public final class PuffCloud implements CloudDrawing {
             CloudContext context,
             PlacedCloud placed,
             String shaders,
-            BallLight light,
+            PuffLight light,
             UnaryOperator<Defines> choices) {
         this.placed = placed;
         beam = light.beam(placed.source().physics().optics());

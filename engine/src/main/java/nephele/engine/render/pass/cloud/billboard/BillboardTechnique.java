@@ -1,7 +1,7 @@
 package nephele.engine.render.pass.cloud.billboard;
 
 import nephele.engine.cloud.drawn.CloudPuffs;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality.BillboardFacing;
 import nephele.engine.render.pass.cloud.CloudContext;
@@ -24,7 +24,7 @@ public final class BillboardTechnique {
                 facing == BillboardFacing.SCREEN ? context.withoutImpostors() : context,
                 cloud,
                 "billboard/billboard",
-                BallLight.TAIL,
+                PuffLight.TAIL,
                 defines -> defines.with("FACING", facing.ordinal()));
     }
 }

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.cloud.field.PuffsField;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.light.BeamLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
@@ -35,7 +35,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** The models of sunlight in soft balls. */
 @TestInstance(Lifecycle.PER_CLASS)
-class BallLightGlTest {
+class PuffLightGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
     private static final double SUN = 4;
@@ -70,11 +70,11 @@ class BallLightGlTest {
                 .level();
     }
 
-    private float[] drawn(Level level, BallLight light) {
+    private float[] drawn(Level level, PuffLight light) {
         return drawn(level, light, Quality.ULTRA);
     }
 
-    private float[] drawn(Level level, BallLight light, Quality best) {
+    private float[] drawn(Level level, PuffLight light, Quality best) {
         Quality quality = best.with("samples", 1).with("particleLight", light);
         try (Renderer renderer =
                 LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
@@ -107,7 +107,7 @@ class BallLightGlTest {
 
     @ParameterizedTest
     @CsvSource({"DOBASHI, 0.01", "DOBASHI, 0.06", "HARRIS, 0.01", "HARRIS, 0.06"})
-    void theLightIsTheIntegralAlongTheRay(BallLight model, double perMetre) {
+    void theLightIsTheIntegralAlongTheRay(PuffLight model, double perMetre) {
         var field = new PuffsField(HEAP, CENTRE, perMetre);
         BeamLight light = model.beam(CloudOptics.of(1, 0.5));
         float[] seen = drawn(level(HEAP, perMetre, 0, SUN), model, Quality.ULTRA.with("cloudLightCell", 1));
@@ -122,7 +122,7 @@ class BallLightGlTest {
 
     @ParameterizedTest
     @EnumSource
-    void splittingBallsChangesNothing(BallLight model) {
+    void splittingBallsChangesNothing(PuffLight model) {
         List<Cloud.Puff> twice = new ArrayList<>(HEAP);
         twice.addAll(HEAP);
         float[] one = drawn(level(HEAP, 0.06, 0.3, SUN), model);
@@ -139,7 +139,7 @@ class BallLightGlTest {
     /** The models differ in the light of the sun only. */
     @ParameterizedTest
     @EnumSource
-    void aWhiteFurnaceIsWhite(BallLight model) {
+    void aWhiteFurnaceIsWhite(PuffLight model) {
         for (double perMetre : new double[] {0, 0.05, 500}) {
             for (float value : drawn(level(HEAP, perMetre, 1, 0), model)) {
                 assertEquals(1, value, 1 / 255.0);
@@ -149,8 +149,8 @@ class BallLightGlTest {
 
     @ParameterizedTest
     @EnumSource
-    void withoutDepthNothingIsDrawnAndWithMuchAllIsFinite(BallLight model) {
-        assertArrayEquals(drawn(level(HEAP, 0, 0.7, SUN), BallLight.TAIL), drawn(level(HEAP, 0, 0.7, SUN), model));
+    void withoutDepthNothingIsDrawnAndWithMuchAllIsFinite(PuffLight model) {
+        assertArrayEquals(drawn(level(HEAP, 0, 0.7, SUN), PuffLight.TAIL), drawn(level(HEAP, 0, 0.7, SUN), model));
         for (float value : drawn(level(HEAP, 500, 0.3, SUN), model)) {
             assertTrue(Float.isFinite(value) && value >= 0, "value " + value);
         }
@@ -158,8 +158,8 @@ class BallLightGlTest {
 
     @Test
     void forwardScatteringIsBrighterThanOneScattering() {
-        float[] once = drawn(level(HEAP, 0.06, 0, SUN), BallLight.DOBASHI);
-        float[] forwards = drawn(level(HEAP, 0.06, 0, SUN), BallLight.HARRIS);
+        float[] once = drawn(level(HEAP, 0.06, 0, SUN), PuffLight.DOBASHI);
+        float[] forwards = drawn(level(HEAP, 0.06, 0, SUN), PuffLight.HARRIS);
         double sumOnce = 0;
         double sumForwards = 0;
         for (int i = 0; i < once.length; i++) {
