@@ -18,7 +18,7 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.CelestialSphere;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.SkyRadiance;
@@ -181,7 +181,7 @@ class BakeCommandTest {
         Environment night = Daylight.lit(LevelFile.read(from)).environment();
         SkyRadiance seen = sky(folder.resolve("night.json"));
         SkyRadiance air = SkyRadiance.of(night, id -> null, ColourDecoding.SRGB).orElseThrow();
-        Vec3 moon = CelestialSphere.towardsMoon((Sky.Atmosphere) night.sky());
+        Vec3 moon = CelestialPositions.towardsMoon((Sky.Atmosphere) night.sky());
         double share = seen.from(moon.x(), moon.y(), moon.z()).y / air.from(moon.x(), moon.y(), moon.z()).y;
         assertTrue(share > 1.15, "the moon is in a pixel that is much larger: " + share);
         for (int i = 0; i < 30; i++) {

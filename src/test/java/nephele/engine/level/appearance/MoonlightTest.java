@@ -37,7 +37,7 @@ class MoonlightTest {
     void atNightTheMoonIsInTheSunsPlace() {
         Environment night = at(FULL_MOON_DAY, 23.5);
         Sun light = Daylight.onGround(night);
-        assertEquals(CelestialSphere.towardsMoon((Atmosphere) night.sky()), light.directionTowardsSun());
+        assertEquals(CelestialPositions.towardsMoon((Atmosphere) night.sky()), light.directionTowardsSun());
         assertTrue(light.irradiance().x() > light.irradiance().z(), "the air reddens it");
         Environment dark = at(FULL_MOON_DAY + 15, 23.5);
         assertEquals(Vec3.ZERO, Daylight.onGround(dark).irradiance(), "the new moon is with the sun");

@@ -191,6 +191,6 @@ class LayoutRulesTest {
         for (int i = 0; i < 80; i++) {
             heap.append(",").append(box("in" + i, "0, -0.5, 0", "0.5, 0.5, 0.5"));
         }
-        assertEquals(LimitedReport.MOST + 1, problems(heap.toString(), "").size());
+        assertEquals(FirstProblems.MOST + 1, problems(heap.toString(), "").size());
     }
 }

@@ -29,7 +29,7 @@ public final class Daylight {
             boolean isSomewhere = environment.sun() == null || environment.sun().directionTowardsSun() != null;
             return isSomewhere ? environment : environment.with((Sun) null);
         }
-        Atmosphere then = CelestialSphere.later(sky, seconds);
+        Atmosphere then = CelestialPositions.later(sky, seconds);
         Environment later = then.equals(sky) ? environment : environment.with(then);
         if (!followsHour(environment.sun(), sky)) {
             return later;
@@ -45,11 +45,11 @@ public final class Daylight {
     private static boolean followsHour(Sun sun, Atmosphere sky) {
         return sun == null
                 || sun.directionTowardsSun() == null
-                || sun.directionTowardsSun().equals(CelestialSphere.towardsSun(sky));
+                || sun.directionTowardsSun().equals(CelestialPositions.towardsSun(sky));
     }
 
     private static Sun ofHour(Sun before, Atmosphere then) {
-        Vec3 towards = CelestialSphere.towardsSun(then);
+        Vec3 towards = CelestialPositions.towardsSun(then);
         return before == null
                 ? new Sun(towards, SOLAR_IRRADIANCE, true)
                 : new Sun(towards, before.irradiance(), before.castsShadow());

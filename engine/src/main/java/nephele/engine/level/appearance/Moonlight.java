@@ -26,7 +26,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
 
     /** Returns the moonlight of an hour. */
     public static Moonlight of(Atmosphere sky, Sun sun) {
-        Vec3 towardsMoon = CelestialSphere.towardsMoon(sky);
+        Vec3 towardsMoon = CelestialPositions.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         double share =
                 fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).share();
@@ -36,7 +36,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
 
     /** Returns the sine of the moon's elevation some simulated seconds after an instant. */
     public static double sineAfter(Atmosphere sky, double seconds) {
-        return CelestialSphere.towardsMoon(CelestialSphere.later(sky, seconds)).y();
+        return CelestialPositions.towardsMoon(CelestialPositions.later(sky, seconds)).y();
     }
 
     private static double fade(double sunSine) {

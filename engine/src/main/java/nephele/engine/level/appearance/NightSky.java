@@ -70,8 +70,8 @@ public final class NightSky {
 
     private NightSky(Sky.Atmosphere sky, Sun sun, double share, double eyeHeight) {
         towardsSun = Directions.unit(sun.directionTowardsSun());
-        towardsMoon = CelestialSphere.towardsMoon(sky);
-        starAxes = CelestialSphere.celestialAxes(sky);
+        towardsMoon = CelestialPositions.towardsMoon(sky);
+        starAxes = CelestialPositions.celestialAxes(sky);
         strength = sun.irradiance().scaled(share);
         Vec3 zenith = Daylight.air(sky).transmittance(0, 1);
         zenithDepth = new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z()));

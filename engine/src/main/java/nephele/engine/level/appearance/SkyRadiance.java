@@ -66,7 +66,7 @@ public interface SkyRadiance {
             ClearSky sky = new ClearSky(tables);
             Vec3 direction = new Vec3(x, y, z);
             Vector3d sum = sky.radiance(height, direction, towardsSun)
-                    .plus(CelestialSphere.nightGlow(atmosphere, towardsSun.y(), y))
+                    .plus(CelestialPositions.nightGlow(atmosphere, towardsSun.y(), y))
                     .toVector();
             if (moon.shines()) {
                 Vector3d moonlit =

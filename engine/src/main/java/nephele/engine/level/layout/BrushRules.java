@@ -24,7 +24,7 @@ public final class BrushRules {
     private static final double SAME_NORMAL = 1 - 1e-9;
 
     public static final LevelRule THICK = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
-        LimitedReport reported = new LimitedReport("solids", report);
+        FirstProblems reported = new FirstProblems("solids", report);
         for (int i = 0; i < statics.solids().size() && !reported.isFull(); i++) {
             double thickness =
                     PolyhedronMeasure.thicknessMetres(statics.solids().get(i).shape());
@@ -38,7 +38,7 @@ public final class BrushRules {
 
     public static final LevelRule IN_SIGHT = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
-        LimitedReport reported = new LimitedReport("solids", report);
+        FirstProblems reported = new FirstProblems("solids", report);
         long pairs = 0;
         for (int i = 0; i < statics.solids().size() && !reported.isFull() && pairs < MOST_PAIRS; i++) {
             ItemList near = index.near(statics.solids().get(i).shape().bounds());

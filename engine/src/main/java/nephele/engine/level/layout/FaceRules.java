@@ -45,14 +45,14 @@ public final class FaceRules {
     private static final class Search {
         private final Level level;
         private final BrushIndex solids;
-        private final LimitedReport reported;
+        private final FirstProblems reported;
         private final List<Place> places = new ArrayList<>();
         private int pairs;
 
         Search(Level level, StaticShapes statics, Consumer<Problem> report) {
             this.level = level;
             solids = new BrushIndex(statics);
-            reported = new LimitedReport("solids", report);
+            reported = new FirstProblems("solids", report);
             for (int i = 0; i < statics.solids().size(); i++) {
                 for (BrushFace face : statics.solids().get(i).faces()) {
                     places.add(new Place(i, face));

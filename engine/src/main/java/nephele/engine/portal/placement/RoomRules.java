@@ -14,7 +14,7 @@ import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.layout.FacePath;
-import nephele.engine.level.layout.LimitedReport;
+import nephele.engine.level.layout.FirstProblems;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -91,7 +91,7 @@ public final class RoomRules {
     }
 
     private void report(Consumer<Problem> report) {
-        LimitedReport reported = new LimitedReport("solids", report);
+        FirstProblems reported = new FirstProblems("solids", report);
         Map<Integer, List<String>> tight = new LinkedHashMap<>();
         Map<Integer, BrushFace> firstFaces = new LinkedHashMap<>();
         int face = 0;

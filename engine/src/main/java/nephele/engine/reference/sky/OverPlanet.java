@@ -10,7 +10,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
-import nephele.engine.level.appearance.CelestialSphere;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
@@ -87,7 +87,7 @@ final class OverPlanet implements Surroundings {
     public Vec3 skylight(Vec3 from, Vec3 direction) {
         PlanetPlace place = PlanetPlace.of(from);
         Vec3 zenith = place.zenith();
-        Vec3 glow = CelestialSphere.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
+        Vec3 glow = CelestialPositions.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
         Vec3 sum = sun.from(place, direction).plus(glow.times(outside));
         Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
         boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;

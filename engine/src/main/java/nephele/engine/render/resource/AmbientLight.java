@@ -10,7 +10,7 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
-import nephele.engine.level.appearance.CelestialSphere;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Moonlight;
@@ -88,7 +88,7 @@ public final class AmbientLight {
         Vector3d outside = sun.irradiance().toVector();
         return SkyIrradiance.of(
                 (height, x, y, z) -> smooth.radiance(x, y, z)
-                        .add(CelestialSphere.nightGlow(sky, towardsSun.y(), y).toVector())
+                        .add(CelestialPositions.nightGlow(sky, towardsSun.y(), y).toVector())
                         .add(moonlit.radiance(x, y, z).mul(moonlight))
                         .mul(outside),
                 SMOOTH_CELLS);

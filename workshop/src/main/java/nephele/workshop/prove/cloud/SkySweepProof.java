@@ -12,7 +12,7 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
-import nephele.engine.level.appearance.CelestialSphere;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
@@ -135,7 +135,7 @@ public final class SkySweepProof implements Proof {
         for (int i = 0; i < RINGS * AZIMUTHS; i++) {
             Vec3 direction = direction(i);
             Vec3 radiance = table.radiance(direction, towards)
-                    .plus(CelestialSphere.nightGlow((Atmosphere) now.sky(), towards.y(), direction.y()))
+                    .plus(CelestialPositions.nightGlow((Atmosphere) now.sky(), towards.y(), direction.y()))
                     .scaled(SOLAR_IRRADIANCE);
             light[3 * i] = radiance.x();
             light[3 * i + 1] = radiance.y();

@@ -4,7 +4,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
-import nephele.engine.level.appearance.CelestialSphere;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SunAndMoon;
@@ -100,7 +100,7 @@ final class SkyProgram {
             return;
         }
         skyShown = sky;
-        Vec3[] axes = CelestialSphere.celestialAxes(sky);
+        Vec3[] axes = CelestialPositions.celestialAxes(sky);
         numbers.towardsMoon.set(moonlight.towardsMoon());
         numbers.groundAlbedo.set(Daylight.air(sky).groundAlbedo());
         numbers.equinox.set(axes[0]);

@@ -63,9 +63,9 @@ const float MOON_ALBEDO = java(level.appearance.Moonlight.ALBEDO);
 // The night is brighter than in nature by this factor: half floats and eight stops of exposure shall hold it.
 const float NIGHT_GAIN = java(level.appearance.Moonlight.NIGHT_GAIN);
 // Light of the night's own air and of unresolved stars, after nautical dusk; per unit irradiance of the sun.
-const vec3 NIGHT_GLOW = java(level.appearance.CelestialSphere.NIGHT_GLOW);
+const vec3 NIGHT_GLOW = java(level.appearance.CelestialPositions.NIGHT_GLOW);
 // The glow's irradiance of a level ground, divided by pi and by the glow of the zenith.
-const float GLOW_ON_GROUND = java(level.appearance.CelestialSphere.GLOW_ON_GROUND);
+const float GLOW_ON_GROUND = java(level.appearance.CelestialPositions.GLOW_ON_GROUND);
 const float CELLS = java(level.appearance.NightSky.STAR_CELLS);
 
 uvec3 mixed(uvec3 v) { // M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", 2020: pcg3d

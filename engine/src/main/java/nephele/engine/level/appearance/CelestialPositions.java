@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
  * Where sun, moon and stars stand at an hour. North is −z, east is +x. Circular orbits: the sun keeps true solar time,
  * and the moon goes round once in a synodic month, new on the sixth day of the year.
  */
-public final class CelestialSphere {
+public final class CelestialPositions {
     private static final double OBLIQUITY_RADIANS = Math.toRadians(23.44);
     private static final double DAYS_IN_YEAR = 365.25;
     private static final double DAYS_IN_MONTH = 29.530588;
@@ -24,7 +24,7 @@ public final class CelestialSphere {
     /** The glow's irradiance of a level ground, divided by π and by the glow of the zenith. */
     private static final double GLOW_ON_GROUND = 1.061;
 
-    private CelestialSphere() {}
+    private CelestialPositions() {}
 
     /** Returns the days that have passed since the written hour, in steps of a hundredth of a degree of the sun. */
     static double days(Atmosphere sky, double seconds) {

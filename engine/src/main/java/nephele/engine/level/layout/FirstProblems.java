@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import nephele.engine.level.Problem;
 
 /** Passes the first problems of a rule on; a heap of solids in one place has millions. */
-public final class LimitedReport {
+public final class FirstProblems {
     public static final int MOST = 50;
 
     private final Consumer<Problem> report;
@@ -16,7 +16,7 @@ public final class LimitedReport {
      *
      * @param section path of the problem that says that there are more
      */
-    public LimitedReport(String section, Consumer<Problem> report) {
+    public FirstProblems(String section, Consumer<Problem> report) {
         this.section = section;
         this.report = report;
     }

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 @Execution(ExecutionMode.CONCURRENT)
-class CelestialSphereTest {
+class CelestialPositionsTest {
     private static Atmosphere sky(double latitude, double day, double hours, double dayLength) {
         return new Atmosphere(0.3, 1, 0.8, 1, latitude, day, hours, dayLength, 0.2666);
     }
@@ -32,7 +32,7 @@ class CelestialSphereTest {
     @ParameterizedTest
     @CsvSource({"0, 80, 90", "45, 80, 45", "45, 171.3, 68.44", "45, 354, 21.56", "-30, 354, 83.44", "66.56, 354, 0"})
     void theNoonSunIsAsHighAsTheSeasonHasIt(double latitude, double day, double degrees) {
-        Vec3 sun = CelestialSphere.towardsSun(sky(latitude, day - 0.5, 12, 0));
+        Vec3 sun = CelestialPositions.towardsSun(sky(latitude, day - 0.5, 12, 0));
         assertEquals(degrees, Math.toDegrees(Math.asin(sun.y())), 0.2);
         assertEquals(0, sun.x(), 1e-9, "it stands in the meridian");
         assertEquals(1, sun.dot(sun), 1e-12);
@@ -40,19 +40,19 @@ class CelestialSphereTest {
 
     @Test
     void theSunRisesInTheEastAndSetsInTheWest() {
-        assertTrue(CelestialSphere.towardsSun(sky(45, 80, 7, 0)).x() > 0.9);
-        assertTrue(CelestialSphere.towardsSun(sky(45, 80, 17, 0)).x() < -0.9);
-        assertTrue(CelestialSphere.towardsSun(sky(45, 80, 12, 0)).z() > 0, "noon is in the south");
-        assertTrue(CelestialSphere.towardsSun(sky(45, 80, 0, 0)).y() < 0);
+        assertTrue(CelestialPositions.towardsSun(sky(45, 80, 7, 0)).x() > 0.9);
+        assertTrue(CelestialPositions.towardsSun(sky(45, 80, 17, 0)).x() < -0.9);
+        assertTrue(CelestialPositions.towardsSun(sky(45, 80, 12, 0)).z() > 0, "noon is in the south");
+        assertTrue(CelestialPositions.towardsSun(sky(45, 80, 0, 0)).y() < 0);
     }
 
     @Test
     void aYearInSmallStepsMovesTheSunInSmallSteps() {
         Atmosphere sky = sky(51, 1, 0, 36_000);
         for (int day = 0; day < 366; day += 61) {
-            Vec3 before = CelestialSphere.towardsSun(CelestialSphere.later(sky, 36_000 * day + 0.5));
+            Vec3 before = CelestialPositions.towardsSun(CelestialPositions.later(sky, 36_000 * day + 0.5));
             for (int i = 1; i < 36_000; i++) {
-                Vec3 now = CelestialSphere.towardsSun(CelestialSphere.later(sky, 36_000 * day + i + 0.5));
+                Vec3 now = CelestialPositions.towardsSun(CelestialPositions.later(sky, 36_000 * day + i + 0.5));
                 double moved = Math.toDegrees(now.minus(before).length());
                 assertTrue(moved <= 0.0101, "day " + day + " step " + i);
                 before = now;
@@ -63,12 +63,12 @@ class CelestialSphereTest {
     @Test
     void aDayLaterTheSunIsWhereItWasAndTheMoonTwelveDegreesBehind() {
         Atmosphere sky = sky(45, 80, 9, 600);
-        Atmosphere tomorrow = CelestialSphere.later(sky, 600);
-        assertEquals(1, CelestialSphere.days(sky, 600), 1e-4);
-        Vec3 today = CelestialSphere.towardsSun(sky);
+        Atmosphere tomorrow = CelestialPositions.later(sky, 600);
+        assertEquals(1, CelestialPositions.days(sky, 600), 1e-4);
+        Vec3 today = CelestialPositions.towardsSun(sky);
         assertTrue(
-                Math.toDegrees(CelestialSphere.towardsSun(tomorrow).minus(today).length()) < 0.5);
-        double moved = CelestialSphere.towardsMoon(tomorrow).dot(CelestialSphere.towardsMoon(sky));
+                Math.toDegrees(CelestialPositions.towardsSun(tomorrow).minus(today).length()) < 0.5);
+        double moved = CelestialPositions.towardsMoon(tomorrow).dot(CelestialPositions.towardsMoon(sky));
         assertEquals(12.2, Math.toDegrees(Math.acos(moved)), 2);
     }
 
@@ -78,8 +78,8 @@ class CelestialSphereTest {
         Atmosphere sky = sky(45, 80, 9, 600);
         double fourYears = 1461 * 600.0;
         for (double seconds : new double[] {0, 0.3, 7.77, 321.5}) {
-            Vec3 before = CelestialSphere.towardsSun(CelestialSphere.later(sky, seconds));
-            Vec3 after = CelestialSphere.towardsSun(CelestialSphere.later(sky, seconds + 3 * fourYears));
+            Vec3 before = CelestialPositions.towardsSun(CelestialPositions.later(sky, seconds));
+            Vec3 after = CelestialPositions.towardsSun(CelestialPositions.later(sky, seconds + 3 * fourYears));
             assertTrue(Math.toDegrees(after.minus(before).length()) <= 0.0101, seconds + " s");
         }
     }
@@ -100,15 +100,15 @@ class CelestialSphereTest {
     void theNewMoonIsAtTheSunAndTheFullMoonOpposite() {
         for (double latitude : new double[] {-40, 0, 60}) {
             Atmosphere young = sky(latitude, 6 - 0.25, 6, 0);
-            assertEquals(1, CelestialSphere.towardsMoon(young).dot(CelestialSphere.towardsSun(young)), 1e-6);
+            assertEquals(1, CelestialPositions.towardsMoon(young).dot(CelestialPositions.towardsSun(young)), 1e-6);
             Atmosphere full = sky(latitude, 6 - 0.25 + 29.530588 / 2, 6, 0);
-            assertTrue(CelestialSphere.towardsMoon(full).dot(CelestialSphere.towardsSun(full)) < -0.99);
+            assertTrue(CelestialPositions.towardsMoon(full).dot(CelestialPositions.towardsSun(full)) < -0.99);
         }
     }
 
     @Test
     void theAxesOfTheStarsAreARightHandedBasisAroundThePole() {
-        Vec3[] axes = CelestialSphere.celestialAxes(sky(50, 200, 10.2, 0));
+        Vec3[] axes = CelestialPositions.celestialAxes(sky(50, 200, 10.2, 0));
         assertEquals(0, axes[0].cross(axes[1]).minus(axes[2]).length(), 1e-9);
         assertEquals(Math.sin(Math.toRadians(50)), axes[2].y(), 1e-9);
         assertTrue(axes[2].z() < 0, "the pole is in the north");
